@@ -1,13 +1,19 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds saute and runs it: ./run.sh [ARGS]. Without arguments the window opens.
 # ./run.sh web [--port N] builds the web page and serves it here; ./run.sh web --build DIR writes it as static files.
+# ./run.sh python [SCRIPT...] opens Python with the package saute, or runs a script.
 set -euo pipefail
 cd "$(dirname "$0")"
 source scripts/requirements.sh
 source scripts/wasm.sh
 source scripts/web.sh
+source scripts/python.sh
 
 need_cargo
+if [ "${1:-}" = python ]; then
+    shift
+    python_prompt "$@"
+fi
 if [ "${1:-}" = web ]; then
     shift
     web "$@"

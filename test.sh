@@ -19,6 +19,7 @@ source scripts/changed.sh
 source scripts/campaign_share.sh
 source scripts/fuzz.sh
 source scripts/dependencies.sh
+source scripts/python.sh
 
 # Crates that must compile for the browser and are not in the page.
 BROWSER_CRATES=(surface lab)
@@ -46,6 +47,7 @@ everything() {
     step "build of the tests" cargo test --release --workspace --no-run
     step "tests" tests
     step "soak" soak
+    step "python" test_python
     step "fuzzer" fuzz_briefly "$SHARE_FUZZ_S"
     step "dependencies" judge_dependencies
     step "instruction counts" compare_counts

@@ -1,41 +1,41 @@
-// The worker that plays recorded cooks for the page. The page hands over the compiled module; nothing is fetched but its script.
+// A worker that does one kind of work for the page. The page hands over the compiled module; nothing is fetched but its script.
 
-/** Computing time between two looks at what the page says [ms] (chosen: a new errand waits no longer). */
+/** Computing time between two looks at what the page says [ms] (chosen: a new order waits no longer). */
 const SLICE_MS = 30;
 
 let bench = null;
-let isPlaying = false;
-/** Errands that came before the module was there: the last one counts. */
+let isWorking = false;
+/** Orders that came before the module was there: the last one counts. */
 let early = null;
 
-async function begin({ module, script }) {
+async function begin({ module, script, kind }) {
   const bindings = await import(script);
   await bindings.default({ module_or_path: module });
-  bench = new bindings.ErrandBench();
+  bench = new bindings.ErrandBench(kind);
   if (early) take(early);
 }
 
-function take(errand) {
-  bench.take(errand);
-  if (!isPlaying) play();
+function take(order) {
+  bench.take(order);
+  if (!isWorking) work();
 }
 
-/** Plays slice after slice; between two of them messages are heard. */
-async function play() {
-  isPlaying = true;
+/** Works slice after slice; between two of them it rests as long as its kind of work asks for, and messages are heard. */
+async function work() {
+  isWorking = true;
   while (bench.is_busy()) {
     const answer = bench.go_on(SLICE_MS);
     if (answer) postMessage({ answer }, [answer.buffer]);
-    await new Promise((resolve) => setTimeout(resolve));
+    await new Promise((resolve) => setTimeout(resolve, bench.rest_ms()));
   }
-  isPlaying = false;
+  isWorking = false;
 }
 
 const failed = (error) => postMessage({ failure: String(error?.message ?? error) });
 
 self.addEventListener("message", ({ data }) => {
   if (data.module) begin(data).catch(failed);
-  else if (bench) take(data.errand);
-  else early = data.errand;
+  else if (bench) take(data.order);
+  else early = data.order;
 });
 self.addEventListener("unhandledrejection", ({ reason }) => failed(reason));

@@ -6,8 +6,8 @@ const [{ readPad, shakePad }, { canTilt, Tilt }] = await Promise.all([part("game
 
 /** The page's side of the module. */
 export class Host {
-  constructor(keptCook, controls, errands) {
-    Object.assign(this, { keptCook, controls, errands });
+  constructor(keptCook, controls, errands, reportTo = "") {
+    Object.assign(this, { keptCook, controls, errands, reportTo: origin(reportTo) });
     this.phone = new Tilt(document.getElementById("tilt"));
   }
 
@@ -36,14 +36,14 @@ export class Host {
     return this.phone.read();
   }
 
-  /** Gives the worker an errand. The module's memory may move: the bytes are copied. */
-  askWorker(errand) {
-    this.errands.ask(errand.slice());
+  /** Gives the worker for a kind of work an order. The module's memory may move: the bytes are copied. */
+  askWorker(kind, order) {
+    this.errands.ask(kind, order.slice());
   }
 
-  /** What the worker answered; undefined if it is of no use. */
-  workerAnswers() {
-    return this.errands.take();
+  /** What the worker for a kind of work answered; undefined if it is of no use. */
+  workerAnswers(kind) {
+    return this.errands.take(kind);
   }
 
   /** Shows the controls of the panels, from JSON. */
@@ -62,10 +62,26 @@ export class Host {
     return this.keptCook?.keep(begins, bytes.slice());
   }
 
+  /** Hands the result of a lesson to the page around this one, if the address named its origin. */
+  reportResult(row) {
+    if (this.reportTo && window.parent !== window) {
+      window.parent.postMessage({ type: "saute-result", row: JSON.parse(row) }, this.reportTo);
+    }
+  }
+
   /** Copies a text; without access to the clipboard by a field that is selected. */
   copyText(text) {
     const copied = navigator.clipboard?.writeText(text) ?? Promise.reject(new Error("no clipboard"));
     copied.catch(() => copyByField(text));
+  }
+}
+
+/** An origin such as https://school.example, as it was given; empty for anything else, `*` above all. */
+function origin(text) {
+  try {
+    return new URL(text).origin === text && text !== "null" ? text : "";
+  } catch {
+    return "";
   }
 }
 

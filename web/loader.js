@@ -1,4 +1,5 @@
-// Loads the kitchen and starts it. The address may say: ?lang=ja, ?backend=webgl2 (or webgpu), ?recipe=medium, ?embed, #cook=….
+// Loads the kitchen and starts it. The address may say: ?lang=ja, ?backend=webgl2 (or webgpu), ?recipe=medium, ?embed, #cook=…,
+// ?study=2013&participant=P07, ?scenario=first-steak (&student=S1, &lock=1, &report=https://school.example).
 
 // Files of one build belong together; the version keeps a browser's cache from mixing two.
 const version = new URL(import.meta.url).search;
@@ -13,14 +14,17 @@ const lang = ["en", "ja"].includes(asked.get("lang")) ? asked.get("lang") : "";
 const recipe = asked.get("recipe") ?? "";
 /** In a frame of another page (`?embed`) nothing is kept, neither the cook nor the page. */
 const isEmbedded = asked.has("embed");
-const keptCook = isEmbedded ? null : new KeptCook(`${recipe}${location.hash}`);
+/** Studies and lessons begin anew, and nothing is kept of them but what is saved. */
+const isLed = asked.has("study") || asked.has("scenario");
+const keptCook = isEmbedded || isLed ? null : new KeptCook(`${recipe}${location.hash}`);
 const controls = new Controls(document.getElementById("controls"), () => page);
-/** The compiled module and the address of its script, for the worker. */
+/** The compiled module and the address of its script, for the workers. */
 let giveProgram;
 const program = new Promise((resolve) => (giveProgram = resolve));
 const errands = new Errands(program, place("errand_worker.js"), () => page?.wake());
-const host = new Host(keptCook, controls, errands);
-const options = { lang, recipe, link: location.hash, embed: isEmbedded, host };
+const host = new Host(keptCook, controls, errands, asked.get("report") ?? "");
+const led = Object.fromEntries(["study", "participant", "scenario", "student"].map((key) => [key, asked.get(key) ?? ""]));
+const options = { lang, recipe, ...led, lock: asked.get("lock") === "1", link: location.hash, embed: isEmbedded, host };
 const language = lang || navigator.language;
 const cover = new Cover(words(language));
 document.documentElement.lang = language;

@@ -7,18 +7,20 @@ use saute_kitchen::data::library::DEFAULT_SCALE;
 
 use crate::bench_heat::BenchHeatArgs;
 use crate::bench_paper::BenchPaperArgs;
+use crate::class::ClassCommand;
 use crate::fit::FitArgs;
 use crate::gallery::GalleryArgs;
 use crate::haptics::{CheckArgs, DevicesArgs};
 use crate::picture::bench_frame::BenchFrameArgs;
 use crate::picture::shot::ShotArgs;
 use crate::plan::PlanArgs;
+use crate::study::StudyArgs;
 
 /// Simulates a frying pan and the food in it. Without a command the window opens.
 #[derive(Debug, Parser)]
 #[command(name = "saute", version, after_help = EXIT_CODES)]
 pub struct Args {
-    /// Folder with your own foods/, pans/, recipes/, kinetics/, coatings/ or oils/, doneness.toml or kitchen-at-home.toml. Its files are added to
+    /// Folder with your own foods/, pans/, recipes/, kinetics/, coatings/ or oils/, doneness.toml, goals.toml or kitchen-at-home.toml. Its files are added to
     /// the shipped ones; a file of the same name replaces the shipped one.
     #[arg(long, global = true, value_name = "DIR")]
     pub data: Option<PathBuf>,
@@ -53,12 +55,8 @@ const EXIT_CODES: &str = "Exit codes: 0 done; 1 ran but fell short: max_s stoppe
 /// The commands.
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    /// Opens the window and plays a recipe, or goes on with a recorded session.
-    Open {
-        /// Recipe file, id of a shipped recipe, or session file (.saute).
-        #[arg(value_name = "RECIPE")]
-        recipe: String,
-    },
+    /// Opens the window and plays a recipe, goes on with a recorded session, or begins a lesson.
+    Open(OpenArgs),
     /// Cooks a recipe without a window.
     Cook(CookArgs),
     /// Plays a recorded session again, bit by bit, and prints its numbers. Exit code 1 if it departs.
@@ -73,6 +71,11 @@ pub enum Command {
     /// Finds the schedule (preheating, flips, power, pull, rest) that meets a target best. Exit code 1 if the target cannot be
     /// met.
     Plan(PlanArgs),
+    /// Opens the window in study mode, or analyses the logs of a study.
+    Study(StudyArgs),
+    /// Collects the results of a class.
+    #[command(subcommand)]
+    Class(ClassCommand),
     /// Renders one picture of a recipe at a given time.
     Shot(ShotArgs),
     /// Renders the figures of the 2013 paper with this simulator's foods, each with its numbers.
@@ -80,7 +83,7 @@ pub enum Command {
     /// Benchmarks of the renderer and the solvers.
     #[command(subcommand)]
     Bench(Bench),
-    /// Lists foods, pans, recipes, scales, views or actions.
+    /// Lists foods, pans, recipes, scales, studies, scenarios, views or actions.
     List(ListArgs),
     /// Tools for your own foods.
     #[command(subcommand)]
@@ -101,6 +104,23 @@ pub enum Command {
         #[arg(value_name = "COMMAND")]
         command: Vec<String>,
     },
+}
+
+/// `saute open`.
+#[derive(Debug, clap::Args)]
+pub struct OpenArgs {
+    /// Recipe file, id of a shipped recipe, or session file (.saute).
+    #[arg(value_name = "RECIPE", required_unless_present = "scenario", conflicts_with = "scenario")]
+    pub recipe: Option<String>,
+    /// Scenario file, or id of a shipped scenario (`saute list scenarios`): begins its lesson.
+    #[arg(long, value_name = "SCENARIO")]
+    pub scenario: Option<String>,
+    /// The lesson cannot be left: no other food, recipe, file or link.
+    #[arg(long, requires = "scenario")]
+    pub lock: bool,
+    /// Code of the student, for the result: 1 to 12 letters, digits and hyphens. No names.
+    #[arg(long, value_name = "CODE", requires = "scenario")]
+    pub student: Option<String>,
 }
 
 /// `saute haptics`.
@@ -236,6 +256,12 @@ pub enum Listed {
     Recipes,
     /// Scales of doneness, for `--doneness`.
     Scales,
+    /// Goals of a cook, with what they want.
+    Goals,
+    /// Protocols that `saute study` knows by id.
+    Studies,
+    /// Scenarios that `saute open --scenario` knows by id.
+    Scenarios,
     /// Views, for `--view` and `--split`, with the meaning of their colours.
     Views,
     /// Actions of a recipe's steps, with the keys of their tables and their defaults.
@@ -274,4 +300,8 @@ pub enum Schema {
     Lab,
     /// JSON Schema of half-mirror rigs.
     Rig,
+    /// JSON Schema of study protocols.
+    Study,
+    /// JSON Schema of scenarios for lessons.
+    Scenario,
 }

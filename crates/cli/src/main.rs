@@ -3,6 +3,7 @@
 mod args;
 mod bench_heat;
 mod bench_paper;
+mod class;
 mod commands;
 mod error;
 mod exit_code;
@@ -14,6 +15,7 @@ mod output;
 mod picture;
 mod plan;
 mod report;
+mod study;
 mod validate;
 mod wording;
 mod workers;
@@ -27,7 +29,6 @@ use crate::args::{Args, Bench, Command, Food, Haptics};
 use crate::commands::{cook, food_check, lab, list, manual, open, replay, schema};
 use crate::error::CliError;
 use crate::input::data_library::DataLibrary;
-use crate::input::session_source;
 use crate::output::stderr;
 
 fn main() -> ExitCode {
@@ -50,11 +51,9 @@ fn run(args: Args, process_start: Instant) -> Result<ExitCode, CliError> {
     let library = || DataLibrary::open(args.data.as_deref());
     match args.command {
         None => open::run(library()?, None, args.hands),
-        Some(Command::Open { recipe }) => {
-            let data = library()?;
-            let source = session_source::load(&recipe, &data)?;
-            open::run(data, Some(source), args.hands)
-        }
+        Some(Command::Open(open)) => open::run_named(&open, library()?, args.hands),
+        Some(Command::Study(study)) => study::run(study, library()?, args.hands),
+        Some(Command::Class(command)) => class::run(&command),
         Some(Command::Cook(args)) => cook::run(&args, &library()?),
         Some(Command::Replay(args)) => replay::run(&args, &library()?),
         Some(Command::Fit(args)) => fit::run(&args, &library()?),

@@ -2,6 +2,7 @@
 //!
 //! A person who does what the first advice says, each time that it is due, ends with the goal.
 
+pub mod coaching;
 mod no_power;
 mod situation;
 
@@ -124,6 +125,11 @@ pub enum Advice {
 }
 
 impl Advice {
+    /// Returns true if it says that the goal is reached: take it out now.
+    pub fn is_goal(self) -> bool {
+        matches!(self, Self::TakeOut { .. } | Self::Ready { .. })
+    }
+
     /// Returns true if a cook should act now.
     pub fn is_due(self) -> bool {
         matches!(

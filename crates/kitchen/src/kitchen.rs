@@ -33,6 +33,8 @@ pub(crate) struct Fixed {
     pub(crate) pan_kind: String,
     /// Hash of the data files of pan and kitchen.
     pub(crate) data_hash: u64,
+    /// The text of the file that states the kitchen at home, unless it is the program's own.
+    pub(crate) home: Option<Arc<str>>,
     pub(crate) room: Room,
     pub(crate) hob: HobDescription,
     pub(crate) pan: PanModel,
@@ -152,6 +154,7 @@ impl Fixed {
         Ok(Self {
             pan_kind: pan_kind.to_owned(),
             data_hash: library.pan_hash(pan_kind),
+            home: library.home.clone(),
             pan: PanModel::build(description, library).map_err(BuildError::from)?,
             room: library.room.clone(),
             hob: library.hob.clone(),

@@ -1,7 +1,11 @@
 //! Promises of the rigid bodies: rest, no sinking, no tunnelling, flips and tosses through forces alone.
 
 use saute_kitchen::dynamics::{Pose, RIGID_S};
-use saute_kitchen::{Command, Kitchen, Library, MeshSize, OutlineKind, PieceOrder, Place, TICK_S, food::Rules, kelvin};
+use saute_kitchen::food::GRAVITY;
+use saute_kitchen::hands::FoodVelocities;
+use saute_kitchen::{
+    Command, FRAME_S, Kitchen, Library, MeshSize, OutlineKind, PieceOrder, Place, TICK_S, food::Rules, kelvin,
+};
 
 fn library() -> Library {
     Library::embedded().expect("embedded data")
@@ -214,4 +218,27 @@ fn bodies_sleep_most_of_the_time_while_food_shrinks_in_a_pan_at_rest() {
     }
     assert!(width(&kitchen) < 0.98 * first, "shrinks: {}", width(&kitchen));
     assert!(asleep > ticks / 2, "asleep in {asleep} of {ticks} ticks");
+}
+
+#[test]
+fn a_hand_that_holds_the_pan_feels_the_weight_of_what_lies_in_it_and_more_of_it_while_it_lifts() {
+    let (mut kitchen, ids) = kitchen(&[("beef-lean", 1)]);
+    kitchen.apply(&Command::Put { food: ids[0].clone(), at: [0.02, 0.0], heap: false }).expect("put");
+    kitchen.apply(&Command::Oil { kind: None, mass: 0.03 }).expect("oil");
+    (0..20).for_each(|_| kitchen.step());
+    let wrench = kitchen.pan_wrench(&FoodVelocities::of(&kitchen), FRAME_S);
+    let weight = GRAVITY * (kitchen.pieces()[0].mass() + kitchen.pan_state().oil_mass());
+    assert!((wrench.force.z + weight).abs() < 0.01 * weight, "{wrench:?}, {weight} N");
+    // The steak lies to the right of the centre, so that the pan wants to turn down there.
+    assert!(wrench.torque.y > 0.015 * GRAVITY * kitchen.pieces()[0].mass(), "{wrench:?}");
+
+    let up = Pose { position: kitchen.held_pan().position + glam::DVec3::Z * 0.1, ..kitchen.held_pan() };
+    kitchen.apply(&Command::HoldPan { pose: up }).expect("hold");
+    let mut most = 0.0f64;
+    for _ in 0..6 {
+        let before = FoodVelocities::of(&kitchen);
+        kitchen.advance_frame();
+        most = most.max(-kitchen.pan_wrench(&before, FRAME_S).force.z);
+    }
+    assert!(most > 1.2 * weight, "{most} N of {weight} N");
 }

@@ -1,9 +1,10 @@
-//! The class that a worker's script uses: it plays cooks for the page, in an instance of its own.
+//! The class that a worker's script uses: it does one kind of work for the page, in an instance of its own.
 
 use std::time::Duration;
 
 use saute_kitchen::Library;
-use saute_window::session::errand::bench::Bench;
+use saute_window::work::Kind;
+use saute_window::work::bench::Bench;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// A bench with its own foods and pans.
@@ -12,28 +13,34 @@ pub struct ErrandBench(Bench);
 
 #[wasm_bindgen]
 impl ErrandBench {
-    /// A bench without work.
+    /// A bench without an order, for a kind of work by its name.
     ///
     /// # Errors
     ///
-    /// Throws if the embedded data is broken.
+    /// Throws if there is no such kind, or the embedded data is broken.
     #[wasm_bindgen(constructor)]
-    pub fn new() -> Result<Self, js_sys::Error> {
+    pub fn new(kind: &str) -> Result<Self, js_sys::Error> {
+        let kind = Kind::named(kind).ok_or_else(|| js_sys::Error::new(&format!("there is no work \"{kind}\"")))?;
         let library = Library::embedded().map_err(|error| js_sys::Error::new(&error.to_string()))?;
-        Ok(Self(Bench::new(library.into())))
+        Ok(Self(Bench::new(kind, library.into())))
     }
 
-    /// Takes an errand in place of the one before.
-    pub fn take(&mut self, errand: &[u8]) {
-        self.0.take(errand);
+    /// Takes an order in place of the one before.
+    pub fn take(&mut self, order: &[u8]) {
+        self.0.take(order);
     }
 
-    /// Plays on for some milliseconds; returns an answer where one is due.
+    /// How long it rests before it goes on [ms].
+    pub fn rest_ms(&mut self) -> f64 {
+        1000.0 * self.0.rest().as_secs_f64()
+    }
+
+    /// Works on for some milliseconds; returns an answer where one is due.
     pub fn go_on(&mut self, for_ms: u32) -> Option<Vec<u8>> {
         self.0.go_on(Duration::from_millis(for_ms.into()))
     }
 
-    /// True while an errand is under way.
+    /// True while there is something to do.
     pub fn is_busy(&self) -> bool {
         self.0.is_busy()
     }

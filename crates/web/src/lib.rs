@@ -4,6 +4,7 @@
 
 mod backend;
 pub mod errand_bench;
+mod led;
 mod options;
 pub mod page;
 mod shared_app;

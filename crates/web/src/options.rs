@@ -14,6 +14,10 @@ pub(crate) struct Options {
     pub language: Option<Language>,
     /// Name of a shipped recipe to play at once, or none.
     pub recipe: Option<String>,
+    /// Id of a shipped study, and the code of its participant.
+    pub study: Option<(String, String)>,
+    /// Id of a shipped scenario, the code of its student, and true if it cannot be left.
+    pub lesson: Option<(String, String, bool)>,
     /// The page's script.
     pub host: Option<Host>,
     /// What is kept of the last cook.
@@ -25,7 +29,7 @@ pub(crate) struct Options {
 }
 
 impl Options {
-    /// Reads `{ backend, lang, recipe, link, embed, host, kept }`; absent and empty values leave the choice to the program.
+    /// Reads `{ backend, lang, recipe, study, participant, scenario, student, lock, link, embed, host, kept }`; absent and empty values leave the choice to the program.
     ///
     /// # Errors
     ///
@@ -39,11 +43,15 @@ impl Options {
             other => return Err(format!("lang: \"{other}\" is neither \"en\" nor \"ja\"")),
         };
         let recipe = Some(recipe).filter(|name| !name.is_empty());
+        let named = |key, with| Some((text(object, key), text(object, with))).filter(|(name, _)| !name.is_empty());
+        let is_locked = value(object, "lock").is_some_and(|lock| lock.is_truthy());
+        let study = named("study", "participant");
+        let lesson = named("scenario", "student").map(|(scenario, student)| (scenario, student, is_locked));
         let host = value(object, "host").map(JsCast::unchecked_into);
         let is_embedded = value(object, "embed").is_some_and(|embed| embed.is_truthy());
         let kept =
             value(object, "kept").and_then(|kept| kept.dyn_into::<js_sys::Uint8Array>().ok()).map(|kept| kept.to_vec());
-        Ok(Self { backend: Choice::read(&backend)?, language, recipe, host, kept, link, is_embedded })
+        Ok(Self { backend: Choice::read(&backend)?, language, recipe, study, lesson, host, kept, link, is_embedded })
     }
 }
 

@@ -13,6 +13,7 @@ use wasm_bindgen::{JsCast, JsValue};
 use web_sys::HtmlCanvasElement;
 
 use crate::backend::Backend;
+use crate::led;
 use crate::options::Options;
 use crate::shared_app::SharedApp;
 use crate::stats::Stats;
@@ -39,7 +40,7 @@ impl Page {
         Self { runner: WebRunner::new(), app: SharedApp::default(), backend: Rc::default() }
     }
 
-    /// Starts on a canvas with `{ backend: "auto" | "webgpu" | "webgl2", lang: "en" | "ja" | "", recipe, link, embed, host, kept }`. A
+    /// Starts on a canvas with `{ backend: "auto" | "webgpu" | "webgl2", lang: "en" | "ja" | "", recipe, study, participant, scenario, student, lock, link, embed, host, kept }`. A
     /// page that was started goes on with its cook on the new canvas.
     ///
     /// # Errors
@@ -150,7 +151,10 @@ fn start(options: Options) -> Result<Start, String> {
     let recipe = options.recipe.map(|name| shipped(&library, &name)).transpose()?;
     let page =
         PageStart { host: options.host, kept: options.kept, link: options.link, is_embedded: options.is_embedded };
-    Ok(Start { library: Some(library.into()), recipe, recorded: None, language: options.language, frugal: true, page })
+    let study = options.study.map(|(study, code)| led::study(&library, &study, &code)).transpose()?;
+    let lesson = options.lesson.map(|lesson| led::lesson(&library, lesson)).transpose()?;
+    let (language, library) = (options.language, Some(library.into()));
+    Ok(Start { library, recipe, recorded: None, study, lesson, language, frugal: true, page })
 }
 
 fn shipped(library: &saute_kitchen::Library, name: &str) -> Result<Recipe, String> {

@@ -2,11 +2,15 @@
 
 use egui::Key;
 use saute_picture::view::View;
+use saute_plan::forecast::Question;
 use saute_scene::light::room_light::RoomLight;
 use saute_scene::light::white_balance::WhiteBalance;
 
+use crate::at_home::AtHomeAct;
+use crate::guided::GuidedAct;
 use crate::input::pouring::Pourable;
 use crate::mirror::settings::MirrorSettings;
+use crate::plan::PlanAct;
 use crate::session::SteakChoice;
 use crate::ui::glance::EyeView;
 use crate::ui::interface_size::InterfaceSize;
@@ -48,6 +52,8 @@ pub enum Act {
     Flip,
     /// Onto the board.
     Out,
+    /// Does what a forecast asks about with the piece that the panels show.
+    Asked(Question),
     /// The knife halves what was taken out.
     Halve,
     /// Tosses what is in the pan.
@@ -191,10 +197,20 @@ pub enum Act {
     Calibrate(bool),
     /// Reads the half mirror's rig again.
     ReadRig,
+    /// Saves the result of the cook as a picture.
+    ShareResult,
+    /// Begins the tutorial, or leaves it.
+    Tutorial(bool),
     /// Changes a remembered setting.
     Set(Setting),
+    /// What a study or a lesson asks for.
+    Guided(GuidedAct),
     /// Says something over the scene.
     Say(String),
+    /// Does something about a plan.
+    Plan(PlanAct),
+    /// Does something about the kitchen at home.
+    AtHome(AtHomeAct),
     /// Opens a card in place of the one that is open.
     Open(Card),
     /// Closes a card.
@@ -232,8 +248,18 @@ pub enum Setting {
     Scale(String),
     /// Goal for the core by the scale of the food shown, in its unit [°C or %].
     Goal(f64),
+    /// The goal that a cook is judged by, by its id.
+    GoalNamed(String),
+    /// True if the coach speaks.
+    Coach(bool),
+    /// True if the result opens by itself.
+    ResultOpens(bool),
+    /// True if all read-outs are hidden.
+    SkillMode(bool),
     /// The food and the pan.
     Choice(SteakChoice),
+    /// True lets forecasts be made.
+    Forecasts(bool),
     /// The half mirror.
     Mirror(Box<MirrorSettings>),
 }
@@ -253,6 +279,16 @@ pub enum Card {
     FirstSteps,
     /// What there is to learn and to try.
     Learn,
+    /// The lessons.
+    Lessons,
+    /// The goals of a cook.
+    Goals,
+    /// The result of the cook.
+    Result,
+    /// A plan for the chosen food.
+    Plan,
+    /// The kitchen at home.
+    AtHome,
 }
 
 /// What a key is about: the help lists keys by it.

@@ -17,20 +17,26 @@ use saute_scene::quality::Quality;
 
 use crate::act::Card;
 use crate::apply::waiting::Waiting;
+use crate::at_home::fitting::AtHome;
+use crate::at_home::kept::KeptKitchen;
 #[cfg(target_arch = "wasm32")]
 use crate::browser::host::Surroundings;
 use crate::frame_meter::FrameMeter;
 use crate::governor::Governor;
+use crate::guided::{Guided, LessonStart, StudyStart};
 use crate::input::pad_input::Pad;
 use crate::input::pan_keys::PanKeys;
 use crate::input::pouring::Portion;
 use crate::input::tool_hand::ToolHand;
+use crate::learn::Learning;
 use crate::mirror::presenter::MirrorCallback;
 use crate::mirror::view::MirrorView;
 use crate::paint::ground::GroundCallback;
 use crate::paint::panel_layer::PanelLayer;
 use crate::paint::scene::SceneCallback;
 use crate::panels::window_state::PanelMemory;
+use crate::plan::live::Live;
+use crate::plan::planning::Planning;
 use crate::session::Session;
 use crate::settings::Settings;
 use crate::ui::fingers;
@@ -43,6 +49,9 @@ use crate::ui::ways_view::WaysView;
 #[cfg(not(target_arch = "wasm32"))]
 use crate::window::Surroundings;
 use crate::words::language::Language;
+use crate::work::Agency;
+#[cfg(not(target_arch = "wasm32"))]
+use crate::work::thread::Threads;
 
 /// Where settings are remembered.
 const SETTINGS_KEY: &str = "saute.settings";
@@ -69,9 +78,16 @@ pub struct Start {
     pub language: Option<Language>,
     /// True draws panels a few times a second where the graphics are software.
     pub frugal: bool,
+    /// True lets threads work beside the window; without them, and without a page, nobody does.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub threads: bool,
     /// Folder of pictures; that of the user unless given.
     #[cfg(not(target_arch = "wasm32"))]
     pub pictures: Option<std::path::PathBuf>,
+    /// A study that leads the window.
+    pub study: Option<StudyStart>,
+    /// A lesson to begin with.
+    pub lesson: Option<LessonStart>,
     /// Devices that hands hold.
     #[cfg(not(target_arch = "wasm32"))]
     pub hands: crate::hand::HandsStart,
@@ -91,11 +107,23 @@ pub struct SauteApp {
     pub(crate) slice: Option<f64>,
     /// The card that is open.
     pub(crate) card: Option<Card>,
+    /// The study or the lesson that leads the cook.
+    pub(crate) guided: Option<Guided>,
     pub(crate) notice: Notice,
     pub(crate) motions: Motions,
     pub(crate) scene: SceneView,
+    /// What the window keeps of what it teaches.
+    pub(crate) learn: Learning,
     /// Ways side by side.
     pub(crate) ways: WaysView,
+    /// The library with which the program was started.
+    pub(crate) library: Arc<Library>,
+    /// What was entered about the kitchen at home, and the fit to it.
+    pub(crate) at_home: AtHome,
+    /// The search for a plan.
+    pub(crate) planning: Planning,
+    /// The cook that follows a plan.
+    pub(crate) live: Option<Live>,
     /// What panels keep from frame to frame.
     pub(crate) memory: PanelMemory,
     pub(crate) pan_keys: PanKeys,
@@ -123,6 +151,8 @@ pub struct SauteApp {
     /// Chooses the quality of the picture where that is left to the program.
     pub(crate) governor: Governor,
     pub(crate) mirror: MirrorView,
+    /// Who finds helpers for heavy work, if anyone does.
+    agency: Option<Box<dyn Agency>>,
     /// The photo mode.
     #[cfg(not(target_arch = "wasm32"))]
     pub(crate) photo: crate::photo::PhotoMode,
@@ -177,9 +207,12 @@ impl SauteApp {
         start: Start,
     ) -> Result<Self, StartError> {
         let japanese_font = crate::ui::japanese_font::install(context);
-        let remembers = stored.is_some() && start.recipe.is_none() && start.recorded.is_none();
+        let is_led = start.study.is_some() || start.lesson.is_some();
+        let remembers = stored.is_some() && start.recipe.is_none() && start.recorded.is_none() && !is_led;
         let (settings, refused) = stored.map_or_else(Default::default, |text| Settings::remembered(&text));
         let library = start.library.map_or_else(|| Library::embedded().map(Arc::new), Ok)?;
+        let started = Arc::clone(&library);
+        let library = KeptKitchen::library(settings.kitchen.as_ref(), library);
         let mut session = Session::new(Arc::clone(&library), &settings.choice)
             .or_else(|_| Session::new(library, &Default::default()))?;
         session.set_speed(settings.speed);
@@ -199,10 +232,16 @@ impl SauteApp {
             camera_preset: 0,
             slice: None,
             card: first_steps.then_some(Card::FirstSteps),
+            guided: None,
             notice: Notice::default(),
             motions: Motions::default(),
             scene: SceneView::default(),
+            learn: Learning::default(),
             ways: WaysView::default(),
+            library: started,
+            at_home: AtHome::default(),
+            planning: Planning::default(),
+            live: None,
             memory: PanelMemory::default(),
             pan_keys: PanKeys::default(),
             tool_hand: ToolHand::default(),
@@ -220,6 +259,7 @@ impl SauteApp {
             governor: Governor::new(Quality::Best),
             japanese_font,
             mirror: MirrorView::default(),
+            agency: None,
             #[cfg(not(target_arch = "wasm32"))]
             photo: Default::default(),
             #[cfg(not(target_arch = "wasm32"))]
@@ -235,10 +275,20 @@ impl SauteApp {
             mirrored: Default::default(),
         };
         app.draw_on(context, graphics);
+        #[cfg(not(target_arch = "wasm32"))]
+        if start.threads {
+            let context = context.clone();
+            app.employ(Box::new(Threads::new(Arc::new(move || context.request_repaint()))));
+        }
         app.settings.language = Language::English;
         app.set_language(language);
         if refused {
             app.say("notice.settings_refused");
+        }
+        if let Some(study) = start.study {
+            app.begin_study(study);
+        } else if let Some(lesson) = start.lesson {
+            app.open_lesson(lesson);
         }
         Ok(app)
     }
@@ -297,7 +347,8 @@ impl SauteApp {
     pub(crate) fn card_is_open(&self) -> bool {
         // Behind that of the half mirror the cook goes on in the mirror.
         let card = self.card.is_some_and(|card| card != Card::Mirror);
-        card || self.photo_is_open() || self.offered_s().is_some()
+        let asks = self.guided.as_ref().is_some_and(Guided::asks) || self.session.asks();
+        card || asks || self.photo_is_open() || self.offered_s().is_some()
     }
 
     /// Says a text that leaves nothing open.
@@ -408,6 +459,10 @@ impl eframe::App for SauteApp {
     }
 
     fn save(&mut self, storage: &mut dyn eframe::Storage) {
+        // What a study shows is not what the next person at this machine chose.
+        if matches!(self.guided, Some(Guided::Study(_))) {
+            return;
+        }
         if let Ok(text) = serde_json::to_string(&self.settings) {
             storage.set_string(SETTINGS_KEY, text);
         }

@@ -3,6 +3,7 @@
 mod cards;
 mod clock;
 mod food;
+mod learn;
 mod look;
 mod time;
 pub(crate) mod waiting;
@@ -19,7 +20,7 @@ const TOSS_M: f64 = 0.12;
 impl SauteApp {
     /// Carries out an act. Only this function lets acts change the window; the match is exhaustive, one line per act.
     pub fn act(&mut self, act: Act, ctx: &egui::Context) {
-        if self.puts_off(&act) {
+        if self.refuses(&act) || self.is_hidden(&act) || self.puts_off(&act) {
             return;
         }
         match act {
@@ -36,6 +37,7 @@ impl SauteApp {
             Act::Heap(ids) => self.heap_in(&ids),
             Act::Remove(ids) => self.session.remove(&ids),
             Act::Flip => self.command(&Command::Flip { food: self.handled_id() }),
+            Act::Asked(question) => self.do_asked(question),
             Act::Halve => self.halve(),
             Act::Out => self.take_out(),
             Act::Toss => self.command(&Command::Toss { height: TOSS_M }),
@@ -119,8 +121,13 @@ impl SauteApp {
             Act::MirrorWindow(open) => (self.mirror.open, self.mirror.full) = (open, false),
             Act::Calibrate(on) => self.calibrate_mirror(on),
             Act::ReadRig => self.mirror.forget_rig(),
+            Act::ShareResult => self.share_result(),
+            Act::Tutorial(on) => self.set_tutorial(on),
             Act::Set(setting) => self.set(setting),
+            Act::Guided(act) => self.guided_act(act, ctx),
             Act::Say(text) => self.notice.say(text),
+            Act::Plan(act) => self.act_on_plan(act, ctx),
+            Act::AtHome(act) => self.act_on_home(act),
             Act::Open(card) => self.open_card(card),
             Act::Shut(card) => self.shut_card(card),
             Act::Help => self.toggle_card(Card::Help),
@@ -149,9 +156,15 @@ impl SauteApp {
             Setting::Goal(goal) => {
                 if let Some(scale) = self.scale() {
                     self.settings.set_goal(&scale, goal);
+                    self.settings.goal_id = None;
                 }
             }
+            Setting::GoalNamed(id) => self.choose_goal(id),
+            Setting::Coach(on) => self.settings.coach = on,
+            Setting::ResultOpens(on) => self.settings.result_opens = on,
+            Setting::SkillMode(on) => self.set_skill_mode(on),
             Setting::Choice(choice) => self.settings.choice = choice,
+            Setting::Forecasts(on) => self.settings.forecasts = on,
             Setting::Mirror(mirror) => self.settings.mirror = *mirror,
         }
     }

@@ -69,6 +69,10 @@ pub struct FrameBench {
     pub frames: usize,
     /// Simulated time at the start and at the end [s].
     pub simulated_s: [f64; 2],
+    /// Simulated time over wall time [-].
+    pub simulated_per_wall: f64,
+    /// How often a forecast came; 0 where none are made.
+    pub forecast_rounds: u64,
 }
 
 /// Frames per second: the middle, and what 95 % of the frames reach.
@@ -80,17 +84,26 @@ pub struct FrameRates {
     pub p5: f64,
 }
 
-/// Plays a recipe from a time on, half a minute long at 1×, and draws frames as fast as they come.
-pub fn bench_frame(
-    start: Start,
-    size: [u32; 2],
-    from_s: f64,
-    quality: QualityChoice,
-    process_start: Instant,
-) -> Result<FrameBench, OffscreenError> {
+/// How frames are measured.
+#[derive(Clone, Copy, Debug)]
+pub struct FrameCase {
+    /// Size of the window [pixels].
+    pub size: [u32; 2],
+    /// Simulated time from which frames are measured [s].
+    pub from_s: f64,
+    /// Rendering quality.
+    pub quality: QualityChoice,
+    /// Simulated time over wall time [-].
+    pub speed: f64,
+}
+
+/// Plays a recipe from a time on, half a minute long, and draws frames as fast as they come.
+pub fn bench_frame(start: Start, case: FrameCase, process_start: Instant) -> Result<FrameBench, OffscreenError> {
+    let FrameCase { size, from_s, quality, speed } = case;
     let recipe = start.recipe.as_ref().map(|r: &Recipe| r.title.clone()).unwrap_or_default();
     let mut window = Offscreen::open(start, size)?;
     window.app.set_quality(quality);
+    window.app.session_mut().set_speed(speed);
     window.frame(0.0);
     let first_frame_s = process_start.elapsed().as_secs_f64();
     while window.app.session().kitchen.time_s() < from_s && !window.app.session().paused {
@@ -107,8 +120,11 @@ pub fn bench_frame(
         window.frame(begin.elapsed().as_secs_f64());
         durations.push(frame.elapsed().as_secs_f64());
     }
+    let wall_s = begin.elapsed().as_secs_f64();
     durations.sort_by(f64::total_cmp);
     let at = |share: f64| durations[((durations.len() - 1) as f64 * share).round() as usize];
+    let session = window.app.session();
+    let simulated_until = session.kitchen.time_s();
     Ok(FrameBench {
         frames_per_s: FrameRates { median: 1.0 / at(0.5), p5: 1.0 / at(0.95) },
         first_frame_s,
@@ -118,6 +134,8 @@ pub fn bench_frame(
         quality: window.app.quality(),
         recipe,
         frames: durations.len(),
-        simulated_s: [simulated_from, window.app.session().kitchen.time_s()],
+        simulated_s: [simulated_from, simulated_until],
+        simulated_per_wall: (simulated_until - simulated_from) / wall_s,
+        forecast_rounds: session.forecasts().rounds(),
     })
 }

@@ -19,6 +19,7 @@ use web_sys::{Blob, BlobPropertyBag, CustomEvent, File, HtmlAnchorElement, HtmlI
 
 use crate::app::SauteApp;
 use crate::export::Export;
+use crate::plan::PlanFile;
 use crate::ui::japanese_font;
 use crate::words::language::Language;
 
@@ -102,6 +103,14 @@ impl SauteApp {
         self.export_by(what, Path::new(&name), |bytes| download(&name, what.media_type(), bytes));
     }
 
+    /// Hands the browser a file that is made of a plan.
+    pub(crate) fn save_plan(&mut self, file: PlanFile, _: &egui::Context) {
+        let Some(bytes) = self.plan_file(file) else { return };
+        let name = file.file_name(self.settings.language);
+        let written = download(&name, file.media_type(), &bytes);
+        self.say_written(Path::new(&name), written, PlanFile::SAID);
+    }
+
     /// Reads dropped files; they arrive in a later frame.
     pub(crate) fn take_dropped_files(&mut self, ctx: &egui::Context) {
         for file in ctx.input(|i| i.raw.dropped_files.clone()) {
@@ -160,7 +169,7 @@ fn save(name: &str, media_type: &str, bytes: &[u8]) -> Result<(), JsValue> {
 fn choose(inbox: Inbox, ctx: egui::Context) -> Result<(), JsValue> {
     let input: HtmlInputElement = element("input")?;
     input.set_type("file");
-    input.set_accept(".toml,.saute,text/plain");
+    input.set_accept(".toml,.saute,.csv,.tsv,text/plain,text/csv");
     let chosen = input.clone();
     let read = Closure::once_into_js(move || {
         let Some(file) = chosen.files().and_then(|files| files.get(0)) else { return };

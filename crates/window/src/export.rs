@@ -143,16 +143,31 @@ impl SauteApp {
             Ok(made) => made,
             Err(error) => return self.notice.say(l.fill("notice.no_recipe", &[("error", &error)])),
         };
-        if let Err(error) = write(&bytes) {
-            let parts: [(&str, &dyn std::fmt::Display); 2] = [("path", &path.display()), ("error", &error)];
-            return self.notice.say(l.fill("notice.cook_not_saved", &parts));
-        }
-        self.notice.say_of(l.fill("notice.cook_saved", &[("path", &path.display())]), path.to_owned());
-        if leaves_out {
+        if self.say_written(path, write(&bytes), COOK_SAID) && leaves_out {
             self.say("notice.recipe_leaves_out");
         }
     }
+
+    /// Says that a file was written, or why not, by the keys of both; returns true if it was.
+    pub(crate) fn say_written(
+        &self,
+        path: &Path,
+        written: Result<(), String>,
+        [done, not_done]: [&'static str; 2],
+    ) -> bool {
+        let l = self.settings.language;
+        if let Err(error) = &written {
+            let parts: [(&str, &dyn std::fmt::Display); 2] = [("path", &path.display()), ("error", error)];
+            self.notice.say(l.fill(not_done, &parts));
+            return false;
+        }
+        self.notice.say_of(l.fill(done, &[("path", &path.display())]), path.to_owned());
+        true
+    }
 }
+
+/// Keys of what is said once a cook is saved, or cannot be.
+const COOK_SAID: [&str; 2] = ["notice.cook_saved", "notice.cook_not_saved"];
 
 /// Columns of each food after its id and a dot: temperatures [°C] and mass [g].
 const FOOD_COLUMNS: [&str; 4] = ["core_c", "top_c", "bottom_c", "mass_g"];

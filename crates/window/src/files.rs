@@ -6,6 +6,7 @@ use std::sync::mpsc::{Receiver, channel};
 
 use crate::app::SauteApp;
 use crate::export::Export;
+use crate::plan::PlanFile;
 use crate::session_file::write_whole;
 
 /// Recipes that are remembered at most (chosen: what is seen without scrolling).
@@ -20,6 +21,8 @@ enum Asked {
     Open,
     /// A file that is made of the cook.
     Save(Export),
+    /// A file that is made of a plan.
+    SavePlan(PlanFile),
 }
 
 /// A dialog that is open in a thread of its own; the window goes on.
@@ -37,6 +40,11 @@ impl SauteApp {
         self.ask(Asked::Save(what), ctx);
     }
 
+    /// Opens the system's file dialog for the place of a file that is made of a plan.
+    pub(crate) fn save_plan(&mut self, file: PlanFile, ctx: &egui::Context) {
+        self.ask(Asked::SavePlan(file), ctx);
+    }
+
     fn ask(&mut self, asked: Asked, ctx: &egui::Context) {
         if self.dialog.0.is_some() {
             return;
@@ -47,7 +55,7 @@ impl SauteApp {
         let begun = std::thread::Builder::new().name("file-dialog".to_owned()).spawn(move || {
             let chosen = match asked {
                 Asked::Open => dialog.pick_file(),
-                Asked::Save(_) => dialog.save_file(),
+                Asked::Save(_) | Asked::SavePlan(_) => dialog.save_file(),
             };
             // Nobody waits for the answer once the window is closed.
             let _ = send.send(chosen);
@@ -64,11 +72,9 @@ impl SauteApp {
         let dialog = match asked {
             Asked::Open => rfd::FileDialog::new()
                 .set_title(l.text("pantry.choose_file"))
-                .add_filter("TOML, SAUTE", &["toml", Export::Cook.ending()]),
-            Asked::Save(what) => rfd::FileDialog::new()
-                .set_title(l.text(what.words()))
-                .add_filter(what.ending().to_uppercase(), &[what.ending()])
-                .set_file_name(what.file_name(l)),
+                .add_filter("TOML, SAUTE, CSV", &["toml", Export::Cook.ending(), "csv", "tsv"]),
+            Asked::Save(what) => save_dialog(l.text(what.words()), what.ending(), what.file_name(l)),
+            Asked::SavePlan(file) => save_dialog(l.text(file.words()), file.ending(), file.file_name(l)),
         };
         match self.settings.recent.first().and_then(|file| file.parent()) {
             Some(folder) => dialog.set_directory(folder),
@@ -86,6 +92,7 @@ impl SauteApp {
                 match (chosen, asked) {
                     (Some(path), Asked::Open) => self.open_file(&path),
                     (Some(path), Asked::Save(what)) => self.save_export(what, &path),
+                    (Some(path), Asked::SavePlan(file)) => self.save_plan_at(file, &path),
                     (None, _) => {}
                 }
             }
@@ -98,6 +105,14 @@ impl SauteApp {
     pub fn save_export(&mut self, what: Export, path: &Path) {
         let path = if path.extension().is_some() { path.to_owned() } else { path.with_extension(what.ending()) };
         self.export_by(what, &path, |bytes| write_whole(&path, bytes).map_err(|error| error.to_string()));
+    }
+
+    /// Writes a file that is made of a plan, and says so; or says why it cannot.
+    pub fn save_plan_at(&mut self, file: PlanFile, path: &Path) {
+        let path = if path.extension().is_some() { path.to_owned() } else { path.with_extension(file.ending()) };
+        let Some(bytes) = self.plan_file(file) else { return };
+        let written = write_whole(&path, &bytes).map_err(|error| error.to_string());
+        self.say_written(&path, written, PlanFile::SAID);
     }
 
     /// Opens a recipe's file and remembers it.
@@ -132,6 +147,10 @@ impl SauteApp {
             self.say_trouble(&format!("{opener} {}: {error}", folder.display()));
         }
     }
+}
+
+fn save_dialog(title: &str, ending: &str, name: String) -> rfd::FileDialog {
+    rfd::FileDialog::new().set_title(title).add_filter(ending.to_uppercase(), &[ending]).set_file_name(name)
 }
 
 fn read(path: &Path) -> Result<Vec<u8>, String> {

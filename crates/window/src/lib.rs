@@ -16,6 +16,7 @@
 pub mod act;
 pub mod app;
 mod apply;
+pub mod at_home;
 pub mod autosave;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod bench_frame;
@@ -27,9 +28,11 @@ pub mod export;
 mod files;
 pub mod frame_meter;
 pub mod governor;
+pub mod guided;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod hand;
 pub mod input;
+pub mod learn;
 pub mod link;
 pub mod mirror;
 #[cfg(not(target_arch = "wasm32"))]
@@ -38,6 +41,7 @@ pub mod paint;
 pub mod panels;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod photo;
+pub mod plan;
 pub mod pose;
 mod remembered;
 pub mod session;
@@ -48,6 +52,7 @@ pub mod ui;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod window;
 pub mod words;
+pub mod work;
 
 pub use app::{SauteApp, Start, StartError};
 pub use words::language::Language;

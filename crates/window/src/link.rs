@@ -93,6 +93,9 @@ impl SauteApp {
 
     /// Opens the cook that a fragment holds; nothing if it is about something else.
     pub fn open_link(&mut self, fragment: &str) {
+        if self.guided.as_ref().is_some_and(|guided| guided.locks().leaving) {
+            return;
+        }
         match read(fragment) {
             Ok(None) => {}
             Ok(Some(recording)) => match self.session.resume(recording) {

@@ -26,6 +26,8 @@ const SPEED: RangeInclusive<f64> = 0.01..=1000.0;
 const GOAL: RangeInclusive<f64> = 0.0..=300.0;
 /// Dimensions of a food [mm], as in its files.
 const SIZE_MM: RangeInclusive<f64> = 2.0..=300.0;
+/// Longest text of a kitchen at home [bytes] (chosen: ten times that of a fit).
+const LONGEST_KITCHEN: usize = 4096;
 /// Places of calibrated marks, in shares of the projector's picture [-] (chosen: far outside it).
 const SHARE: RangeInclusive<f64> = -10.0..=10.0;
 
@@ -36,6 +38,10 @@ impl Settings {
         let moved = mirror.calibrations.values().flat_map(|c| c.moved.iter());
         SPEED.contains(&self.speed)
             && self.goals.values().chain([&self.goal_c]).all(|goal| GOAL.contains(goal))
+            && GOAL.contains(&self.plan.core_c)
+            && self.kitchen.as_ref().is_none_or(|kitchen| kitchen.text.len() < LONGEST_KITCHEN)
+            && self.plan.crust_pct.is_none_or(|pct| (0.0..=100.0).contains(&pct))
+            && self.plan.most_flips <= crate::plan::choice::MOST_FLIPS
             && [choice.initial_c, choice.preheat_c].iter().all(|c| GOAL.contains(c))
             && choice.size_mm.iter().all(|mm| SIZE_MM.contains(mm))
             && mirror.eye_distance_mm.is_none_or(|mm| (0.0..=WIDEST_MM).contains(&mm))

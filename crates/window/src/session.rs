@@ -3,7 +3,9 @@
 mod choice;
 mod clock;
 pub mod errand;
+pub mod forecasts;
 mod foresight;
+mod judging;
 mod mark;
 mod resumed;
 mod selection;
@@ -15,6 +17,7 @@ use std::sync::Arc;
 
 use saute_kitchen::{Command, Kitchen, Library, PieceOrder, Refused};
 use saute_picture::probe::Probes;
+use saute_plan::class::Lesson;
 use saute_recipe::session::{Deed, ReplayError};
 use saute_recipe::{Recipe, Recorder, Recording, Runner};
 
@@ -33,8 +36,10 @@ pub(crate) use self::mark::label;
 
 /// The state behind the window.
 pub struct Session {
-    /// Library of foods, pans, rooms, scales and recipes.
+    /// Library of foods, pans, rooms, scales and recipes, with the kitchen at home in which the present cook is.
     pub library: Arc<Library>,
+    /// The library of the kitchen in which later cooks begin.
+    home: Arc<Library>,
     /// The kitchen.
     pub kitchen: Kitchen,
     /// The recipe that plays, until the user gives a command.
@@ -55,6 +60,8 @@ pub struct Session {
     pub generation: u64,
     /// Devices that hands hold, and the tools in them.
     pub hands: Hands,
+    /// The lesson that watches the cook.
+    pub lesson: Option<Lesson>,
     choice: SteakChoice,
     /// What the cook began with: a recipe that plays, or one that only sets out the chosen food and pan.
     recipe: Arc<Recipe>,
@@ -64,6 +71,7 @@ pub struct Session {
     timeline: Timeline,
     /// What is played elsewhere.
     errands: errand::Errands,
+    forecasts: forecasts::Forecasts,
     owed_s: f64,
     selected: Option<String>,
     start_mass_g: BTreeMap<String, f64>,
@@ -81,6 +89,7 @@ impl Session {
         let kitchen = recipe.kitchen(&library)?;
         let recording = Recording::begin(&recipe, false, &library);
         let mut session = Self {
+            home: Arc::clone(&library),
             library,
             kitchen,
             runner: None,
@@ -92,12 +101,14 @@ impl Session {
             paused: false,
             generation: 0,
             hands: Hands::default(),
+            lesson: None,
             choice: choice.clone(),
             recipe,
             plays: false,
             recording,
             timeline: Timeline::default(),
             errands: Default::default(),
+            forecasts: Default::default(),
             owed_s: 0.0,
             selected: None,
             start_mass_g: BTreeMap::new(),
@@ -140,14 +151,30 @@ impl Session {
 
     /// Begins a cook in place of the present one, which can be brought back.
     fn begin_with(&mut self, recipe: Arc<Recipe>, plays: bool) -> Result<(), ReplayError> {
-        let kitchen = recipe.kitchen(&self.library)?;
+        self.begin_in(Arc::clone(&self.home), recipe, plays)
+    }
+
+    /// As [`Self::begin_with`], in the kitchen of a library.
+    fn begin_in(&mut self, library: Arc<Library>, recipe: Arc<Recipe>, plays: bool) -> Result<(), ReplayError> {
+        let kitchen = recipe.kitchen(&library)?;
         self.put_by();
+        self.library = library;
         self.recording = Recording::begin(&recipe, plays, &self.library);
         self.kitchen = kitchen;
         self.runner = plays.then(|| Runner::new(Arc::clone(&recipe)));
         (self.recipe, self.plays) = (recipe, plays);
         self.begin();
         Ok(())
+    }
+
+    /// The library of the kitchen in which later cooks begin.
+    pub fn home(&self) -> &Arc<Library> {
+        &self.home
+    }
+
+    /// Later cooks begin in the kitchen of a library.
+    pub fn move_to(&mut self, home: Arc<Library>) {
+        self.home = home;
     }
 
     /// Restarts with another choice of food and pan.
@@ -159,6 +186,17 @@ impl Session {
         let recipe = as_recipe(&self.library, choice)?;
         self.begin_with(Arc::new(recipe), false)?;
         self.choice = choice.clone();
+        Ok(())
+    }
+
+    /// Sets out the pan and the foods of a recipe, whose steps are left to the cook.
+    ///
+    /// # Errors
+    ///
+    /// If the library has not what the recipe needs.
+    pub fn set_out_recipe(&mut self, recipe: Recipe) -> Result<(), ReplayError> {
+        self.begin_with(Arc::new(recipe), false)?;
+        self.speed = 1.0;
         Ok(())
     }
 
@@ -174,6 +212,25 @@ impl Session {
         Ok(())
     }
 
+    /// Sets out pan and food of a recipe, without its steps, for a cook that a study or a lesson leads: there is no way back to the cook
+    /// before.
+    ///
+    /// # Errors
+    ///
+    /// If the library has not what the recipe needs.
+    pub(crate) fn set_out_led(&mut self, recipe: Arc<Recipe>) -> Result<(), ReplayError> {
+        self.lesson = None;
+        self.begin_with(recipe, false)?;
+        self.forget_put_by();
+        self.set_paused(false);
+        Ok(())
+    }
+
+    /// Returns true while the lesson waits for an answer.
+    pub(crate) fn asks(&self) -> bool {
+        self.lesson.as_ref().is_some_and(|lesson| lesson.waiting().is_some())
+    }
+
     /// Restarts the same recipe or choice, with the food that was added.
     ///
     /// # Errors
@@ -184,7 +241,7 @@ impl Session {
             return self.play(Recipe::clone(&self.recipe));
         }
         let orders: Vec<PieceOrder> = self.recording.entries().iter().filter_map(|e| added(&e.deed)).cloned().collect();
-        self.set_out(&self.choice.clone())?;
+        self.begin_with(Arc::clone(&self.recipe), false)?;
         orders.into_iter().try_for_each(|order| self.add_one(order))?;
         self.end_of_beginning();
         Ok(())
@@ -239,7 +296,7 @@ impl Session {
     }
 
     /// Lets a helper play recorded cooks, long ways through time and ways beside the one that is shown.
-    pub fn employ(&mut self, helper: Box<dyn errand::Helper>) {
+    pub fn employ(&mut self, helper: Box<dyn crate::work::Helper>) {
         self.errands.employ(helper);
     }
 

@@ -9,7 +9,9 @@ use saute_picture::view::View;
 use saute_scene::light::room_light::RoomLight;
 use saute_scene::light::white_balance::WhiteBalance;
 
+use crate::at_home::kept::KeptKitchen;
 use crate::mirror::settings::MirrorSettings;
+use crate::plan::choice::PlanChoice;
 use crate::session::SteakChoice;
 use crate::ui::interface_size::InterfaceSize;
 use crate::ui::quality_choice::QualityChoice;
@@ -60,10 +62,22 @@ pub struct Settings {
     pub speed: f64,
     /// The food and the pan.
     pub choice: SteakChoice,
+    /// What a plan is asked for.
+    pub plan: PlanChoice,
+    /// The kitchen at home that was found.
+    pub kitchen: Option<KeptKitchen>,
     /// Goal for the core's peak of food whose scale states no goal of its own [°C]: at first medium.
     pub goal_c: f64,
     /// Goals for the core by the ids of the scales that state one, in the unit of the scale [°C or %].
     pub goals: BTreeMap<String, f64>,
+    /// Id of the goal that a cook is judged by; none for the class that the goal of the core lies in.
+    pub goal_id: Option<String>,
+    /// True if the coach says what happens, what to perceive next, and when the goal is reached.
+    pub coach: bool,
+    /// True if the result opens by itself when the food has rested.
+    pub result_opens: bool,
+    /// True if all read-outs are hidden while one cooks.
+    pub skill_mode: bool,
     /// True if the panel with the food's choices is open.
     pub pantry_open: bool,
     /// True if the list of the pieces is open.
@@ -72,6 +86,8 @@ pub struct Settings {
     pub curves_open: bool,
     /// True if all panels are hidden.
     pub panels_hidden: bool,
+    /// True if forecasts are made.
+    pub forecasts: bool,
     /// Recipes that were opened from files, the last one first.
     pub recent: Vec<std::path::PathBuf>,
     /// The half mirror.
@@ -97,12 +113,19 @@ impl Default for Settings {
             scale: DEFAULT_SCALE.to_owned(),
             speed: 1.0,
             choice: SteakChoice::default(),
+            plan: PlanChoice::default(),
+            kitchen: None,
             goal_c: GOAL_C,
             goals: BTreeMap::new(),
+            goal_id: None,
+            coach: true,
+            result_opens: true,
+            skill_mode: false,
             pantry_open: false,
             pieces_open: false,
             curves_open: false,
             panels_hidden: false,
+            forecasts: true,
             recent: Vec::new(),
             mirror: MirrorSettings::default(),
         }
@@ -129,6 +152,11 @@ impl Settings {
     /// Returns true if nothing glides that can jump.
     pub fn moves_less(&self) -> bool {
         self.less_motion.unwrap_or_else(crate::ui::system::wants_less_motion)
+    }
+
+    /// Returns true if forecasts are wanted.
+    pub fn foresees(&self) -> bool {
+        self.forecasts
     }
 
     /// Returns the goal for the core by a scale, in its unit [°C or %].

@@ -8,8 +8,11 @@ use std::sync::Arc;
 use saute_kitchen::{Command, Library};
 use saute_recipe::Recipe;
 use saute_window::session::Session;
-use saute_window::session::errand::Helper;
-use saute_window::session::errand::bench::Bench;
+use saute_window::session::errand::playing::Playing;
+use saute_window::work::bench::Craft;
+use saute_window::work::in_frames::{Frames, OrInFrames};
+use saute_window::work::thread::Threads;
+use saute_window::work::{Agency, Helper, Kind};
 use web_time::Duration;
 
 /// How long a frame may play.
@@ -21,7 +24,7 @@ const STOP: Duration = Duration::from_millis(2);
 /// A helper in the same thread: it works when the test lets it.
 #[derive(Clone)]
 struct Beside {
-    bench: Rc<RefCell<Bench>>,
+    bench: Rc<RefCell<Playing>>,
     answers: Rc<RefCell<Vec<Vec<u8>>>>,
     fails: bool,
     asked: Rc<RefCell<usize>>,
@@ -29,7 +32,7 @@ struct Beside {
 
 impl Beside {
     fn new(library: &Arc<Library>) -> Self {
-        let bench = Rc::new(RefCell::new(Bench::new(Arc::clone(library)).stopping_every(STOP)));
+        let bench = Rc::new(RefCell::new(Playing::new(Arc::clone(library)).stopping_every(STOP)));
         Self { bench, answers: Rc::default(), fails: false, asked: Rc::default() }
     }
 
@@ -157,4 +160,32 @@ fn without_its_helper_the_window_goes_on_itself() {
     arrive(&mut session, &helper);
     assert_eq!(session.kitchen.state_hash(), live.kitchen.state_hash());
     assert_eq!(*helper.asked.borrow(), 1);
+}
+
+/// Plays a cook with a helper that works at its own speed; returns the hash of its end.
+fn played_by(library: &Arc<Library>, live: &Session, helper: Box<dyn Helper>) -> u64 {
+    let mut session = Session::new(Arc::clone(library), &Default::default()).expect("sets out");
+    session.employ(helper);
+    session.resume(live.whole_recording()).expect("resumes");
+    while session.is_travelling() {
+        session.advance(Duration::from_millis(1), FRAME).expect("runs");
+        std::thread::sleep(Duration::from_millis(1));
+    }
+    session.kitchen.state_hash()
+}
+
+#[test]
+fn threads_and_frames_and_whoever_stands_in_play_the_same_cook() {
+    let library = library();
+    let live = cooked(&library);
+    let threads = Threads::new(Arc::new(|| {}));
+    let failing = Box::new(Beside { fails: true, ..Beside::new(&library) });
+    let helpers: [Box<dyn Helper>; 3] = [
+        threads.hire(Kind::Play, &library),
+        Frames.hire(Kind::Play, &library),
+        Box::new(OrInFrames::new(failing, Kind::Play, &library)),
+    ];
+    for helper in helpers {
+        assert_eq!(played_by(&library, &live, helper), live.kitchen.state_hash());
+    }
 }

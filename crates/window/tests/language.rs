@@ -10,7 +10,7 @@ use saute_window::Language;
 type Texts = BTreeMap<String, BTreeMap<String, String>>;
 
 /// Sections of names that come from the core's data: found by the English text, not by a key in the code.
-const NAMES: [&str; 17] = [
+const NAMES: [&str; 18] = [
     "food",
     "noun",
     "id",
@@ -27,6 +27,7 @@ const NAMES: [&str; 17] = [
     "mark",
     "deed",
     "button",
+    "goal",
     "rig",
 ];
 
@@ -120,6 +121,7 @@ fn every_name_in_the_data_has_a_japanese_one() {
         known("scale", &scale.name);
         scale.class.iter().for_each(|class| known("class", &class.name));
     }
+    library.goals.iter().for_each(|goal| known("goal", &goal.name));
     for (id, text) in &library.recipes {
         known("recipe_file", &id.replace('-', " "));
         known("recipe", &Recipe::parse(text, id, &library).expect("parses").title);

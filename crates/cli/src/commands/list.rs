@@ -5,9 +5,12 @@ use std::sync::Arc;
 
 use clap::ValueEnum;
 use saute_kitchen::Library;
+use saute_kitchen::data::goals::GoalDescription;
 use saute_kitchen::data::library::DEFAULT_SCALE;
 use saute_kitchen::food::{FoodDescription, Scale};
 use saute_picture::View;
+use saute_plan::class::Scenario;
+use saute_plan::study::Protocol;
 use saute_recipe::Recipe;
 use saute_window::ViewWords;
 use saute_window::settings::Settings;
@@ -32,11 +35,13 @@ struct Entry {
     class: Option<Vec<ClassEntry>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     source: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    goal: Option<GoalEntry>,
 }
 
 impl Entry {
     fn new(id: &str, name: &str) -> Self {
-        Self { id: id.to_owned(), name: name.to_owned(), size_mm: None, class: None, source: None }
+        Self { id: id.to_owned(), name: name.to_owned(), size_mm: None, class: None, source: None, goal: None }
     }
 }
 
@@ -53,6 +58,42 @@ struct ClassEntry {
     /// The range as text.
     #[serde(skip)]
     range: String,
+}
+
+/// What a goal wants.
+#[derive(Debug, Serialize)]
+struct GoalEntry {
+    kinetics: Vec<String>,
+    /// Scale of its class; none if it holds on every one.
+    scale: Option<String>,
+    class: Option<String>,
+    least_share_pct: f64,
+    crust_pct: f64,
+    most_charred_pct: f64,
+}
+
+impl GoalEntry {
+    fn new(goal: &GoalDescription) -> Self {
+        Self {
+            kinetics: goal.kinetics.clone(),
+            scale: goal.scale.clone(),
+            class: goal.class.clone(),
+            least_share_pct: goal.least_share_pct,
+            crust_pct: goal.crust_pct,
+            most_charred_pct: goal.most_charred_pct,
+        }
+    }
+
+    fn text(&self) -> String {
+        let what = match (&self.class, &self.scale) {
+            (Some(class), Some(scale)) => format!("{class} on {scale}"),
+            (Some(class), None) => class.clone(),
+            (None, _) => "browned".to_owned(),
+        };
+        let (kinds, share, crust, charred) =
+            (self.kinetics.join(", "), self.least_share_pct, self.crust_pct, self.most_charred_pct);
+        format!(" ({kinds}: {share} % {what}, crust {crust} %, charred at most {charred} %)")
+    }
 }
 
 /// Allowed lengths, widths and thicknesses of a food [mm].
@@ -73,6 +114,9 @@ pub fn run(args: &ListArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
             data.scales(DEFAULT_SCALE)?;
             scales(&data.library)
         }
+        Listed::Goals => goals(&data.library),
+        Listed::Studies => studies(&data.library)?,
+        Listed::Scenarios => scenarios(&data.library)?,
         Listed::Views => views(),
         Listed::Actions => return list_actions::run(args.json),
     };
@@ -107,6 +151,16 @@ fn recipes(data: &DataLibrary) -> Result<Vec<Entry>, CliError> {
     Ok(entries)
 }
 
+fn studies(library: &Library) -> Result<Vec<Entry>, CliError> {
+    let entry = |(id, text): (&str, &str)| Ok(Entry::new(id, &Protocol::parse(text, id, library)?.title));
+    saute_plan::study::shipped::SHIPPED.into_iter().map(entry).collect()
+}
+
+fn scenarios(library: &Library) -> Result<Vec<Entry>, CliError> {
+    let entry = |(id, text): (&str, &str)| Ok(Entry::new(id, &Scenario::parse(text, id, library)?.title.en));
+    saute_plan::class::shipped::SHIPPED.into_iter().map(entry).collect()
+}
+
 fn scales(library: &Library) -> Vec<Entry> {
     let class = |scale: &Scale, place: usize| ClassEntry {
         name: scale.class[place].name.clone(),
@@ -122,6 +176,15 @@ fn scales(library: &Library) -> Vec<Entry> {
     library.scales.iter().map(entry).collect()
 }
 
+fn goals(library: &Library) -> Vec<Entry> {
+    let entry = |goal: &Arc<GoalDescription>| Entry {
+        goal: Some(GoalEntry::new(goal)),
+        source: Some(goal.source.clone()),
+        ..Entry::new(&goal.id, &goal.name)
+    };
+    library.goals.iter().map(entry).collect()
+}
+
 fn views() -> Vec<Entry> {
     let (names, settings) = (ViewName::value_variants(), Settings::default());
     let id = |name: &ViewName| name.to_possible_value().map_or_else(String::new, |v| v.get_name().to_owned());
@@ -131,7 +194,9 @@ fn views() -> Vec<Entry> {
 fn table(entries: &[Entry]) -> String {
     let width = entries.iter().map(|e| e.id.chars().count()).max().unwrap_or(0);
     let more = |e: &Entry| {
-        e.size_mm.as_ref().map_or(String::new(), sizes) + &e.class.as_ref().map_or(String::new(), |c| classes(c))
+        e.size_mm.as_ref().map_or(String::new(), sizes)
+            + &e.class.as_ref().map_or(String::new(), |c| classes(c))
+            + &e.goal.as_ref().map_or(String::new(), GoalEntry::text)
     };
     entries.iter().map(|e| format!("{:width$}  {}{}\n", e.id, e.name, more(e))).collect()
 }

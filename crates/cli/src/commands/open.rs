@@ -1,19 +1,48 @@
 //! `saute` and `saute open`: the window.
 
+use std::path::Path;
 use std::process::ExitCode;
 use std::sync::Arc;
 
 use saute_kitchen::data::library::DEFAULT_SCALE;
+use saute_plan::class::{Scenario, shipped};
+use saute_plan::study::{NoCode, Participant};
 use saute_window::Start;
+use saute_window::guided::{LessonStart, StudyStart};
 use saute_window::hand::HandsStart;
 
-use crate::args::HandArgs;
+use crate::args::{HandArgs, OpenArgs};
 use crate::error::CliError;
 use crate::input::data_library::DataLibrary;
-use crate::input::session_source::Source;
+use crate::input::session_source::{self, Source};
+use crate::input::text_file;
+
+/// Opens the window with what is named: a recipe, a session or a lesson.
+pub fn run_named(args: &OpenArgs, data: DataLibrary, hands: HandArgs) -> Result<ExitCode, CliError> {
+    if let Some(name) = &args.scenario {
+        let lesson = lesson(name, args, &data)?;
+        return open(data, hands, Start { lesson: Some(lesson), ..Start::default() });
+    }
+    let source = args.recipe.as_deref().map(|recipe| session_source::load(recipe, &data)).transpose()?;
+    run(data, source, hands)
+}
 
 /// Opens the window, and plays a recipe or goes on with a session if there is one.
 pub fn run(data: DataLibrary, source: Option<Source>, hands: HandArgs) -> Result<ExitCode, CliError> {
+    let (recipe, recorded) = match source {
+        Some(Source::Recipe(recipe)) => (Some(recipe), None),
+        Some(Source::Session(recording)) => (None, Some(*recording)),
+        None => (None, None),
+    };
+    open(data, hands, Start { recipe, recorded, ..Start::default() })
+}
+
+/// Opens the window in study mode.
+pub fn run_study(data: DataLibrary, study: StudyStart, hands: HandArgs) -> Result<ExitCode, CliError> {
+    open(data, hands, Start { study: Some(study), ..Start::default() })
+}
+
+fn open(data: DataLibrary, hands: HandArgs, start: Start) -> Result<ExitCode, CliError> {
     // The window states doneness in the words of a scale.
     data.scales(DEFAULT_SCALE)?;
     for device in [&hands.device, &hands.turner].into_iter().flatten() {
@@ -24,15 +53,35 @@ pub fn run(data: DataLibrary, source: Option<Source>, hands: HandArgs) -> Result
     }
     let HandArgs { device, turner, pairing, calibration } = hands;
     let hands = HandsStart { pan: device, turner, pairing, calibration };
-    let (recipe, recorded) = match source {
-        Some(Source::Recipe(recipe)) => (Some(recipe), None),
-        Some(Source::Session(recording)) => (None, Some(*recording)),
-        None => (None, None),
-    };
-    let start = Start { library: Some(Arc::new(data.library)), recipe, recorded, hands, ..Start::default() };
+    let start = Start { library: Some(Arc::new(data.library)), hands, threads: true, ..start };
     saute_window::window::run(start)
         .map_err(|e| CliError::NoDisplay(format!("the window cannot be opened: {e}\n{NO_DISPLAY}")))?;
     Ok(ExitCode::SUCCESS)
+}
+
+/// The lesson of a scenario's file or id.
+fn lesson(name: &str, args: &OpenArgs, data: &DataLibrary) -> Result<LessonStart, CliError> {
+    let path = Path::new(name);
+    let text = match shipped::text(name) {
+        Some(text) if !path.is_file() => text.to_owned(),
+        _ if path.exists() => text_file::read(path)?,
+        _ => {
+            let remedy = format!("name a .toml file or a shipped scenario: {}", shipped::names());
+            return Err(CliError::place(name, "there is no such file and no scenario with this id", remedy));
+        }
+    };
+    let scenario = Arc::new(Scenario::parse(&text, name, &data.library)?);
+    let student = args.student.as_deref().map(|code| participant("--student", code)).transpose()?;
+    Ok(LessonStart { scenario, student, is_locked: args.lock })
+}
+
+/// The code that an option names.
+pub fn participant(option: &str, code: &str) -> Result<Participant, CliError> {
+    code.parse().map_err(|error: NoCode| {
+        let text = error.to_string();
+        let (message, remedy) = text.split_once(": ").unwrap_or((&text, "use letters and digits"));
+        CliError::place(option, message, remedy)
+    })
 }
 
 const NO_DISPLAY: &str = "there is no display; commands that need none:\n  \

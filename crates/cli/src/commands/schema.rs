@@ -8,6 +8,8 @@ use saute_kitchen::liquids::oil::OilDescription;
 use saute_kitchen::pan::hob::HobDescription;
 use saute_kitchen::pan::pan_description::{CoatingDescription, PanDescription};
 use saute_lab::CaseFile;
+use saute_plan::class::scenario_file::ScenarioFile;
+use saute_plan::study::protocol_file::ProtocolFile;
 use saute_recipe::recipe_file::RecipeFile;
 use saute_window::mirror::rig_file::RigFile;
 use schemars::JsonSchema;
@@ -28,6 +30,8 @@ pub fn run(args: &SchemaArgs) -> Result<ExitCode, CliError> {
         Schema::Recipe => text::<RecipeFile>,
         Schema::Lab => text::<CaseFile>,
         Schema::Rig => text::<RigFile>,
+        Schema::Study => text::<ProtocolFile>,
+        Schema::Scenario => text::<ScenarioFile>,
     };
     stdout::print(&text(args.markdown)?)?;
     Ok(ExitCode::SUCCESS)

@@ -32,14 +32,13 @@ pub struct Answer {
 
 impl Answer {
     pub fn new(found: &Found, recipe: &Recipe, library: &Library, wall: Duration) -> Self {
-        // A library that holds an earlier fit has its factors in it already.
-        let (assumed, earlier) = (library.hob.coil.efficiency, &library.at_home);
+        let at_home = found.at_home(library, "");
         Self {
             found: *found,
-            program_hob_efficiency: assumed,
+            program_hob_efficiency: library.hob.coil.efficiency,
             recipe_thickness_mm: recipe.foods.first().map_or(0.0, |food| 1e3 * food.size[2]),
-            hob_factor: earlier.hob_factor * found.hob_efficiency.value / assumed,
-            contact_factor: earlier.contact_factor * found.contact.value,
+            hob_factor: at_home.hob_factor,
+            contact_factor: at_home.contact_factor,
             wall_s: wall.as_secs_f64(),
         }
     }

@@ -1,7 +1,7 @@
 //! What was measured, from the options and the log.
 
 use saute_kitchen::Library;
-use saute_plan::fit::log_file::{LogError, LogFile, Unit};
+use saute_plan::fit::log_file::{CORE_WORDS, LogError, LogFile, PAN_WORDS, Unit};
 use saute_plan::fit::observed::{END, Observed, Quantity};
 
 use super::{FitArgs, UnitArg};
@@ -11,10 +11,6 @@ use crate::input::text_file;
 
 /// Largest log [MiB] (chosen: a day at one row a second).
 const LARGEST_MIB: u64 = 16;
-
-/// Words in the headers of columns that no option names.
-const CORE_WORDS: [&str; 6] = ["core", "probe", "internal", "meat", "food", "steak"];
-const PAN_WORDS: [&str; 4] = ["pan", "surface", "floor", "infrared"];
 
 /// Returns what was measured.
 pub fn observed(args: &FitArgs, data: &DataLibrary) -> Result<Observed, CliError> {

@@ -74,8 +74,6 @@ pub enum UnitArg {
     F,
 }
 
-/// Misfit from which the model does not describe a log [-] (chosen: residuals of twice the errors of thermometers).
-const LARGEST_MISFIT: f64 = 2.0;
 /// Parts of the progress bar [-] (about as many rounds as a fit has).
 const PARTS: u64 = 10;
 
@@ -95,7 +93,7 @@ pub fn run(args: &FitArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
         ));
     }
     stdout::print(&if args.json { json::text(&answer)? } else { answer.text() })?;
-    let describes = found.misfit <= LARGEST_MISFIT;
+    let describes = found.describes();
     if !describes {
         stderr::say(format!(
             "the model does not describe the measurements: they miss it by {:.1} times their errors; the intervals are widened by that",

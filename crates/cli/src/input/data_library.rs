@@ -17,7 +17,7 @@ const FOLDERS: [&str; 6] = ["foods", "pans", "recipes", "kinetics", "coatings", 
 /// The file of the scales of doneness.
 const SCALES: &str = "doneness.toml";
 /// Files that are read in the `--data` folder itself.
-const FILES: [&str; 2] = [SCALES, "kitchen-at-home.toml"];
+const FILES: [&str; 3] = [SCALES, "goals.toml", "kitchen-at-home.toml"];
 
 /// The library, with the list of the files that come from the `--data` folder.
 #[derive(Debug)]
@@ -129,7 +129,7 @@ impl DataLibrary {
 pub const MEND: &str = "correct that file, or remove it from the --data folder to use the shipped one";
 
 fn read_folders(dir: &Path) -> Result<Found, CliError> {
-    let remedy = "name a folder with foods/, pans/, recipes/, kinetics/, coatings/ or oils/ that contain .toml files, or with doneness.toml or kitchen-at-home.toml";
+    let remedy = "name a folder with foods/, pans/, recipes/, kinetics/, coatings/ or oils/ that contain .toml files, or with doneness.toml, goals.toml or kitchen-at-home.toml";
     if !dir.is_dir() {
         let message = if dir.exists() { "--data is not a folder" } else { "--data does not exist" };
         return Err(CliError::place(dir.display(), message, remedy));

@@ -73,6 +73,7 @@ pub fn play_again(recording: Recording, data: &DataLibrary) -> Result<Cook, CliE
     let cook = Cook::again(recording, Arc::new(data.library.clone())).map_err(|error| match error {
         ReplayError::Recipe(error) => CliError::Input(error),
         ReplayError::Setup(source) => CliError::Setup { file, source },
+        ReplayError::Home(source) => CliError::Setup { file, source: source.into() },
     })?;
     if let Some(words) = difference.difference(cook.runner.recipe(), &data.library) {
         stderr::say(format!("warning: {words}: the replay may depart"));

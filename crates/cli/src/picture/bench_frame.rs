@@ -8,7 +8,7 @@ use clap::ValueEnum;
 use saute_recipe::Recipe;
 use saute_recipe::full_pan::{SHRIMPS, SHRIMPS_LIE_S};
 use saute_window::Start;
-use saute_window::bench_frame::{DISH, DISH_FROM_S, FROM_S};
+use saute_window::bench_frame::{DISH, DISH_FROM_S, FROM_S, FrameCase, bench_frame};
 use saute_window::ui::quality_choice::QualityChoice;
 
 use super::choices::QualityName;
@@ -33,9 +33,20 @@ pub struct BenchFrameArgs {
     /// Rendering quality [default: automatic].
     #[arg(long, value_enum)]
     pub quality: Option<QualityName>,
+    /// Simulated time over wall time.
+    #[arg(long, value_name = "TIMES", default_value_t = 1.0, value_parser = speed)]
+    pub speed: f64,
+    /// Makes forecasts meanwhile, as the window does.
+    #[arg(long)]
+    pub forecasts: bool,
     /// Prints the numbers as JSON.
     #[arg(long)]
     pub json: bool,
+}
+
+fn speed(text: &str) -> Result<f64, String> {
+    let speed = text.parse::<f64>().map_err(|e| e.to_string())?;
+    if (0.1..=100.0).contains(&speed) { Ok(speed) } else { Err("state a number from 0.1 to 100".to_owned()) }
 }
 
 /// Built-in scenes.
@@ -55,15 +66,17 @@ pub fn run(args: &BenchFrameArgs, data: &DataLibrary, process_start: Instant) ->
         None => (recipe_source::load(&args.recipe, data)?, FROM_S),
     };
     let quality = args.quality.map_or(QualityChoice::Automatic, |name| QualityChoice::Always(name.into()));
-    let start = Start { library: Some(Arc::new(data.library.clone())), recipe: Some(recipe), ..Start::default() };
-    let bench = saute_window::bench_frame::bench_frame(start, args.size, from_s, quality, process_start)?;
+    let library = Some(Arc::new(data.library.clone()));
+    let start = Start { library, recipe: Some(recipe), threads: args.forecasts, ..Start::default() };
+    let case = FrameCase { size: args.size, from_s, quality, speed: args.speed };
+    let bench = bench_frame(start, case, process_start)?;
     if args.json {
         stdout::print(&json::text(&bench)?)?;
         return Ok(ExitCode::SUCCESS);
     }
     let [w, h] = bench.scene_size;
     stdout::print(&format!(
-        "{}, {}\nwindow {} × {}, scene {w} × {h}, quality {}, {} frames\nmedian {:.1} frames/s, 5th percentile {:.1} frames/s, first frame after {:.2} s\n",
+        "{}, {}\nwindow {} × {}, scene {w} × {h}, quality {}, {} frames\nmedian {:.1} frames/s, 5th percentile {:.1} frames/s, first frame after {:.2} s\n{:.2} simulated seconds a second, {} rounds of forecasts\n",
         bench.recipe,
         bench.adapter,
         bench.size[0],
@@ -72,7 +85,9 @@ pub fn run(args: &BenchFrameArgs, data: &DataLibrary, process_start: Instant) ->
         bench.frames,
         bench.frames_per_s.median,
         bench.frames_per_s.p5,
-        bench.first_frame_s
+        bench.first_frame_s,
+        bench.simulated_per_wall,
+        bench.forecast_rounds
     ))?;
     Ok(ExitCode::SUCCESS)
 }

@@ -1,10 +1,7 @@
 //! `saute plan`.
 
 mod answer;
-mod card;
-mod cues;
 mod options;
-mod steps;
 mod text;
 
 use std::path::Path;
@@ -14,6 +11,8 @@ use std::time::{Duration, Instant};
 
 use saute_kitchen::Library;
 use saute_plan::schedule::{JobError, Order, Plan, Planner};
+use saute_window::plan::kitchen_card;
+use saute_window::settings::Settings;
 
 use crate::error::CliError;
 use crate::exit_code;
@@ -41,7 +40,7 @@ pub fn run(args: &PlanArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
         write(file, &text::recipe(&plan))?;
     }
     if let Some(file) = card {
-        write(file, &card::page(&plan, &data.library))?;
+        write(file, &kitchen_card::page(&plan, &data.library, &Settings::default()))?;
     }
     stdout::print(&if args.json { json::text(&answer::Answer::new(&plan, wall))? } else { text::text(&plan, wall) })?;
     if !is_met {

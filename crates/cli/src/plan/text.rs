@@ -3,11 +3,17 @@
 use std::fmt::Write;
 use std::time::Duration;
 
-use saute_plan::goal::{Outcome, Shortfall};
-use saute_plan::schedule::{Order, Plan, Sensitivity};
+use saute_plan::goal::Shortfall;
+use saute_plan::schedule::{Deed, Order, Plan, Step};
+use saute_window::Language;
+use saute_window::settings::Settings;
+use saute_window::words::cue_words;
+use saute_window::words::plan_words::{changed, crust, on_target};
 
-use super::steps::{Deed, steps};
 use crate::wording::clock;
+
+/// Language of the command.
+const EN: Language = Language::English;
 
 /// Returns the plan on one screen.
 pub fn text(plan: &Plan, wall: Duration) -> String {
@@ -20,17 +26,18 @@ pub fn text(plan: &Plan, wall: Duration) -> String {
         wall.as_secs_f64()
     );
     text.push_str("\nschedule (min:s)\n");
-    for step in steps(plan) {
-        row(&mut text, &minutes(step.at_s), &format!("{}{}", step.deed.words(), seen(plan, step.at_s, &step.deed)));
+    for step in plan.steps() {
+        row(&mut text, &minutes(step.at_s), &format!("{}{}", cue_words::deed(&step.deed, EN), seen(plan, &step)));
     }
     let _ = writeln!(text, "\npromised (scale: {})", goal.scale.name);
     row(&mut text, "core", &format!("{:.1} °C at its highest", plan.promised.core_peak_c));
-    row(&mut text, "on target", &on_target(plan));
-    row(&mut text, "crust", &crust(&plan.promised));
+    row(&mut text, "on target", &on_target(plan, EN));
+    row(&mut text, "crust", &crust(&plan.promised, EN));
     row(&mut text, "mass", &format!("−{:.1} %", plan.promised.lost_pct));
     row(&mut text, "score", &plan.score.to_string());
     text.push_str("\nif something is different and the times stay the same\n");
-    plan.sensitivity.iter().for_each(|s| row(&mut text, &s.change.words(), &changed(s)));
+    let settings = Settings::default();
+    plan.sensitivity.iter().for_each(|s| row(&mut text, &s.change.words(), &changed(s, &settings)));
     text
 }
 
@@ -42,25 +49,6 @@ pub fn heading(order: &Order) -> String {
     format!("{count}{food} {} mm from {initial_c} °C to {}, in {pan}", size.join(" × "), goal.name)
 }
 
-/// Returns the share of the section that is on target.
-pub fn on_target(plan: &Plan) -> String {
-    let Outcome { target_share_pct, beyond_pct, .. } = plan.promised;
-    let class = plan.order.goal.scale.class.get(plan.order.goal.class).map_or("", |class| class.name.as_str());
-    format!("{target_share_pct:.0} % of the section is {class}, {beyond_pct:.0} % beyond")
-}
-
-/// Returns the crust of both faces.
-pub fn crust(outcome: &Outcome) -> String {
-    let Outcome { crust_pct, least_crust_pct, charred_pct, .. } = outcome;
-    format!("{crust_pct:.0} % of the faces browned, the paler one {least_crust_pct:.0} %; {charred_pct:.0} % charred")
-}
-
-/// Returns what comes of a change.
-pub fn changed(s: &Sensitivity) -> String {
-    let met = if s.is_met { "" } else { "; misses the target" };
-    format!("core {:.1} °C, {:.0} % on target, crust {:.0} %{met}", s.core_peak_c, s.target_share_pct, s.crust_pct)
-}
-
 /// Returns a time as minutes and seconds.
 pub fn minutes(at_s: u32) -> String {
     clock(f64::from(at_s)).trim_end_matches(".0").to_owned()
@@ -70,8 +58,8 @@ pub fn minutes(at_s: u32) -> String {
 pub fn recipe(plan: &Plan) -> String {
     let mut lines = vec![
         format!("Planned by saute {}: {}.", env!("CARGO_PKG_VERSION"), heading(&plan.order)),
-        format!("Promised: core {:.1} °C at its highest, {};", plan.promised.core_peak_c, on_target(plan)),
-        format!("{}.", crust(&plan.promised)),
+        format!("Promised: core {:.1} °C at its highest, {};", plan.promised.core_peak_c, on_target(plan, EN)),
+        format!("{}.", crust(&plan.promised, EN)),
     ];
     lines.extend(why_not(plan).first().map(|why| format!("The {why}.")));
     let comment: String = lines.iter().map(|line| format!("# {line}\n")).collect();
@@ -97,6 +85,7 @@ fn remedy(shortfalls: &[Shortfall]) -> &'static str {
     match shortfalls.first() {
         Some(Shortfall::Undercooked) => "a thinner piece, a warmer start, or more powers (--hob)",
         Some(Shortfall::Overcooked) => "a thicker piece, a colder start, or lower powers (--hob)",
+        Some(Shortfall::Share) => "a thicker piece, or more flips (--max-flips)",
         Some(Shortfall::Crust) => "a thicker piece, a colder start, less crust (--crust-pct), or higher powers (--hob)",
         Some(Shortfall::Burnt | Shortfall::Fire) => "lower powers (--hob), or less crust (--crust-pct)",
         None => "none is needed",
@@ -104,9 +93,9 @@ fn remedy(shortfalls: &[Shortfall]) -> &'static str {
 }
 
 /// Returns what there is to see when a step comes.
-fn seen(plan: &Plan, at_s: u32, deed: &Deed) -> String {
-    let Some(cue) = plan.cues.iter().find(|cue| cue.at_s == at_s) else { return String::new() };
-    match deed {
+fn seen(plan: &Plan, step: &Step) -> String {
+    let Some(cue) = plan.cue(step) else { return String::new() };
+    match step.deed {
         Deed::Put => format!(" (pan at {:.0} °C)", cue.pan_c),
         Deed::Flip(_) => format!(" (core {:.0} °C, underside {:.0} % brown)", cue.core_c, cue.browned_pct),
         Deed::Pull => format!(" (core {:.0} °C)", cue.core_c),
@@ -115,6 +104,8 @@ fn seen(plan: &Plan, at_s: u32, deed: &Deed) -> String {
 }
 
 fn row(text: &mut String, name: &str, value: &str) {
+    // The window keeps numbers and units together; a terminal is searched for plain spaces.
+    let [name, value] = [name, value].map(|text| text.replace('\u{a0}', " "));
     // Writing to a string cannot fail.
     let _ = writeln!(text, "  {name:<18}{value}");
 }

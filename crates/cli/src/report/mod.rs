@@ -16,7 +16,8 @@ use saute_recipe::{Cook, Recipe, StoppedBy, Summary};
 use crate::output::section_files::Snapshot;
 use crate::wording::duration;
 
-const STYLE: &str = include_str!("report.css");
+/// Style of the pages.
+pub const STYLE: &str = include_str!("report.css");
 
 /// Returns the whole page.
 pub fn page(cook: &Cook, summary: &Summary, snapshots: &[Snapshot], scales: &ScaleChoice) -> String {

@@ -50,15 +50,17 @@ fn collect_words(path: &Path, words: &mut BTreeSet<String>) {
 /// Every word of the crates' sources.
 fn words() -> BTreeSet<String> {
     let mut words = BTreeSet::new();
-    folders(&root().join("crates")).iter().for_each(|member| collect_words(&member.join("src"), &mut words));
+    let crates = folders(&root().join("crates"));
+    crates.iter().chain([&root().join("python")]).for_each(|member| collect_words(&member.join("src"), &mut words));
     words
 }
 
 /// Names of the crates of this workspace.
 fn members() -> BTreeSet<String> {
+    let folders = |root: PathBuf| [folders(&root.join("crates")), vec![root.join("python")]].concat();
     let manifest = |member: PathBuf| read_to_string(member.join("Cargo.toml")).unwrap();
     let name = |text: String| text.parse::<toml::Table>().unwrap()["package"]["name"].as_str().unwrap().to_owned();
-    folders(&root().join("crates")).into_iter().map(|member| name(manifest(member))).collect()
+    folders(root()).into_iter().map(|member| name(manifest(member))).collect()
 }
 
 #[test]

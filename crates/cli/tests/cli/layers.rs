@@ -9,7 +9,7 @@ use serde_json::Value;
 
 /// Each crate with the crates that it needs directly, of the workspace and of [`NOTABLE`]. A crate that does not exist yet is
 /// skipped.
-const ARROWS: [(&str, &[&str]); 20] = [
+const ARROWS: [(&str, &[&str]); 21] = [
     ("saute-heat", &[]),
     ("saute-food", &["saute-heat"]),
     ("saute-kitchen", &["saute-heat", "saute-food", "rapier3d"]),
@@ -50,6 +50,8 @@ const ARROWS: [(&str, &[&str]); 20] = [
         ],
     ),
     ("saute-spidar-sim", &["clap", "thread-priority"]),
+    // For Python: kitchens on all cores, pictures without a window.
+    ("saute-python", &["saute-kitchen", "saute-recipe", "saute-plan", "saute-scene", "saute-picture", "rayon"]),
     // Makes and serves files; has nothing of the simulator in it.
     ("saute-site", &["axum", "clap", "tokio", "tower-http"]),
     // Empty on this machine's platform; for browsers see WEB.
@@ -90,8 +92,17 @@ const ARROWS: [(&str, &[&str]); 20] = [
 ];
 
 /// What the page needs in a browser.
-const WEB: &[&str] =
-    &["saute-kitchen", "saute-recipe", "saute-scene", "saute-window", "eframe", "egui", "egui-wgpu", "wgpu"];
+const WEB: &[&str] = &[
+    "saute-kitchen",
+    "saute-plan",
+    "saute-recipe",
+    "saute-scene",
+    "saute-window",
+    "eframe",
+    "egui",
+    "egui-wgpu",
+    "wgpu",
+];
 
 /// Crates outside the workspace whose arrows are stated, by kind.
 const NOTABLE: [&[&str]; 6] = [RIGID_BODIES, GRAPHICS, WINDOW, SOUND, COMMAND_LINE, OUTSIDE_WORLD];

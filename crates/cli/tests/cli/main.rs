@@ -19,5 +19,6 @@ mod plan;
 mod running;
 mod sessions;
 mod sources;
+mod study;
 mod validation;
 mod validation_list;

@@ -1,8 +1,8 @@
-//! Real-time scheduling of the control loop's thread.
+//! Scheduling of threads: the control loop's in real time, others behind what is urgent.
 
 use thread_priority::{
-    RealtimeThreadSchedulePolicy, ThreadPriority, ThreadSchedulePolicy, set_thread_priority_and_policy,
-    thread_native_id, thread_schedule_policy_param,
+    RealtimeThreadSchedulePolicy, ThreadPriority, ThreadSchedulePolicy, set_current_thread_priority,
+    set_thread_priority_and_policy, thread_native_id, thread_schedule_policy_param,
 };
 
 /// Requested real-time priority, 1 to 99 (chosen: above ordinary threads, below the kernel's threaded interrupts).
@@ -15,6 +15,12 @@ pub fn request_fifo() {
         // A refusal is no error: the report names the policy that was granted.
         let _ = set_thread_priority_and_policy(thread_native_id(), ThreadPriority::Crossplatform(priority), fifo);
     }
+}
+
+/// Lets other threads go first: the calling one gets the lowest ordinary priority.
+pub fn yield_to_others() {
+    // A refusal is no error: the thread then competes like any other.
+    let _ = set_current_thread_priority(ThreadPriority::Min);
 }
 
 /// Returns the calling thread's policy, such as "SCHED_FIFO 60" or "SCHED_OTHER".

@@ -6,7 +6,7 @@ use crate::bytes::hashing::hash_of;
 /// The first bytes of a stored kitchen.
 const MAGIC: &[u8; 8] = b"sautekit";
 /// Version of the format; every change of what is stored counts it up.
-const FORMAT: u16 = 1;
+const FORMAT: u16 = 2;
 /// Version of the program: another one may compute something else.
 const PROGRAM: &str = env!("CARGO_PKG_VERSION");
 
@@ -84,7 +84,7 @@ mod tests {
         };
         assert_eq!(opened(&changed(bytes.len() - 1)), Err(BytesError::Damaged));
         assert_eq!(opened(&[&bytes[..], b"!"].concat()), Err(BytesError::Damaged));
-        assert_eq!(opened(&changed(8)), Err(BytesError::Format { found: 0, known: FORMAT }));
+        assert_eq!(opened(&changed(8)), Err(BytesError::Format { found: FORMAT ^ 1, known: FORMAT }));
         assert!(matches!(opened(&changed(11)), Err(BytesError::Program { .. })));
     }
 }

@@ -17,7 +17,7 @@ use crate::dynamics::saved_world::SavedWorld;
 use crate::dynamics::{PanShape, World};
 use crate::hands::pan_hold::PanHold;
 use crate::hands::second_hand::SecondHand;
-use crate::kitchen::{Kitchen, OtherVapour};
+use crate::kitchen::{Kitchen, OtherVapour, SetupError};
 use crate::pan::cloth::Cloth;
 use crate::pan::food_load::FoodLoad;
 use crate::pan::hold::HoldControl;
@@ -51,7 +51,7 @@ struct SavedKitchen<'a> {
 impl Kitchen {
     /// Returns everything that its next step reads, as bytes ([`crate::bytes`]).
     pub fn to_bytes(&self) -> Vec<u8> {
-        let body = postcard::to_allocvec(&(Sources::of(self), self.saved()));
+        let body = postcard::to_allocvec(&(Sources::of(self), self.fixed.home.as_deref(), self.saved()));
         sealed(&body.expect("a state has no kind that postcard lacks"))
     }
 
@@ -72,6 +72,9 @@ impl Kitchen {
     pub fn from_bytes_with(bytes: &[u8], library: &Library, models: &mut Models) -> Result<Self, BytesError> {
         let damaged = |_: postcard::Error| BytesError::Damaged;
         let (sources, rest) = postcard::take_from_bytes::<Sources>(opened(bytes)?).map_err(damaged)?;
+        // A kitchen at home goes with the kitchen: it is restored in the one in which it was stored.
+        let (home, rest) = postcard::take_from_bytes::<Option<Cow<str>>>(rest).map_err(damaged)?;
+        let library = &*library.in_kitchen(home.as_deref()).map_err(SetupError::from)?;
         sources.check(library)?;
         let (saved, rest) = postcard::take_from_bytes::<SavedKitchen>(rest).map_err(damaged)?;
         if !rest.is_empty() {

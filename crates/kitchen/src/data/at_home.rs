@@ -1,11 +1,21 @@
 //! What a kitchen at home has otherwise than the hob's and the room's data: two factors that a fit finds.
 
+use std::borrow::Cow;
+use std::sync::Arc;
+
 use saute_food::description::Confidence;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
+use crate::bytes::hash_of;
+use crate::data::data_file::DataFile;
+use crate::data::library::{Library, LibraryError};
 use crate::data::room::Room;
+use crate::data::shelf::{Shelved, shipped_files};
 use crate::pan::hob::HobDescription;
+
+/// The file of what a kitchen at home has otherwise.
+pub(crate) const AT_HOME_FILE: &str = "kitchen-at-home.toml";
 
 /// `data/kitchen-at-home.toml`: factors on the program's kitchen.
 #[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
@@ -34,6 +44,20 @@ impl Default for KitchenAtHome {
 }
 
 impl KitchenAtHome {
+    /// Returns the text of the file that states it, with factors to four decimals.
+    pub fn to_file(&self) -> String {
+        let source: String = self.source.chars().filter(|c| !c.is_control() && !['"', '\\'].contains(c)).collect();
+        let confidence = match self.confidence {
+            Confidence::High => "high",
+            Confidence::Medium => "medium",
+            Confidence::Low => "low",
+        };
+        format!(
+            "hob_factor = {:.4}\ncontact_factor = {:.4}\nsource = \"{source}\"\nconfidence = \"{confidence}\"\n",
+            self.hob_factor, self.contact_factor
+        )
+    }
+
     /// Sets the factors in the data of hob and room.
     ///
     /// The conductance of a gap that is not filled by the layer of steam is proportional to 1/gap and to that of the
@@ -43,5 +67,74 @@ impl KitchenAtHome {
         room.contact.gap_mm /= self.contact_factor;
         room.contact.settling_gap_mm /= self.contact_factor;
         room.contact.asperity_w_m2k *= self.contact_factor;
+    }
+}
+
+impl Library {
+    /// Returns the text of the file that states the kitchen at home; none of the program's own.
+    pub fn home(&self) -> Option<&str> {
+        self.home.as_deref()
+    }
+
+    /// Returns the library of another kitchen at home, by the text of the file that states it; of the program's own for none.
+    ///
+    /// # Errors
+    ///
+    /// If the text states no kitchen.
+    pub fn in_kitchen(&self, home: Option<&str>) -> Result<Cow<'_, Self>, LibraryError> {
+        if self.home() == home {
+            return Ok(Cow::Borrowed(self));
+        }
+        let shipped = shipped_files().get(AT_HOME_FILE).map_or("", String::as_str);
+        let text = home.unwrap_or(shipped);
+        let at_home = KitchenAtHome::shelf().read(&DataFile { name: AT_HOME_FILE, text })?;
+        let mut library = self.clone();
+        (library.hob, library.room) = (*self.typical).clone();
+        at_home.set_in(&mut library.hob, &mut library.room);
+        (library.at_home, library.home) = (at_home, home.map(Arc::from));
+        library.hashes.insert(AT_HOME_FILE.to_owned(), text_hash(text));
+        Ok(Cow::Owned(library))
+    }
+}
+
+/// Hash of the text of a file, as that of a file without a surface.
+pub(crate) fn text_hash(text: &str) -> u64 {
+    // Line ends of another system do not change what a file says.
+    let without_surface: &[u8] = &[];
+    hash_of([text.replace('\r', "").as_bytes(), without_surface])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn fitted() -> KitchenAtHome {
+        let source = "fitted to \"steak\".csv".to_owned();
+        KitchenAtHome { hob_factor: 0.9, contact_factor: 1.2, source, confidence: Confidence::Medium }
+    }
+
+    #[test]
+    fn a_library_goes_into_another_kitchen_and_back_as_if_it_had_been_loaded_there() {
+        let typical = Library::embedded().expect("embedded data");
+        let text = fitted().to_file();
+        let there = typical.in_kitchen(Some(&text)).expect("a kitchen").into_owned();
+        let loaded = Library::with(&[(AT_HOME_FILE.to_owned(), text.clone())]).expect("a library");
+        assert_eq!((there.home(), loaded.home()), (Some(text.as_str()), Some(text.as_str())));
+        assert_eq!(there.hob.coil.efficiency, loaded.hob.coil.efficiency);
+        assert_eq!(there.room.contact.gap_mm, loaded.room.contact.gap_mm);
+        assert_eq!(there.pan_hash("carbon-steel-26"), loaded.pan_hash("carbon-steel-26"));
+        assert!(there.hob.coil.efficiency < typical.hob.coil.efficiency);
+        let back = there.in_kitchen(None).expect("a kitchen");
+        assert_eq!(back.pan_hash("carbon-steel-26"), typical.pan_hash("carbon-steel-26"));
+        assert_eq!(back.hob.coil.efficiency, typical.hob.coil.efficiency);
+        assert!(matches!(back.in_kitchen(None), Ok(Cow::Borrowed(_))));
+    }
+
+    #[test]
+    fn a_text_that_states_no_kitchen_is_refused() {
+        let typical = Library::embedded().expect("embedded data");
+        for text in ["", "hob_factor = 9", &fitted().to_file().replace("0.9000", "99")] {
+            assert!(typical.in_kitchen(Some(text)).is_err(), "{text}");
+        }
     }
 }

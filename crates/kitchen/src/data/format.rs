@@ -85,6 +85,7 @@ mod tests {
 
     use super::*;
     use crate::data::at_home::KitchenAtHome;
+    use crate::data::goals::GoalsFile;
     use crate::data::library::{DonenessFile, Library};
     use crate::data::room::Room;
     use crate::data::schema_text::{Kind, bounds, kind, resolved};
@@ -103,6 +104,7 @@ mod tests {
             ("oils/", FormatSchema::of::<OilDescription>()),
             ("hobs/", FormatSchema::of::<HobDescription>()),
             ("doneness.toml", FormatSchema::of::<DonenessFile>()),
+            ("goals.toml", FormatSchema::of::<GoalsFile>()),
             ("components.toml", FormatSchema::of::<Components>()),
             ("kitchen.toml", FormatSchema::of::<Room>()),
             ("kitchen-at-home.toml", FormatSchema::of::<KitchenAtHome>()),

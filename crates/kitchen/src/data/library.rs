@@ -12,6 +12,7 @@ use serde::Deserialize;
 
 use crate::data::at_home::KitchenAtHome;
 use crate::data::data_file::DataFile;
+use crate::data::goals::GoalDescription;
 use crate::data::loading::{Loading, OwnFiles};
 use crate::data::room::Room;
 use crate::data::shelf::data_files;
@@ -63,6 +64,8 @@ pub struct Library {
     pub recipes: BTreeMap<String, String>,
     /// Scales of doneness, in the order of their file; [`DEFAULT_SCALE`] is one of them.
     pub scales: Vec<Arc<Scale>>,
+    /// Goals of a cook, in the order of their file.
+    pub goals: Vec<Arc<GoalDescription>>,
     /// Thermal properties of food components.
     pub components: Components,
     /// The room.
@@ -71,6 +74,10 @@ pub struct Library {
     pub hob: HobDescription,
     /// What a kitchen at home has otherwise; hob and room contain it already.
     pub at_home: KitchenAtHome,
+    /// The text of the file that states it, unless it is the program's own.
+    pub(crate) home: Option<Arc<str>>,
+    /// Hob and room without it.
+    pub(crate) typical: Arc<(HobDescription, Room)>,
     /// What juice leaves on the pan.
     pub fond: FondData,
     /// Entries that are not in the tables because a file of the user's is broken, by path: the cause.
@@ -154,6 +161,26 @@ impl Library {
         Ok(())
     }
 
+    /// Goals name kinetics, a scale and a class that are there; what is set aside may be missing.
+    pub(crate) fn check_goals(&self, file: &DataFile) -> Result<(), LibraryError> {
+        for (at, goal) in self.goals.iter().enumerate() {
+            let error = |key: &str, message| Err(file.error(&format!("goal.{at}.{key}"), message));
+            for id in goal.kinetics.iter().filter(|id| !self.kinetics.contains_key(*id)) {
+                if !self.set_aside.contains_key(&format!("kinetics/{id}.toml")) {
+                    let known = Self::names(&self.kinetics);
+                    return error("kinetics", format!("\"{id}\" is unknown; there are: {known}"));
+                }
+            }
+            if self.scales.is_empty() || self.scales.iter().any(|scale| goal.is_on(scale)) {
+                continue;
+            }
+            let (class, known) = (goal.class.clone().unwrap_or_default(), self.scale_names());
+            let (key, scale) = goal.scale.as_ref().map_or(("class", "any scale"), |id| ("scale", id.as_str()));
+            return error(key, format!("{scale} has no class \"{class}\"; there are the scales {known}"));
+        }
+        Ok(())
+    }
+
     /// The kitchen names oils that are there, and butter that melts.
     pub(crate) fn check_oils(&self) -> Result<(), LibraryError> {
         let oil = &self.room.oil;
@@ -173,6 +200,16 @@ impl Library {
     /// A scale of doneness by its id.
     pub fn scale(&self, id: &str) -> Option<&Arc<Scale>> {
         self.scales.iter().find(|s| s.id == id)
+    }
+
+    /// A goal by its id.
+    pub fn goal(&self, id: &str) -> Option<&Arc<GoalDescription>> {
+        self.goals.iter().find(|goal| goal.id == id)
+    }
+
+    /// The goals that fit a food, in their order.
+    pub fn goals_for(&self, food: &FoodDescription) -> impl Iterator<Item = &Arc<GoalDescription>> {
+        self.goals.iter().filter(|goal| goal.is_for(&food.kinetics))
     }
 
     /// The ids of the scales, for messages.

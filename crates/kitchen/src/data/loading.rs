@@ -6,21 +6,24 @@ use std::sync::Arc;
 use saute_food::{FoodDescription, Scale};
 use saute_heat::Soup;
 
-use crate::data::at_home::KitchenAtHome;
+use crate::data::at_home::{AT_HOME_FILE, KitchenAtHome};
 use crate::data::data_file::DataFile;
 use crate::data::data_hash::file_hashes;
+use crate::data::goals::{GoalDescription, GoalsFile};
 use crate::data::library::{DonenessFile, Library, LibraryError, with_body};
+use crate::data::room::Room;
 use crate::data::shelf::{Shelved, shipped_files};
+use crate::pan::hob::HobDescription;
 use crate::pan::pan_description::{CoatingDescription, PanDescription};
 
 /// The file of the scales of doneness.
 const DONENESS_FILE: &str = "doneness.toml";
 
+/// The file of the goals.
+const GOALS_FILE: &str = "goals.toml";
+
 /// The file of what juice leaves on the pan.
 const FOND_FILE: &str = "fond.toml";
-
-/// The file of what a kitchen at home has otherwise.
-const AT_HOME_FILE: &str = "kitchen-at-home.toml";
 
 /// The cause for which an entry is set aside, where its own file is broken. The error of that file says more.
 const ITS_FILE: &str = "its file in the --data folder is broken";
@@ -57,6 +60,7 @@ impl<'a> Loading<'a> {
     pub(crate) fn library(mut self) -> Result<(Library, Vec<LibraryError>), LibraryError> {
         let bare = self.folder("pans/")?;
         let coatings = self.folder("coatings/")?;
+        let (room, hob): (Room, HobDescription) = (self.parse("kitchen.toml")?, self.parse("hobs/induction.toml")?);
         let mut library = Library {
             foods: self.folder("foods/")?,
             kinetics: self.folder("kinetics/")?,
@@ -64,10 +68,13 @@ impl<'a> Loading<'a> {
             oils: self.folder("oils/")?,
             recipes: in_folder(&self.files, "recipes/").map(|(id, text)| (id.to_owned(), text.clone())).collect(),
             scales: self.scales()?,
+            goals: self.goals()?,
             components: self.parse("components.toml")?,
-            room: self.parse("kitchen.toml")?,
-            hob: self.parse("hobs/induction.toml")?,
+            typical: Arc::new((hob.clone(), room.clone())),
+            room,
+            hob,
             at_home: KitchenAtHome::default(),
+            home: None,
             fond: self.parse(FOND_FILE)?,
             set_aside: BTreeMap::new(),
             hashes: file_hashes(&self.files, &self.own.surfaces),
@@ -78,6 +85,7 @@ impl<'a> Loading<'a> {
         self.settle_foods(&mut library)?;
         library.set_aside.clone_from(&self.set_aside);
         self.settle_scales(&mut library)?;
+        self.settle_goals(&mut library)?;
         library.set_aside = self.set_aside;
         Ok((library, self.faults))
     }
@@ -128,6 +136,16 @@ impl<'a> Loading<'a> {
         }
     }
 
+    fn goals(&mut self) -> Result<Vec<Arc<GoalDescription>>, LibraryError> {
+        if self.set_aside.contains_key(GOALS_FILE) {
+            return Ok(Vec::new());
+        }
+        match self.parse::<GoalsFile>(GOALS_FILE) {
+            Ok(parsed) => Ok(parsed.goal.into_iter().map(Arc::new).collect()),
+            Err(error) => self.fault(GOALS_FILE, error).map(|()| Vec::new()),
+        }
+    }
+
     /// Sets aside the coated pans of which the pan or the coating is set aside.
     fn set_coated_aside(
         &mut self,
@@ -160,6 +178,8 @@ impl<'a> Loading<'a> {
             Ok(Some(at_home)) => {
                 at_home.set_in(&mut library.hob, &mut library.room);
                 library.at_home = at_home;
+                let text = self.files.get(AT_HOME_FILE).filter(|text| shipped_files().get(AT_HOME_FILE) != Some(text));
+                library.home = text.map(|text| Arc::from(text.as_str()));
                 return Ok(());
             }
             Ok(None) => {}
@@ -220,6 +240,19 @@ impl<'a> Loading<'a> {
         if let Err(error) = library.check_scales(&self.file(DONENESS_FILE)) {
             self.fault(DONENESS_FILE, error)?;
             library.scales.clear();
+        }
+        Ok(())
+    }
+
+    /// Sets the user's goals aside if one cannot be judged. A shipped goal for whose class the user's scales have no name goes alone.
+    fn settle_goals(&mut self, library: &mut Library) -> Result<(), LibraryError> {
+        if !self.own.texts.contains_key(GOALS_FILE) && self.own.texts.contains_key(DONENESS_FILE) {
+            let scales = &library.scales;
+            library.goals.retain(|goal| scales.iter().any(|scale| goal.is_on(scale)));
+        }
+        if let Err(error) = library.check_goals(&self.file(GOALS_FILE)) {
+            self.fault(GOALS_FILE, error)?;
+            library.goals.clear();
         }
         Ok(())
     }

@@ -8,6 +8,7 @@ pub mod finding;
 pub mod food_check;
 pub mod format;
 mod format_page;
+pub mod goals;
 pub mod input_error;
 pub mod library;
 pub mod loading;

@@ -12,6 +12,7 @@ use saute_food::{FoodDescription, Kinetics};
 use crate::data::at_home::KitchenAtHome;
 use crate::data::data_file::DataFile;
 use crate::data::format::{Format, FormatSchema};
+use crate::data::goals::GoalsFile;
 use crate::data::library::{DonenessFile, LibraryError};
 use crate::data::room::Room;
 use crate::liquids::fond::FondData;
@@ -72,6 +73,7 @@ shelves! {
     OilDescription: "oils/",
     HobDescription: "hobs/",
     DonenessFile: "doneness.toml",
+    GoalsFile: "goals.toml",
     Components: "components.toml",
     Room: "kitchen.toml",
     KitchenAtHome: "kitchen-at-home.toml",

@@ -1,12 +1,17 @@
 //! What a fit found: the parameters with their uncertainty.
 
-use serde::Serialize;
+use saute_kitchen::Library;
+use saute_kitchen::data::at_home::KitchenAtHome;
+use saute_kitchen::food::description::Confidence;
+use serde::{Deserialize, Serialize};
+
+use super::parameters::Parameters;
 
 /// Quantile of the normal distribution for a two-sided interval of 90 % [-].
 const Z90: f64 = 1.644_853_626_951_472_2;
 
 /// A value with its 90 % interval.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
 pub struct Estimate {
     /// Most likely value.
     pub value: f64,
@@ -28,8 +33,11 @@ impl Estimate {
     }
 }
 
+/// Misfit from which the model does not describe a log [-] (chosen: residuals of twice the errors of thermometers).
+pub const LARGEST_MISFIT: f64 = 2.0;
+
 /// What a fit found.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
 pub struct Found {
     /// Electrical power that reaches the pan's metal [-].
     pub hob_efficiency: Estimate,
@@ -44,4 +52,34 @@ pub struct Found {
     pub samples: usize,
     /// Number of rounds [-].
     pub rounds: usize,
+}
+
+impl Found {
+    /// Returns true if the model describes what was measured.
+    pub fn describes(&self) -> bool {
+        self.misfit <= LARGEST_MISFIT
+    }
+
+    /// Returns the most likely parameters.
+    pub fn parameters(&self) -> Parameters {
+        let Self { hob_efficiency, contact, thickness_mm, .. } = self;
+        Parameters {
+            hob_efficiency: hob_efficiency.value,
+            contact: contact.value,
+            thickness: 1e-3 * thickness_mm.value,
+        }
+    }
+
+    /// Returns the kitchen that was found with the data of a library, as factors on the shipped data: a library that holds an earlier
+    /// fit has its factors in it already.
+    pub fn at_home(&self, library: &Library, log: &str) -> KitchenAtHome {
+        let (assumed, earlier) = (library.hob.coil.efficiency, &library.at_home);
+        let Self { samples, misfit, .. } = self;
+        KitchenAtHome {
+            hob_factor: earlier.hob_factor * self.hob_efficiency.value / assumed,
+            contact_factor: earlier.contact_factor * self.contact.value,
+            source: format!("fitted to {samples} values of {log}; misfit {misfit:.2}"),
+            confidence: Confidence::Medium,
+        }
+    }
 }

@@ -47,6 +47,11 @@ impl Unit {
     }
 }
 
+/// Words in the headers of columns that nobody names: of the core, and of the pan.
+pub const CORE_WORDS: [&str; 6] = ["core", "probe", "internal", "meat", "food", "steak"];
+/// See [`CORE_WORDS`].
+pub const PAN_WORDS: [&str; 4] = ["pan", "surface", "floor", "infrared"];
+
 /// A log in memory: its headers and its rows.
 #[derive(Clone, Debug)]
 pub struct LogFile {
@@ -124,6 +129,16 @@ impl LogFile {
     pub fn column_with(&self, words: &[&str], time: usize) -> Option<usize> {
         let contains = |header: &String| words.iter().any(|word| header.to_lowercase().contains(word));
         self.headers.iter().enumerate().find(|(at, header)| *at != time && contains(header)).map(|(at, _)| at)
+    }
+
+    /// Returns the headers, in the order of the columns.
+    pub fn headers(&self) -> &[String] {
+        &self.headers
+    }
+
+    /// Returns the number of rows.
+    pub fn rows(&self) -> usize {
+        self.rows.len()
     }
 
     /// Returns the header of a column.

@@ -10,10 +10,12 @@
 //! efficiency η.
 
 mod clock;
+pub mod curves;
 pub mod found;
 pub mod levels;
 pub mod log_file;
 pub mod observed;
 pub mod parameters;
 pub mod predict;
+pub mod run;
 pub mod search;

@@ -1,7 +1,9 @@
 //! What was measured at a real stove.
 
-use saute_kitchen::food::Scale;
 use std::sync::Arc;
+
+use saute_kitchen::food::Scale;
+use serde::{Deserialize, Serialize};
 
 /// Standard deviation of a probe in the core [K] (chosen: ±1 K of a household thermometer and its place).
 pub const CORE_SIGMA: f64 = 1.0;
@@ -15,7 +17,7 @@ const CLASS_SIGMA: f64 = 2.0;
 const MOST_SAMPLES: usize = 60;
 
 /// A quantity that was measured.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq, Serialize)]
 pub enum Quantity {
     /// Mean temperature of the pan's floor [K].
     Pan,
@@ -31,7 +33,7 @@ pub enum Quantity {
 pub const END: f64 = f64::INFINITY;
 
 /// One measured value.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
 pub struct Sample {
     /// What was measured.
     pub quantity: Quantity,
@@ -44,7 +46,7 @@ pub struct Sample {
 }
 
 /// Everything that was measured in one cook.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 pub struct Observed {
     samples: Vec<Sample>,
 }

@@ -64,37 +64,82 @@ impl Job {
     ///
     /// If the kitchen cannot be built, a step cannot be carried out, or the cook ends before the last sample.
     pub fn run(&self) -> Result<Vec<f64>, FitError> {
+        let mut predicting = Predicting::begin(self)?;
+        loop {
+            if let Some(values) = predicting.second()? {
+                return Ok(values);
+            }
+        }
+    }
+
+    /// The kitchen in which it cooks, and what.
+    pub(super) fn cook(&self) -> Result<Cook, FitError> {
         let mut library = (*self.library).clone();
         self.parameters.set_in(&mut library);
         let mut recipe = (*self.recipe).clone();
         self.parameters.set_in_recipe(&mut recipe);
         self.level.set_in(&mut recipe);
-        let mut cook = Cook::new(recipe, &library).map_err(|e| FitError::Cook(e.to_string()))?;
-        let mut values = Vec::with_capacity(self.samples.len());
-        for sample in self.samples.iter() {
-            reach(&mut cook, sample.at_s)?;
-            values.push(value(&cook.kitchen, sample.quantity));
-        }
-        Ok(values)
+        Cook::new(recipe, &library).map_err(|e| FitError::Cook(e.to_string()))
     }
 }
 
-/// Cooks on until a time [s].
-fn reach(cook: &mut Cook, at_s: f64) -> Result<(), FitError> {
-    while cook.kitchen.time_s() < at_s - 0.5 * saute_kitchen::TICK_S {
-        if cook.stopped().is_some() {
-            if at_s == END {
-                return Ok(());
-            }
-            return Err(FitError::Ended { at_s, end_s: cook.kitchen.time_s() });
-        }
-        cook.advance().map_err(|e| FitError::Cook(e.to_string()))?;
+/// A job that is under way, second by second: it can be left and gone on with.
+#[derive(Clone, Debug)]
+pub struct Predicting {
+    cook: Cook,
+    samples: Arc<Vec<Sample>>,
+    values: Vec<f64>,
+}
+
+/// Ticks in a second [-].
+pub(super) const TICKS_PER_S: u32 = (1.0 / saute_kitchen::TICK_S + 0.5) as u32;
+
+impl Predicting {
+    /// Begins a job.
+    ///
+    /// # Errors
+    ///
+    /// If the kitchen cannot be built.
+    pub fn begin(job: &Job) -> Result<Self, FitError> {
+        Ok(Self { cook: job.cook()?, samples: Arc::clone(&job.samples), values: Vec::new() })
     }
-    Ok(())
+
+    /// Cooks on for a second at most; returns the values of all samples once the last one is reached [K, kg].
+    ///
+    /// # Errors
+    ///
+    /// As [`Job::run`].
+    pub fn second(&mut self) -> Result<Option<Vec<f64>>, FitError> {
+        for _ in 0..TICKS_PER_S {
+            while let Some(sample) = self.samples.get(self.values.len()) {
+                if !has_reached(&self.cook, sample.at_s)? {
+                    break;
+                }
+                self.values.push(value(&self.cook.kitchen, sample.quantity));
+            }
+            if self.values.len() == self.samples.len() {
+                return Ok(Some(std::mem::take(&mut self.values)));
+            }
+            self.cook.advance().map_err(|e| FitError::Cook(e.to_string()))?;
+        }
+        Ok(None)
+    }
+}
+
+/// True if a cook has come to a time [s].
+fn has_reached(cook: &Cook, at_s: f64) -> Result<bool, FitError> {
+    if cook.kitchen.time_s() >= at_s - 0.5 * saute_kitchen::TICK_S {
+        return Ok(true);
+    }
+    match cook.stopped() {
+        None => Ok(false),
+        Some(_) if at_s == END => Ok(true),
+        Some(_) => Err(FitError::Ended { at_s, end_s: cook.kitchen.time_s() }),
+    }
 }
 
 /// A quantity now [K, kg]; of several foods, that of the first.
-fn value(kitchen: &Kitchen, quantity: Quantity) -> f64 {
+pub(super) fn value(kitchen: &Kitchen, quantity: Quantity) -> f64 {
     let of_food = |measure: fn(&saute_kitchen::Piece) -> f64| kitchen.pieces().first().map_or(0.0, measure);
     match quantity {
         Quantity::Pan => kitchen.pan_temperature(),

@@ -108,6 +108,18 @@ impl Fit {
         points.enumerate().map(job).collect()
     }
 
+    /// Returns the job of what was found, on the mesh of the last level.
+    pub(super) fn job_of(&self, found: &Found) -> Job {
+        Job {
+            number: 0,
+            recipe: Arc::clone(&self.recipe),
+            library: Arc::clone(&self.library),
+            samples: Arc::clone(&self.samples),
+            parameters: found.parameters(),
+            level: self.level,
+        }
+    }
+
     /// Returns the number of rounds so far, and the most that can follow [-].
     pub fn progress(&self) -> (usize, usize) {
         (self.rounds, MOST_ROUNDS * self.levels.len())

@@ -1,7 +1,8 @@
 //! What a forecast says: the course of a piece from now on.
 
-use saute_kitchen::food::Shares;
+use saute_kitchen::food::change::doneness::Measure;
 use saute_kitchen::food::readings::FaceReading;
+use saute_kitchen::food::{Scale, Shares};
 use saute_kitchen::{Kitchen, Piece};
 use serde::{Deserialize, Serialize};
 
@@ -77,6 +78,18 @@ impl Outlook {
     pub(super) fn note_core(&mut self, core: f64, after_s: f64) {
         if core > self.peak.core {
             (self.peak.core, self.peak.after_s) = (core, after_s);
+        }
+    }
+
+    /// Class in which the core ends, given what a scale measures there now [K or -]: the class of the highest core temperature so far
+    /// and ahead; where the scale measures a share, the class that most of the last section is in, if sections were shared out.
+    pub fn class(&self, scale: &Scale, reached: f64) -> Option<usize> {
+        match scale.measure() {
+            Measure::Peak => Some(scale.class_of(reached.max(self.peak.core))),
+            Measure::Share => {
+                let Shares(shares) = self.samples.last()?.shares?;
+                (0..scale.class.len().min(shares.len())).max_by(|a, b| shares[*a].total_cmp(&shares[*b]))
+            }
         }
     }
 

@@ -1,10 +1,18 @@
-//! What a cook is wanted to give ([`Goal`]), what it gave ([`Outcome`]), and how good that is ([`Score`]).
+//! What a cook is wanted to give ([`Goal`]), what it gave ([`Outcome`]), how good that is ([`Score`]), and what would have made it
+//! better ([`Judgement`]).
 
+mod better;
+mod course;
+mod grey_band;
+mod judgement;
 mod outcome;
 mod score;
 mod target;
 
+pub use better::Better;
+pub use course::Course;
+pub use judgement::{Judged, Judgement, Verdict};
 pub use outcome::Outcome;
 pub(crate) use outcome::at_core;
-pub use score::{Score, Shortfall};
+pub use score::{Score, Shortfall, Term, TermKind};
 pub use target::{Goal, TargetError, Wish};

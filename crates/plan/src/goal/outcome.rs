@@ -1,5 +1,6 @@
 //! What a cook gave, as a few plain numbers.
 
+use saute_kitchen::data::goals::Counted;
 use saute_kitchen::food::change::doneness::Measure;
 use saute_kitchen::{Kitchen, Piece, celsius};
 use serde::{Deserialize, Serialize};
@@ -13,7 +14,8 @@ pub struct Outcome {
     pub core_peak_c: f64,
     /// What the scale of the goal measures at the core [°C or %].
     pub at_core: f64,
-    /// Share of the section in the class of the goal, by the highest temperature reached or by the share of the change [%].
+    /// Share of the section in the class of the goal, by the highest temperature reached or by the share of the change; for a
+    /// goal of the faces, browned share of them [%].
     pub target_share_pct: f64,
     /// Share of the section that is beyond the class of the goal: the grey band [%].
     pub beyond_pct: f64,
@@ -34,20 +36,29 @@ pub struct Outcome {
 impl Outcome {
     /// Reads the outcome of a kitchen, given the masses of its pieces at the start [kg].
     pub fn read(kitchen: &Kitchen, masses_at_start: &[f64], goal: &Goal) -> Self {
-        let pieces = kitchen.pieces();
-        let mean = |value: &dyn Fn(&Piece) -> f64| pieces.iter().map(value).sum::<f64>() / pieces.len() as f64;
+        let pieces: Vec<&Piece> = kitchen.pieces().iter().collect();
+        Self::of(kitchen, &pieces, masses_at_start, goal)
+    }
+
+    /// As [`Self::read`], of some of the kitchen's pieces.
+    pub fn of(kitchen: &Kitchen, pieces: &[&Piece], masses_at_start: &[f64], goal: &Goal) -> Self {
+        let mean = |value: &dyn Fn(&Piece) -> f64| pieces.iter().copied().map(value).sum::<f64>() / pieces.len() as f64;
         let lost = pieces.iter().zip(masses_at_start).map(|(piece, start)| 100.0 * (1.0 - piece.mass() / start));
         let face = |piece: &Piece, below: bool| {
             piece.model.face_reading(&piece.state, piece.up().map(|u| if below { u } else { -u }))
         };
         let browned = |piece: &Piece| [true, false].map(|below| face(piece, below).browned_pct);
         let charred = |piece: &Piece| [true, false].map(|below| face(piece, below).charred_pct);
+        let both = |piece: &Piece| browned(piece).iter().sum::<f64>() / 2.0;
         Self {
             core_peak_c: mean(&|piece| celsius(piece.core_peak.0)),
-            at_core: at_core(kitchen, goal, |piece| piece.core_peak.0),
-            target_share_pct: mean(&|piece| shares(piece, goal)[goal.class]),
+            at_core: at_core(pieces.iter().copied(), goal, |piece| piece.core_peak.0),
+            target_share_pct: mean(&|piece| match goal.counts {
+                Counted::Section => shares(piece, goal)[goal.class],
+                Counted::Faces => both(piece),
+            }),
             beyond_pct: mean(&|piece| shares(piece, goal).iter().skip(goal.class + 1).sum()),
-            crust_pct: mean(&|piece| browned(piece).iter().sum::<f64>() / 2.0),
+            crust_pct: mean(&both),
             least_crust_pct: mean(&|piece| browned(piece).iter().copied().fold(100.0, f64::min)),
             charred_pct: mean(&|piece| charred(piece).iter().sum::<f64>() / 2.0),
             lost_pct: lost.sum::<f64>() / pieces.len() as f64,
@@ -68,7 +79,11 @@ fn shares(piece: &Piece, goal: &Goal) -> [f64; 5] {
 }
 
 /// Mean over the pieces of what the goal's scale measures at the core, given the temperature that counts [°C or %].
-pub(crate) fn at_core(kitchen: &Kitchen, goal: &Goal, temperature: impl Fn(&Piece) -> f64) -> f64 {
+pub(crate) fn at_core<'a>(
+    pieces: impl ExactSizeIterator<Item = &'a Piece>,
+    goal: &Goal,
+    temperature: impl Fn(&Piece) -> f64,
+) -> f64 {
     let value = |piece: &Piece| match goal.scale.measure() {
         Measure::Peak => celsius(temperature(piece)),
         Measure::Share => match piece.model.measured(&piece.state, &goal.scale) {
@@ -76,6 +91,6 @@ pub(crate) fn at_core(kitchen: &Kitchen, goal: &Goal, temperature: impl Fn(&Piec
             field => 100.0 * piece.model.at_core(field),
         },
     };
-    let pieces = kitchen.pieces();
-    pieces.iter().map(value).sum::<f64>() / pieces.len() as f64
+    let count = pieces.len();
+    pieces.map(value).sum::<f64>() / count as f64
 }

@@ -5,7 +5,7 @@
 //!
 //! | term | unit | meaning |
 //! |---|---|---|
-//! | share | % | of the section in the class of the goal |
+//! | share | % | of the section in the class of the goal; for a goal of the faces, of them that is browned |
 //! | missing crust | points of % | how much less than wanted of the faces is browned, on the face with less of it |
 //! | charred | % | of the faces |
 //! | miss of the core | K (points of %: a fifth of the weight) | distance from the band that meets the goal |
@@ -13,6 +13,8 @@
 //! | mass loss | % | |
 //! | heat above 295 °C | K | of the hottest place of the pan; oils flash at 310–320 °C, and a hob may give 10 % more than it says |
 //! | flips | number | work of the hand |
+//!
+//! A goal that judges no core has no miss of it and no aim.
 //!
 //! A cook that passes the flash point of its oil scores 100 points less. The weights are chosen: the share counts first, a core
 //! that misses its class by 2 K outweighs ten points of it, and juice and work decide between cooks that are otherwise equal.
@@ -31,14 +33,11 @@ const MISS: f64 = 5.0;
 const OFF_AIM: f64 = 0.5;
 const LOST: f64 = 0.1;
 const HOT: f64 = 0.5;
-const HOT_C: f64 = 295.0;
+pub(crate) const HOT_C: f64 = 295.0;
 const FLIP: f64 = 0.1;
 const FIRE: f64 = 100.0;
 /// Points of a share that weigh as much as a kelvin [-] (chosen: 5 °C and 25 % are each half of a class).
 const PCT_PER_K: f64 = 5.0;
-
-/// Charred share of the faces from which a cook is burnt [%] (chosen: some black edges are part of a crust).
-pub const BURNT_PCT: f64 = 5.0;
 
 /// How good a cook is [points]; the highest possible value is 100.
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq, PartialOrd, Serialize)]
@@ -52,6 +51,8 @@ pub enum Shortfall {
     Undercooked,
     /// The core passes the class.
     Overcooked,
+    /// Too little of the section is in the class, or of the faces browned.
+    Share,
     /// Too little of a face is browned.
     Crust,
     /// Too much of the faces is charred.
@@ -63,17 +64,73 @@ pub enum Shortfall {
 impl Score {
     /// Scores an outcome of a cook with a number of flips against a goal.
     pub fn of(outcome: &Outcome, flips: usize, goal: &Goal) -> Self {
+        Self::sum(&Term::all(outcome, flips, goal))
+    }
+
+    /// Adds up the terms of the formula.
+    pub fn sum(terms: &[Term]) -> Self {
+        Self(terms.iter().map(Term::points).sum())
+    }
+}
+
+/// What a term of the formula counts.
+#[derive(Clone, Copy, Debug, Deserialize, Eq, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum TermKind {
+    /// Share of the section in the class of the goal, or of the faces that is browned [%].
+    Share,
+    /// Missing crust of the paler face [points of %].
+    MissingCrust,
+    /// Charred share of the faces [%].
+    Charred,
+    /// Distance of the core from the band that meets the goal [K].
+    CoreMiss,
+    /// Distance of the core from the value that is aimed at [K].
+    OffAim,
+    /// Mass loss [%].
+    Lost,
+    /// Heat of the pan above the bound of the formula [K].
+    Hot,
+    /// Flips [-].
+    Flips,
+    /// Oil past its flash point [-].
+    Fire,
+}
+
+/// A term of the formula: value × weight = points.
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
+pub struct Term {
+    /// What it counts.
+    pub kind: TermKind,
+    /// The value, in the unit of the kind; a change counts in fifths of a point of %, as kelvins.
+    pub value: f64,
+    /// Points per unit.
+    pub weight: f64,
+}
+
+impl Term {
+    /// Returns all terms of the formula, in its order.
+    pub fn all(outcome: &Outcome, flips: usize, goal: &Goal) -> [Self; 9] {
         let in_k = if goal.scale.measure() == Measure::Peak { 1.0 } else { 1.0 / PCT_PER_K };
         let missing = (goal.crust_pct - outcome.least_crust_pct).max(0.0);
-        let off_aim = (outcome.at_core - goal.aim).abs();
-        let penalties = CRUST * missing
-            + CHARRED * outcome.charred_pct
-            + in_k * (MISS * goal.miss(outcome.at_core) + OFF_AIM * off_aim)
-            + LOST * outcome.lost_pct
-            + HOT * (outcome.hottest_c - HOT_C).max(0.0)
-            + FLIP * flips as f64
-            + if outcome.fire_hazard { FIRE } else { 0.0 };
-        Self(outcome.target_share_pct - penalties)
+        let off_aim = if goal.core_counts { (outcome.at_core - goal.aim).abs() } else { 0.0 };
+        let term = |kind, value, weight| Self { kind, value, weight };
+        [
+            term(TermKind::Share, outcome.target_share_pct, 1.0),
+            term(TermKind::MissingCrust, missing, -CRUST),
+            term(TermKind::Charred, outcome.charred_pct, -CHARRED),
+            term(TermKind::CoreMiss, in_k * goal.miss(outcome.at_core), -MISS),
+            term(TermKind::OffAim, in_k * off_aim, -OFF_AIM),
+            term(TermKind::Lost, outcome.lost_pct, -LOST),
+            term(TermKind::Hot, (outcome.hottest_c - HOT_C).max(0.0), -HOT),
+            term(TermKind::Flips, flips as f64, -FLIP),
+            term(TermKind::Fire, f64::from(u8::from(outcome.fire_hazard)), -FIRE),
+        ]
+    }
+
+    /// Returns what it adds to the score [points].
+    pub fn points(&self) -> f64 {
+        self.value * self.weight
     }
 }
 
@@ -83,8 +140,9 @@ impl Shortfall {
         let cases = [
             (Self::Undercooked, outcome.at_core < goal.core[0]),
             (Self::Overcooked, outcome.at_core > goal.core[1]),
+            (Self::Share, outcome.target_share_pct < goal.least_share_pct),
             (Self::Crust, outcome.least_crust_pct < goal.crust_pct),
-            (Self::Burnt, outcome.charred_pct > BURNT_PCT),
+            (Self::Burnt, outcome.charred_pct > goal.most_charred_pct),
             (Self::Fire, outcome.fire_hazard),
         ];
         cases.into_iter().filter(|(_, is_missing)| *is_missing).map(|(shortfall, _)| shortfall).collect()
@@ -96,6 +154,10 @@ impl Shortfall {
         match self {
             Self::Undercooked => format!("the core reaches {core:.1} {unit} of at least {low} {unit}"),
             Self::Overcooked => format!("the core reaches {core:.1} {unit} of at most {high} {unit}"),
+            Self::Share => {
+                let (share, wanted) = (outcome.target_share_pct, goal.least_share_pct);
+                format!("{share:.0} % is as wanted of at least {wanted} %")
+            }
             Self::Crust => {
                 let (least, wanted) = (outcome.least_crust_pct, goal.crust_pct);
                 format!("{least:.0} % of the paler face is browned of {wanted:.0} % wanted")
@@ -144,6 +206,17 @@ mod tests {
             (of(Outcome { least_crust_pct: 40.0, charred_pct: 3.0, ..on_target() }) - (68.0 - 20.0 - 3.0)).abs() < 1e-9
         );
         assert!((of(Outcome { fire_hazard: true, hottest_c: 311.0, ..on_target() }) + 32.0 + 8.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn the_terms_of_the_formula_add_up_to_the_score_and_a_goal_without_a_core_has_none_of_it() {
+        let outcome = Outcome { at_core: 57.5, charred_pct: 3.0, least_crust_pct: 40.0, ..on_target() };
+        let terms = Term::all(&outcome, 5, &medium());
+        assert_eq!(Score::sum(&terms), Score::of(&outcome, 5, &medium()));
+        let points = |kind| terms.iter().find(|term| term.kind == kind).unwrap().points();
+        assert_eq!([points(TermKind::MissingCrust), points(TermKind::CoreMiss)], [-20.0, -12.5]);
+        let anything = Goal { core: [f64::NEG_INFINITY, f64::INFINITY], core_counts: false, ..medium() };
+        assert!((Score::of(&outcome, 5, &anything).0 - Score::sum(&terms).0 - 14.5).abs() < 1e-9);
     }
 
     #[test]

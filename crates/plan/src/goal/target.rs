@@ -2,6 +2,7 @@
 
 use std::str::FromStr;
 
+use saute_kitchen::data::goals::{Counted, GoalDescription};
 use saute_kitchen::food::Scale;
 use saute_kitchen::food::change::doneness::{Class, Measure};
 use saute_kitchen::food::description::Confidence;
@@ -40,6 +41,9 @@ const CORE_C: [f64; 2] = [30.0, 98.0];
 const HALF_BAND_K: f64 = 2.5;
 /// Largest miss of a wanted temperature [K] (chosen: what a good probe resolves).
 const CORE_MISS_K: f64 = 1.0;
+/// Charred share of the faces above which a cook is burnt where its goal does not say [%] (chosen: some black edges are part of a
+/// crust).
+const BURNT_PCT: f64 = 5.0;
 /// Aim inside a class, as a share of its width above the lower end [-], and its largest distance from that end [K or
 /// points of %] (chosen: most of a section is in a class when the core has just passed its lower end; the margin is for what a
 /// kitchen does differently).
@@ -76,6 +80,14 @@ pub struct Goal {
     pub core: [f64; 2],
     /// Browned share of the faces that is wanted [%].
     pub crust_pct: f64,
+    /// What the share that counts is a share of.
+    pub counts: Counted,
+    /// True if the core must be in the class; otherwise only the share counts.
+    pub core_counts: bool,
+    /// Share that is wanted at least [%].
+    pub least_share_pct: f64,
+    /// Charred share of the faces above which the food is burnt [%].
+    pub most_charred_pct: f64,
 }
 
 impl Goal {
@@ -91,6 +103,26 @@ impl Goal {
         }
     }
 
+    /// Returns the goal of a description on a scale; the core of one that judges no core may be anything.
+    ///
+    /// # Errors
+    ///
+    /// If the scale has no class of the description's name.
+    pub fn described(goal: &GoalDescription, scale: &Scale) -> Result<Self, TargetError> {
+        let most_done = scale.class.last().map_or("", |class| class.name.as_str());
+        let of_class = Self::of_class(goal.class.as_deref().unwrap_or(most_done), scale, goal.crust_pct)?;
+        let anything = [f64::NEG_INFINITY, f64::INFINITY];
+        Ok(Self {
+            name: goal.name.clone(),
+            core: if goal.core_counts { of_class.core } else { anything },
+            counts: goal.counts,
+            core_counts: goal.core_counts,
+            least_share_pct: goal.least_share_pct,
+            most_charred_pct: goal.most_charred_pct,
+            ..of_class
+        })
+    }
+
     fn of_class(name: &str, scale: &Scale, crust_pct: f64) -> Result<Self, TargetError> {
         let Some(class) = scale.class.iter().position(|c| c.name == name) else {
             let known: Vec<&str> = scale.class.iter().map(|c| c.name.as_str()).collect();
@@ -99,7 +131,8 @@ impl Goal {
         };
         let core = [scale.from(class), scale.end(class).unwrap_or(f64::INFINITY)];
         let core = if class == 0 { [f64::NEG_INFINITY, core[1]] } else { core };
-        Ok(Self { name: name.to_owned(), scale: scale.clone(), class, aim: aim(scale, class), core, crust_pct })
+        let (name, scale, aim) = (name.to_owned(), scale.clone(), aim(scale, class));
+        Ok(Self { core, ..Self::plain(name, scale, class, aim, crust_pct) })
     }
 
     fn of_core(core_c: f64, crust_pct: f64) -> Self {
@@ -116,7 +149,28 @@ impl Goal {
             confidence: Confidence::High,
         };
         let core = [core_c - CORE_MISS_K, core_c + CORE_MISS_K];
-        Self { name: format!("core {core_c} °C"), scale, class: 1, aim: core_c, core, crust_pct }
+        Self { core, ..Self::plain(format!("core {core_c} °C"), scale, 1, core_c, crust_pct) }
+    }
+
+    /// A goal whose core may be anything yet, and whose share any.
+    fn plain(name: String, scale: Scale, class: usize, aim: f64, crust_pct: f64) -> Self {
+        Self {
+            name,
+            scale,
+            class,
+            aim,
+            core: [f64::NEG_INFINITY, f64::INFINITY],
+            crust_pct,
+            counts: Counted::Section,
+            core_counts: true,
+            least_share_pct: 0.0,
+            most_charred_pct: BURNT_PCT,
+        }
+    }
+
+    /// Returns true if a food can be done beyond the class.
+    pub fn class_has_end(&self) -> bool {
+        self.scale.end(self.class).is_some()
     }
 
     /// Returns the unit of the core's values.
@@ -178,6 +232,24 @@ mod tests {
         assert_eq!(goal("chefs", "well-done").miss(90.0), 0.0);
         let core = goal("chefs", "core=54");
         assert_eq!([52.0, 54.9, 56.0].map(|c| (10.0 * core.miss(c)).round()), [10.0, 0.0, 10.0]);
+    }
+
+    #[test]
+    fn every_goal_of_the_data_is_a_goal_on_each_scale_that_has_its_class() {
+        let library = Library::embedded().unwrap();
+        for described in &library.goals {
+            let scales: Vec<_> = library.scales.iter().filter(|scale| described.is_on(scale)).collect();
+            assert!(!scales.is_empty(), "{}", described.id);
+            for scale in scales {
+                let goal = Goal::described(described, scale).unwrap();
+                assert_eq!((goal.crust_pct, goal.counts), (described.crust_pct, described.counts));
+                assert_eq!(goal.core[0].is_finite() || goal.core[1].is_finite(), described.core_counts);
+            }
+        }
+        let of_2013 =
+            Goal::described(library.goal("study-2013").unwrap(), library.scale("paper-2013").unwrap()).unwrap();
+        assert_eq!((of_2013.scale.class[of_2013.class].name.as_str(), of_2013.least_share_pct), ("medium", 40.0));
+        assert!(Goal::described(library.goal("medium-rare").unwrap(), library.scale("paper-2013").unwrap()).is_err());
     }
 
     #[test]

@@ -32,19 +32,46 @@ pub(crate) struct Rested {
     pub(crate) work: u64,
 }
 
-/// Pulls the foods of a kitchen now and rests them: for a time [s], or until their cores have peaked.
-pub(crate) fn rest(kitchen: &Kitchen, pull_s: u32, masses: &[f64], goal: &Goal, rest_s: Option<u32>) -> Rested {
-    let before = core_now(kitchen, goal);
-    let mut kitchen = kitchen.clone();
-    pull(&mut kitchen);
-    let (mut elapsed, mut work) = (0, 0);
-    while rest_s.map_or_else(|| goes_on(&kitchen, elapsed), |end| elapsed < end) {
-        (0..TICKS_PER_S).for_each(|_| kitchen.step());
-        work += work_of_second(&kitchen);
-        elapsed += 1;
+/// Foods that rest on a clone of their kitchen.
+#[derive(Clone, Debug)]
+pub(crate) struct Resting {
+    kitchen: Kitchen,
+    pull_s: u32,
+    /// Length of the rest [s]; until the cores have peaked unless given.
+    rest_s: Option<u32>,
+    /// Core before the rest [°C or %].
+    before: f64,
+    /// Time since the pull [s].
+    elapsed_s: u32,
+    work: u64,
+}
+
+impl Resting {
+    /// Pulls the foods of a kitchen now, to rest them for a time [s], or until their cores have peaked.
+    pub(crate) fn begin(kitchen: &Kitchen, pull_s: u32, goal: &Goal, rest_s: Option<u32>) -> Self {
+        let before = core_now(kitchen, goal);
+        let mut kitchen = kitchen.clone();
+        pull(&mut kitchen);
+        Self { kitchen, pull_s, rest_s, before, elapsed_s: 0, work: 0 }
     }
-    let outcome = Outcome::read(&kitchen, masses, goal);
-    Rested { pull_s, rest_s: elapsed, outcome, rise: outcome.at_core - before, pull: None, work }
+
+    /// Rests for a second; returns false if the rest is over.
+    pub(crate) fn second(&mut self) -> bool {
+        let lasts = self.rest_s.map_or_else(|| goes_on(&self.kitchen, self.elapsed_s), |end| self.elapsed_s < end);
+        if lasts {
+            (0..TICKS_PER_S).for_each(|_| self.kitchen.step());
+            self.work += work_of_second(&self.kitchen);
+            self.elapsed_s += 1;
+        }
+        lasts
+    }
+
+    /// What the rest gave, with the masses at the start [kg].
+    pub(crate) fn rested(&self, masses: &[f64], goal: &Goal) -> Rested {
+        let outcome = Outcome::read(&self.kitchen, masses, goal);
+        let (rest_s, rise) = (self.elapsed_s, outcome.at_core - self.before);
+        Rested { pull_s: self.pull_s, rest_s, outcome, rise, pull: None, work: self.work }
+    }
 }
 
 /// Takes the foods out of the pan and switches the hob off, as the last steps of a recipe do.
@@ -66,7 +93,7 @@ fn goes_on(kitchen: &Kitchen, elapsed_s: u32) -> bool {
 
 /// Mean of what the goal's scale measures at the core now [°C or %].
 pub(crate) fn core_now(kitchen: &Kitchen, goal: &Goal) -> f64 {
-    at_core(kitchen, goal, Piece::core)
+    at_core(kitchen.pieces().iter(), goal, Piece::core)
 }
 
 /// Work of the last second [-].

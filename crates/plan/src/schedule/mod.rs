@@ -4,7 +4,10 @@
 //! [`Planner::plan`] has the answer. Whoever runs the jobs, and how many at once, does not change it. A [`Job`] cooks a whole
 //! candidate with [`saute_recipe::Cook`].
 
+pub mod asked;
+mod cooking;
 mod draft;
+pub mod follow;
 mod fork;
 mod heating;
 mod job;
@@ -12,14 +15,19 @@ mod moves;
 mod order;
 mod plan;
 mod planner;
+pub mod search;
 mod seeds;
+pub mod senses;
 mod sensitivity;
+mod steps;
 mod times;
 
+pub use cooking::Cooking;
 pub use draft::Draft;
 pub use job::{Cue, Job, JobError, JobResult, Pull};
 pub use order::Order;
 pub use plan::Plan;
-pub use planner::Planner;
+pub use planner::{Planner, Stage};
 pub use sensitivity::{Change, Sensitivity};
+pub use steps::{Deed, Step};
 pub use times::{Schedule, Setting};

@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use saute_kitchen::Library;
+use serde::{Deserialize, Serialize};
 
 use crate::goal::{Goal, Score, Shortfall};
 use crate::schedule::fork::work_of_tick;
@@ -44,9 +45,9 @@ const RESTS: [u32; 2] = [2, 3];
 const LIMIT_S: f64 = 180.0;
 const LIMIT_S_MM: f64 = 70.0;
 
-/// What comes next.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Stage {
+/// What comes next in a search.
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
+pub enum Stage {
     /// The drafts to start with.
     Seeds,
     /// Neighbours of the best draft, at a stride.
@@ -156,6 +157,11 @@ impl Planner {
             sensitivity: self.sensitivity.clone(),
             candidates: self.tried.len(),
         })
+    }
+
+    /// Returns what comes next.
+    pub fn stage(&self) -> Stage {
+        self.stage
     }
 
     /// Returns what comes next in English, for a progress display.

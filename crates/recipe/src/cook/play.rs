@@ -1,5 +1,6 @@
 //! A cook: kitchen, runner and recorder together.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -74,6 +75,11 @@ impl Cook {
     /// If the library has not what the session needs.
     pub fn again(recording: Recording, library: Arc<Library>) -> Result<Self, ReplayError> {
         let beginning = recording.beginning();
+        let there = match beginning.library(&library)? {
+            Cow::Borrowed(_) => None,
+            Cow::Owned(there) => Some(Arc::new(there)),
+        };
+        let library = there.unwrap_or(library);
         let mut cook = Self::new(beginning.recipe(&library)?, &library)?;
         let head = Playhead::at(Moment::default(), beginning.plays, &cook.kitchen);
         cook.session = Some(Session { recording: Arc::new(recording), library, head });

@@ -1,8 +1,9 @@
 //! What a session began with.
 
+use std::borrow::Cow;
 use std::fmt::Write;
 
-use saute_kitchen::{InputError, Library};
+use saute_kitchen::{InputError, Library, LibraryError};
 use serde::{Deserialize, Serialize};
 
 use crate::recipe::Recipe;
@@ -20,6 +21,9 @@ pub struct Beginning {
     pub text: String,
     /// True if its steps are carried out; false if it only sets out pan and foods.
     pub plays: bool,
+    /// The text of the file that states the kitchen at home, unless it was the program's own. In a file it has its own record.
+    #[serde(skip)]
+    pub home: Option<String>,
 }
 
 impl Beginning {
@@ -31,7 +35,17 @@ impl Beginning {
             file: recipe.file.clone(),
             text: recipe.text.clone(),
             plays,
+            home: library.home().map(str::to_owned),
         }
+    }
+
+    /// Returns the library of the kitchen at home in which the session was recorded: it is played there, wherever it is opened.
+    ///
+    /// # Errors
+    ///
+    /// If what the session carries states no kitchen.
+    pub fn library<'a>(&self, library: &'a Library) -> Result<Cow<'a, Library>, LibraryError> {
+        library.in_kitchen(self.home.as_deref())
     }
 
     /// Returns the recipe.
@@ -49,8 +63,8 @@ impl Beginning {
         if self.program != this {
             return Some(format!("the session was recorded by saute {}, this is saute {this}", self.program));
         }
-        let differs = self.data_hash != data_hash(recipe, library);
-        differs.then(|| "the data of its pan or foods is not what it was when the session was recorded".to_owned())
+        let is_same = self.library(library).is_ok_and(|library| self.data_hash == data_hash(recipe, &library));
+        (!is_same).then(|| "the data of its pan or foods is not what it was when the session was recorded".to_owned())
     }
 }
 

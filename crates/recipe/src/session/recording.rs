@@ -59,6 +59,13 @@ impl Recording {
         }
     }
 
+    /// Says in which kitchen at home it was recorded; none if anything has happened in it.
+    pub(super) fn restore_home(&mut self, home: String) -> Option<()> {
+        let is_first = self.entries.is_empty() && self.hashes.is_empty() && self.reached == 0;
+        self.beginning.home = Some(home).filter(|_| is_first && self.beginning.home.is_none());
+        self.beginning.home.as_ref().map(|_| ())
+    }
+
     /// Records a command of a person that the kitchen carried out; it stops the recipe.
     pub fn push(&mut self, kitchen: &Kitchen, command: Command) {
         self.take_over(kitchen);

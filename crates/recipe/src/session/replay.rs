@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use saute_kitchen::bytes::Models;
 use saute_kitchen::kitchen::SetupError;
-use saute_kitchen::{InputError, Kitchen, Library};
+use saute_kitchen::{InputError, Kitchen, Library, LibraryError};
 
 use crate::cook::runner::Runner;
 use crate::session::moment::Moment;
@@ -30,6 +30,9 @@ pub enum ReplayError {
     /// Pan or food cannot be built.
     #[error(transparent)]
     Setup(#[from] SetupError),
+    /// The kitchen at home that it carries is none.
+    #[error(transparent)]
+    Home(#[from] LibraryError),
 }
 
 impl Replay {
@@ -40,6 +43,7 @@ impl Replay {
     /// If the library has not what the session needs.
     pub fn begin(recording: &Recording, library: &Library) -> Result<Self, ReplayError> {
         let beginning = recording.beginning();
+        let library = &*beginning.library(library)?;
         let recipe = beginning.recipe(library)?;
         let kitchen = recipe.kitchen(library)?;
         Ok(Self::at(kitchen, Runner::new(Arc::new(recipe)), beginning.plays, Moment::default()))

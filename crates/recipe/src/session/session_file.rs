@@ -40,6 +40,8 @@ enum Record<'a> {
     Reached(u64, bool),
     /// Only so many of the entries before count; the session went on from a frame.
     Undone(u64, u64),
+    /// The kitchen at home, where it is not the program's own; it follows the beginning.
+    Home(Cow<'a, str>),
 }
 
 /// Reason why a file is no session.
@@ -99,6 +101,9 @@ impl Recording {
         if !self.saved.has_begun {
             bytes.extend_from_slice(FIRST_LINE);
             write(&mut bytes, &Record::Begins(Cow::Borrowed(self.beginning())));
+            if let Some(home) = &self.beginning().home {
+                write(&mut bytes, &Record::Home(Cow::Borrowed(home)));
+            }
         }
         let moment = self.moment();
         if let Some(kept) = self.saved.cut {
@@ -161,6 +166,7 @@ impl Recording {
     fn read(&mut self, record: Record) -> Option<()> {
         match record {
             Record::Begins(_) => return None,
+            Record::Home(home) => self.restore_home(home.into_owned())?,
             Record::Entries(stored) => self.read_entries(stored)?,
             Record::Hash(frame, hash) => self.restore_hash(sound(frame)?, hash),
             Record::Reached(frame, steps_done) => {

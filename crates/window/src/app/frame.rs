@@ -4,11 +4,12 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use egui::Ui;
+use saute_kitchen::advice::coaching::Coaching;
 use saute_recipe::session::session_file::is_session;
 use web_time::{Duration, Instant};
 
 use super::SauteApp;
-use crate::act::{Acts, Card};
+use crate::act::{Act, Acts, Card};
 use crate::panels;
 use crate::panels::ways::way_words;
 use crate::panels::window_state::WindowState;
@@ -41,6 +42,9 @@ impl SauteApp {
         #[cfg(target_arch = "wasm32")]
         self.take_inbox(&ctx);
         self.let_time_pass(&ctx);
+        self.guide();
+        self.follow_plan(&ctx);
+        self.follow_fit(&ctx);
         self.keep_cook(false);
         self.show(ui);
         #[cfg(target_arch = "wasm32")]
@@ -75,6 +79,12 @@ impl SauteApp {
         let ways = if self.shows_ways() { self.session.ways() } else { Vec::new() };
         let way_names = if ways.is_empty() { BTreeMap::new() } else { self.session.way_names() };
         let l = self.settings.language;
+        let coach = self.settings.coach && !self.settings.skill_mode;
+        let piece = self.session.steak().filter(|_| coach);
+        let coaching = piece.and_then(|piece| Coaching::of(&self.session.kitchen, piece, &advice));
+        let alarm = coach && advice.iter().any(|one| one.is_goal());
+        let result = if self.card == Some(Card::Result) { self.result_words() } else { None };
+        let taught = advice.clone();
         let state = WindowState {
             session: &self.session,
             settings: &self.settings,
@@ -87,13 +97,21 @@ impl SauteApp {
             #[cfg(target_arch = "wasm32")]
             phone_tilts: self.phone_tilts(),
             portion: self.portion,
+            planning: &self.planning,
+            at_home: &self.at_home,
+            live: self.live.as_ref().filter(|live| live.is_of(&self.session)),
             slice: self.slice,
             card: self.card,
+            guided: self.guided.as_ref(),
             said: &self.notice,
             unfinished_s: self.offered_s(),
             japanese_font: self.japanese_font,
             quality,
             advice,
+            coaching,
+            alarm,
+            result,
+            tutorial: self.learn.tutorial.as_ref(),
             notice: self.notice.current(),
             waiting: self.waiting.iter().map(|waiting| waiting.words(l)).collect(),
             ways,
@@ -101,6 +119,8 @@ impl SauteApp {
         };
         let mut acts = Acts::new();
         panels::show_all(&state, &mut self.memory, ui, &mut acts, layout);
+        self.tutor(&taught);
+        self.watch_result(&taught);
         acts
     }
 
@@ -111,13 +131,18 @@ impl SauteApp {
         }
     }
 
-    /// Opens what was read of a recipe's or a session's file, or says why it cannot.
+    /// Opens what was read of a recipe's or a session's file, or of a thermometer's log, or says why it cannot.
     pub(crate) fn take_file(&mut self, name: &str, read: Result<Vec<u8>, String>) {
+        if self.refuses(&Act::ChooseFile) {
+            return;
+        }
         let read = match read {
             Ok(bytes) if is_session(&bytes) => return self.open_session(name, &bytes),
             read => read,
         };
         match read.map(String::from_utf8) {
+            Ok(Ok(text)) if is_table(name) => self.open_log(name, &text),
+            Ok(Ok(text)) if self.card == Some(Card::AtHome) => self.take_cooked(name, &text),
             Ok(Ok(text)) => self.open_recipe(&text, name),
             Ok(Err(_)) => self.notice.say(self.settings.language.fill("notice.not_text", &[("file", &name)])),
             Err(error) => {
@@ -143,6 +168,7 @@ impl SauteApp {
             self.governor.frame(wall, begun.elapsed().as_secs_f64());
         }
         self.do_what_waited(ctx);
+        self.session.foresee(now, self.settings.foresees(), &self.settings.scale);
         self.keep_ways_beside(wall);
         self.keep_up(passes);
         if let Err(error) = passed {
@@ -156,12 +182,19 @@ impl SauteApp {
             || self.glance.is_some()
             || self.session.is_travelling()
             || self.ways.catch_up
+            || self.session.forecasts().need_frames()
         {
             ctx.request_repaint();
         } else {
             ctx.request_repaint_after(std::time::Duration::from_millis(250));
         }
     }
+}
+
+/// True for the name of a table, as thermometers write their logs.
+fn is_table(name: &str) -> bool {
+    let name = name.to_lowercase();
+    [".csv", ".tsv"].iter().any(|ending| name.ends_with(ending))
 }
 
 /// How long a frame may spend on stepping the world, when the last one took `wall_s`.

@@ -6,6 +6,7 @@ use crate::frame_meter::FrameMeter;
 use crate::session::Session;
 use crate::settings::Settings;
 use crate::words::language::Language;
+use crate::work::{Agency, Helper, Kind};
 
 impl SauteApp {
     /// The world behind the window.
@@ -21,6 +22,18 @@ impl SauteApp {
     /// The settings that are remembered.
     pub fn settings(&self) -> &Settings {
         &self.settings
+    }
+
+    /// Lets an agency find helpers for heavy work from now on: each kind of work gets its own.
+    pub fn employ(&mut self, agency: Box<dyn Agency>) {
+        self.session.employ(agency.hire(Kind::Play, &self.session.library));
+        self.session.employ_for_forecasts(agency.hire(Kind::Forecast, &self.session.library));
+        self.agency = Some(agency);
+    }
+
+    /// Hires a helper for a kind of work; none where nobody works beside the window.
+    pub fn hire(&self, kind: Kind) -> Option<Box<dyn Helper>> {
+        self.agency.as_ref().map(|agency| agency.hire(kind, &self.session.library))
     }
 
     /// Place of the cut (−1…1), or none.
@@ -40,6 +53,17 @@ impl SauteApp {
             return self.want_font();
         }
         self.settings.language = language;
+    }
+
+    /// What the guide says in a cook that follows a plan.
+    pub fn guidance(&self) -> Option<crate::plan::live::Guidance> {
+        let live = self.live.as_ref().filter(|live| live.is_of(&self.session))?;
+        Some(live.guidance(&self.session))
+    }
+
+    /// What was entered about the kitchen at home, and the fit to it.
+    pub fn at_home(&self) -> &crate::at_home::fitting::AtHome {
+        &self.at_home
     }
 
     /// Returns true if the card of the first steps is shown.

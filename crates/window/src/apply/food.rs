@@ -1,6 +1,7 @@
 //! Hob, food and recipes by acts.
 
 use saute_kitchen::{Command, RestOn, kelvin};
+use saute_plan::forecast::Question;
 
 use crate::app::SauteApp;
 use crate::words::piece_words::name;
@@ -42,6 +43,16 @@ impl SauteApp {
         }
     }
 
+    /// Does what a forecast asks about with the piece that the panels show; the eye follows what is taken out.
+    pub(super) fn do_asked(&mut self, question: Question) {
+        let food = self.session.steak_id();
+        let commands = question.commands(&self.session.kitchen, &food).unwrap_or_default();
+        let is_done = !commands.is_empty() && commands.iter().all(|command| self.give(command));
+        if is_done && question == Question::TakeOut {
+            self.taken_out = Some(food);
+        }
+    }
+
     /// Halves the food on the board; the eye turns to the cut faces.
     pub(super) fn halve(&mut self) {
         let food = self.handled_id();
@@ -66,7 +77,8 @@ impl SauteApp {
     }
 
     /// Restarts with the chosen food and pan.
-    pub(super) fn set_out(&mut self) {
+    pub(crate) fn set_out(&mut self) {
+        self.learn.shown_for = None;
         match self.session.set_out(&self.settings.choice) {
             Ok(()) => self.motions.clear(),
             Err(error) => self.say_trouble(&error),
@@ -100,6 +112,10 @@ impl SauteApp {
     }
 
     pub(super) fn restart(&mut self) {
+        if self.guided.is_some() {
+            return self.lesson_again();
+        }
+        self.learn.shown_for = None;
         if let Err(error) = self.session.restart() {
             self.say_trouble(&error);
         }

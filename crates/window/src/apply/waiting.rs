@@ -4,6 +4,7 @@ use saute_kitchen::Command;
 
 use crate::act::{Act, BINDINGS};
 use crate::app::SauteApp;
+use crate::plan::PlanAct;
 use crate::session::label;
 use crate::words::act_words::act_words;
 use crate::words::language::Language;
@@ -117,6 +118,7 @@ fn changes_cook(act: &Act) -> bool {
             | Act::Remove(_)
             | Act::Flip
             | Act::Out
+            | Act::Asked(_)
             | Act::Halve
             | Act::Toss
             | Act::Pour(_)
@@ -127,5 +129,6 @@ fn changes_cook(act: &Act) -> bool {
             | Act::ResumeRecipe
             | Act::Restart
             | Act::Branch(_)
+            | Act::Plan(PlanAct::CookLive | PlanAct::CookItself | PlanAct::DoStep)
     )
 }

@@ -1,18 +1,39 @@
-//! The page's worker as a helper: it plays recorded cooks in a second instance of the module.
+//! The page's workers as helpers: each works in an instance of the module of its own.
+
+use std::sync::Arc;
 
 use js_sys::Uint8Array;
+use saute_kitchen::Library;
 use wasm_bindgen::JsCast;
 
 use super::host::Host;
-use crate::session::errand::Helper;
+use crate::work::in_frames::OrInFrames;
+use crate::work::{Agency, Helper, Kind};
 
-impl Helper for Host {
-    fn ask(&mut self, errand: Vec<u8>) {
-        self.ask_worker(&errand);
+/// The worker for a kind of work.
+struct OwnWorker {
+    host: Host,
+    kind: Kind,
+}
+
+impl Agency for Host {
+    fn hire(&self, kind: Kind, library: &Arc<Library>) -> Box<dyn Helper> {
+        let worker = Box::new(OwnWorker { host: self.clone(), kind });
+        match kind {
+            // Without a worker the session plays cooks itself.
+            Kind::Play => worker,
+            _ => Box::new(OrInFrames::new(worker, kind, library)),
+        }
+    }
+}
+
+impl Helper for OwnWorker {
+    fn ask(&mut self, order: Vec<u8>) {
+        self.host.ask_worker(self.kind.name(), &order);
     }
 
     fn answers(&mut self) -> Option<Vec<Vec<u8>>> {
-        let answers = self.worker_answers()?;
+        let answers = self.host.worker_answers(self.kind.name())?;
         Some(answers.iter().filter_map(|bytes| Some(bytes.dyn_into::<Uint8Array>().ok()?.to_vec())).collect())
     }
 }

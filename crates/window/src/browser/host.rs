@@ -36,13 +36,13 @@ extern "C" {
     #[wasm_bindgen(method, js_name = readTilt)]
     pub(super) fn read_tilt(this: &Host) -> Option<Vec<f64>>;
 
-    /// Gives the page's worker an errand.
+    /// Gives the page's worker for a kind of work an order.
     #[wasm_bindgen(method, js_name = askWorker)]
-    pub(super) fn ask_worker(this: &Host, errand: &[u8]);
+    pub(super) fn ask_worker(this: &Host, kind: &str, order: &[u8]);
 
-    /// Takes what the worker answered; none if it is of no use.
+    /// Takes what the worker for a kind of work answered; none if it is of no use.
     #[wasm_bindgen(method, js_name = workerAnswers)]
-    pub(super) fn worker_answers(this: &Host) -> Option<js_sys::Array>;
+    pub(super) fn worker_answers(this: &Host, kind: &str) -> Option<js_sys::Array>;
 
     /// Shows the controls of the panels as HTML, from JSON.
     #[wasm_bindgen(method, js_name = showControls)]
@@ -51,6 +51,10 @@ extern "C" {
     /// Tells how the cook stands, and what was said last.
     #[wasm_bindgen(method)]
     pub(super) fn tell(this: &Host, cook: &str, said: &str);
+
+    /// Hands a result to the page around this one, if the address says to whom.
+    #[wasm_bindgen(method, js_name = reportResult)]
+    fn report_result(this: &Host, row: &str);
 
     /// Copies a text to the clipboard.
     #[wasm_bindgen(method, js_name = copyText)]
@@ -86,7 +90,7 @@ impl SauteApp {
         let PageStart { host, kept, link, is_embedded } = around.0;
         self.host = host;
         if let Some(host) = self.host.clone() {
-            self.session.employ(Box::new(host));
+            self.employ(Box::new(host));
         }
         if is_embedded && self.card == Some(Card::FirstSteps) {
             self.card = None;
@@ -94,6 +98,15 @@ impl SauteApp {
         self.open_link(&link);
         if let Some(host) = self.host.clone() {
             self.keep_cook_by(Box::new(host), kept.as_deref());
+        }
+    }
+}
+
+impl Host {
+    /// Hands a result to the page around this one, if the address says to whom.
+    pub(crate) fn report(&self, row: &saute_plan::class::ResultRow) {
+        if let Ok(text) = serde_json::to_string(row) {
+            self.report_result(&text);
         }
     }
 }
@@ -106,6 +119,11 @@ impl CookStore for Host {
     fn append(&mut self, bytes: &[u8]) -> Result<(), String> {
         self.keep_cook(false, bytes).map_or(Ok(()), Err)
     }
+}
+
+/// The time of day [ISO 8601, UTC].
+pub(crate) fn time_of_day() -> String {
+    js_sys::Date::new_0().to_iso_string().into()
 }
 
 /// The address of the page without its query and fragment.

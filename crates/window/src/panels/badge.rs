@@ -12,26 +12,31 @@ use crate::panels::window_state::WindowState;
 use crate::ui::layout::{GAP, Layout};
 use crate::ui::theme;
 
+/// Height of the ribbon with its space [points].
+const RIBBON: f32 = 66.0;
+
 /// Shows the badges and the notice where there is something to say.
 pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, layout: &Layout) {
     standing(state, ui, acts, layout);
+    // Below the ribbon of a study or a lesson.
+    let lower = if state.guided.is_some() && !layout.narrow { RIBBON } else { 0.0 };
     if let Some(behind) = state.session.behind_s() {
         let text = state.settings.language.fill(
             "scene.behind",
             &[("speed", &format!("{:.0}", state.session.speed)), ("seconds", &format!("{behind:.0}"))],
         );
-        message(ui, layout, ("behind", 12.0), false, &text, |_| {});
+        message(ui, layout, ("behind", 12.0 + lower), false, &text, |_| {});
     }
     if !state.waiting.is_empty() {
         let l = state.settings.language;
         let (what, time) = (state.waiting.join(l.text("doneness.list_joint")), clock(state.session.bound_for_s()));
         let text = l.fill("waiting.until", &[("what", &what), ("time", &time)]);
-        message(ui, layout, ("waiting", 12.0), false, &text, |_| {});
+        message(ui, layout, ("waiting", 12.0 + lower), false, &text, |_| {});
     }
     if let Some(said) = &state.notice {
         // A click on its button must reach it; through all others it reaches the scene.
         let has_button = cfg!(not(target_arch = "wasm32")) && said.file.is_some();
-        message(ui, layout, ("notice", 52.0), has_button, &said.text, |ui| {
+        message(ui, layout, ("notice", 52.0 + lower), has_button, &said.text, |ui| {
             messages::show_button(state, ui, acts, said);
         });
     }

@@ -7,6 +7,7 @@ use egui_plot::{HLine, Line, LineStyle, Plot, PlotPoint, PlotPoints, PlotTransfo
 use saute_kitchen::food::Scale;
 use saute_kitchen::food::change::doneness::Measure;
 
+use crate::panels::ahead::future_curves::futures;
 use crate::panels::inside::clock;
 use crate::panels::window_state::WindowState;
 use crate::session::Mark;
@@ -46,7 +47,8 @@ impl Curve {
 /// Shows the curves with what happened.
 pub fn show(state: &WindowState, ui: &mut Ui, height: f32) {
     let palette = theme::of(ui);
-    let curves = curves(state, palette);
+    let mut curves = curves(state, palette);
+    let futures = futures(state, palette);
     let settings = state.settings;
     legend(state, ui, &curves);
     let (lane, _) = ui.allocate_exact_size(vec2(ui.available_width(), LANE), Sense::hover());
@@ -54,6 +56,9 @@ pub fn show(state: &WindowState, ui: &mut Ui, height: f32) {
     let shown = axes.show(ui, |plot| {
         for curve in &curves {
             plot.line(curve.line(&curve.points, curve.colour));
+        }
+        for future in &futures {
+            future.draw(plot);
         }
         if let Some(goal) = goal_line(state, palette) {
             plot.hline(goal);
@@ -65,6 +70,8 @@ pub fn show(state: &WindowState, ui: &mut Ui, height: f32) {
     });
     events(ui, lane, &shown.transform, &state.session.marks, settings.language);
     ends(ui, &shown.transform, &curves);
+    futures.iter().for_each(|future| future.mark(ui, &shown.transform));
+    curves.extend(futures.into_iter().map(|future| future.curve));
     let spoken = settings.language.text("curves.spoken");
     shown.response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Image, true, spoken));
     read_off(state, ui, &shown.response, &shown.transform, &curves);

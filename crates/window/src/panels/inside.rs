@@ -5,12 +5,15 @@ use saute_kitchen::advice::{Advice, class_goal};
 use saute_kitchen::doneness::core_class;
 use saute_kitchen::food::change::doneness::Measure;
 use saute_kitchen::food::{Scale, Shares};
-use saute_kitchen::{Piece, celsius};
+use saute_kitchen::{Piece, Place, celsius};
 
-use crate::act::{Act, Acts, Setting};
+use crate::act::{Act, Acts, Card, Setting};
+use crate::learn::goal_choice::named_goal;
 use crate::panels::cut_picture::CutPicture;
+use crate::panels::learn::callout::note_control;
+use crate::panels::learn::coach;
 use crate::panels::window_state::WindowState;
-use crate::panels::{curves, doneness_bar, probes};
+use crate::panels::{ahead, curves, doneness_bar, probes};
 use crate::settings::Settings;
 use crate::ui::{fingers, theme};
 
@@ -27,7 +30,7 @@ pub struct Inside {
 }
 
 /// Height of the picture of the cut at most [points].
-const CUT_HEIGHT: f32 = 52.0;
+const CUT_HEIGHT: f32 = 42.0;
 /// Room for a line of advice [points], and for how many of them there is room in this panel.
 const ADVICE_LINE: f32 = 16.5;
 const ADVICE_LINES: u8 = 4;
@@ -38,16 +41,26 @@ pub fn show(state: &WindowState, inside: &mut Inside, ui: &mut Ui, acts: &mut Ac
         ui.label(state.settings.language.text("inside.no_food"));
         return;
     };
+    if !state.reads_out() {
+        return skill(state, ui, acts);
+    }
     inside.refresh(state, piece, ui);
     (ui.spacing_mut().item_spacing.y, ui.spacing_mut().interact_size.y) = (4.0, fingers::height(ui, 26.0));
     goal(state, ui, acts);
     cut(state, inside, ui, acts);
     doneness_bar::show(state, inside, ui, acts);
     readings(state, inside, piece, ui);
+    let (open, ahead) = (state.settings.curves_open, ahead::are_shown(state));
+    if ahead && !open {
+        ahead::line::show(state, ui);
+    }
     probes::show(state, ui, acts);
     more(state, ui, acts);
-    if state.settings.curves_open {
-        let height = (ui.available_height() - 36.0).clamp(128.0, 280.0);
+    if open && ahead {
+        ahead::table::show(state, ui, acts);
+    }
+    if open {
+        let height = (ui.available_height() - 36.0).clamp(if ahead { 110.0 } else { 128.0 }, 280.0);
         curves::show(state, ui, height);
     }
 }
@@ -56,12 +69,45 @@ pub fn show(state: &WindowState, inside: &mut Inside, ui: &mut Ui, acts: &mut Ac
 fn more(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let open = state.settings.curves_open;
     let l = state.settings.language;
-    let text = RichText::new(l.text(if open { "inside.less" } else { "inside.more" })).size(13.0);
-    let size = vec2(ui.available_width(), fingers::height(ui, 24.0));
-    let button = egui::Button::new(text).min_size(size);
-    if ui.add(button).on_hover_text(crate::act::hint(&Act::Curves, l)).clicked() {
-        acts.push(Act::Curves);
+    ui.horizontal(|ui| {
+        result(state, ui, acts);
+        let text = RichText::new(l.text(if open { "inside.less" } else { "inside.more" })).size(13.0);
+        let size = vec2(ui.available_width(), fingers::height(ui, 24.0));
+        let button = egui::Button::new(text).min_size(size).truncate();
+        if ui.add(button).on_hover_text(crate::act::hint(&Act::Curves, l)).clicked() {
+            acts.push(Act::Curves);
+        }
+    });
+}
+
+/// Opens the result, once the food was taken out.
+fn result(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+    let is_out = state.session.steak().is_some_and(|piece| matches!(piece.place, Place::Rest(_)));
+    if !is_out {
+        return;
     }
+    let (l, act) = (state.settings.language, Act::Open(Card::Result));
+    let text = RichText::new(l.text("result.title")).size(13.0).strong().color(theme::of(ui).accent);
+    let response = ui.add(egui::Button::new(text).min_size(vec2(64.0, fingers::height(ui, 24.0))));
+    note_control(ui, &act, response.rect);
+    if response.on_hover_text(l.text("result.hint")).clicked() {
+        acts.push(act);
+    }
+}
+
+/// What stands in place of all readings in skill mode.
+fn skill(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+    let l = state.settings.language;
+    ui.label(RichText::new(l.text("skill.title")).size(16.0).strong());
+    ui.label(RichText::new(l.text("skill.how")).size(13.5).color(theme::of(ui).quiet));
+    ui.horizontal_wrapped(|ui| {
+        result(state, ui, acts);
+        let size = vec2(0.0, fingers::height(ui, 24.0));
+        let end = egui::Button::new(RichText::new(l.text("skill.end")).size(13.0)).min_size(size);
+        if ui.add(end).clicked() {
+            acts.push(Act::Set(Setting::SkillMode(false)));
+        }
+    });
 }
 
 impl Inside {
@@ -130,7 +176,8 @@ fn readings(state: &WindowState, inside: &Inside, piece: &Piece, ui: &mut Ui) {
     ];
     // The rest belongs to the curves.
     let shown = if state.settings.curves_open { rows.len() } else { 2 };
-    ui.spacing_mut().interact_size.y = 21.0;
+    // With the forecasts the curves are still in sight.
+    ui.spacing_mut().interact_size.y = if state.settings.curves_open && ahead::are_shown(state) { 18.0 } else { 21.0 };
     egui::Grid::new("readings").num_columns(4).min_col_width(52.0).spacing(vec2(8.0, 3.0)).show(ui, |ui| {
         for row in rows.into_iter().take(shown) {
             for (name, value) in row {
@@ -169,7 +216,14 @@ fn goal(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
         let many = scale.class.len() > 4;
         (ui.spacing_mut().button_padding.x, ui.spacing_mut().item_spacing.x) =
             if many { (3.0, 2.0) } else { (6.0, 4.0) };
-        ui.label(RichText::new(l.text("inside.goal")).size(if many { 11.0 } else { 12.5 }).color(theme::of(ui).quiet));
+        let text = RichText::new(l.text("inside.goal")).size(if many { 11.0 } else { 12.5 }).underline();
+        if ui
+            .add(egui::Button::new(text.color(theme::of(ui).quiet)).frame(false))
+            .on_hover_text(goal_hint(state))
+            .clicked()
+        {
+            acts.push(Act::Open(Card::Goals));
+        }
         goals(state.settings, &scale, ui, acts);
         let share = scale.measure() == Measure::Share;
         let goal = state.settings.goal(&scale);
@@ -186,6 +240,16 @@ fn goal(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
         }
     });
     show_advice(state, ui, ADVICE_LINES);
+}
+
+/// The goal that the cook is judged by.
+fn goal_hint(state: &WindowState) -> String {
+    let l = state.settings.language;
+    let named = named_goal(state.session, state.settings);
+    named.map_or_else(
+        || l.text("inside.goals_hint").to_owned(),
+        |goal| l.fill("inside.goal_named", &[("goal", &l.called("goal", &goal.name))]),
+    )
 }
 
 /// A button for each class but the least done.
@@ -212,18 +276,27 @@ pub fn show_advice(state: &WindowState, ui: &mut Ui, lines: u8) {
     let mut child = ui.new_child(egui::UiBuilder::new().max_rect(rect));
     child.set_clip_rect(rect.expand(2.0).intersect(ui.clip_rect()));
     child.spacing_mut().item_spacing.y = 1.0;
-    for (place, advice) in state.advice.iter().take(2).enumerate() {
+    if !state.reads_out() {
+        return;
+    }
+    let coached = state.coaching.is_some();
+    // Below one line of advice the coach speaks; what is due is not left out for that.
+    let due = state.advice.iter().filter(|one| one.is_due()).count();
+    let told = if coached { due.clamp(1, 2) } else { 2 };
+    for (place, advice) in state.advice.iter().take(told).enumerate() {
         let words = advice_words(*advice, state);
         let text = RichText::new(&words).size(13.5);
         let text = if advice.is_due() { text.color(theme::of(&child).accent).strong() } else { text };
         let label = egui::Label::new(text);
         // The second one has one line.
-        child.add(if place == 0 { label } else { label.truncate() }).on_hover_text(words);
+        let whole = place == 0 && (!coached || told == 1);
+        child.add(if whole { label } else { label.truncate() }).on_hover_text(words);
     }
+    coach::show(state, &mut child, lines < ADVICE_LINES);
 }
 
 /// Advice in the cook's words.
-fn advice_words(advice: Advice, state: &WindowState) -> String {
+pub(crate) fn advice_words(advice: Advice, state: &WindowState) -> String {
     let l = state.settings.language;
     let at = |key, celsius: f64| l.fill(key, &[("temperature", &state.settings.temperature(celsius))]);
     let hob = |key, watts: f64| l.fill(key, &[("power", &format!("{watts:.0} W"))]);

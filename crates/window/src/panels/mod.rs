@@ -1,6 +1,8 @@
 //! The panels around the scene.
 
+pub mod ahead;
 pub mod alarm;
+pub mod at_home;
 pub mod badge;
 pub mod cards;
 pub mod cook;
@@ -8,14 +10,17 @@ pub mod curves;
 pub mod cut_picture;
 pub mod doneness_bar;
 pub mod eye_bar;
+pub mod guided;
 pub mod inside;
 pub mod language;
+pub mod learn;
 pub mod legend;
 pub mod mirror_card;
 pub mod pantry;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod photo_bar;
 pub mod pieces;
+pub mod plan;
 pub mod probes;
 pub mod read_out;
 pub mod settings_card;
@@ -28,7 +33,7 @@ use egui::{Rect, ScrollArea, Ui, UiBuilder};
 
 use crate::act::{Acts, Card};
 use crate::paint::ground::GroundCallback;
-use crate::panels::cards::{first_steps, help, learn, messages, unfinished};
+use crate::panels::cards::{first_steps, goals, help, learn as learn_card, lessons, messages, result, unfinished};
 use crate::panels::cook::{hob_bar, pour, time_strip};
 use crate::panels::window_state::{PanelMemory, WindowState};
 use crate::ui::layout::{GAP, Layout};
@@ -82,11 +87,21 @@ pub fn show_all(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts
         show(state, memory, ui, acts, layout);
     }
     let whole = layout.whole;
-    read_out::show(state, ui, whole);
-    badge::show(state, ui, acts, layout);
+    if state.reads_out() {
+        read_out::show(state, ui, whole);
+    }
+    if !state.is_blind() {
+        learn::goal_alarm::show(state, ui, acts, layout);
+    }
+    learn::callout::show(state, ui, acts, layout);
+    let below = plan::strip::show(state, ui, acts, layout);
+    badge::show(state, ui, acts, &below);
     alarm::show(state, ui, acts, whole);
     #[cfg(not(target_arch = "wasm32"))]
     crate::hand::show(state, ui, acts, layout);
+    if guided::show(state, &mut memory.answers, ui, acts, layout) {
+        return;
+    }
     if let Some(time_s) = state.unfinished_s {
         return unfinished::show(state, time_s, ui, acts, whole);
     }
@@ -97,7 +112,12 @@ pub fn show_all(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts
         Some(Card::Settings) => settings_card::show(state, memory, ui, acts, whole),
         Some(Card::Mirror) => mirror_card::show(state, ui, acts, whole),
         Some(Card::FirstSteps) => first_steps::show(state, ui, acts, whole),
-        Some(Card::Learn) => learn::show(state, ui, acts, whole),
+        Some(Card::Learn) => learn_card::show(state, ui, acts, whole),
+        Some(Card::Lessons) => lessons::show(state, ui, acts, whole),
+        Some(Card::Goals) => goals::show(state, ui, acts, whole),
+        Some(Card::Result) => result::show(state, memory, ui, acts, whole),
+        Some(Card::Plan) => plan::card::show(state, ui, acts, whole),
+        Some(Card::AtHome) => at_home::card::show(state, ui, acts, whole),
     }
 }
 
@@ -113,7 +133,11 @@ fn show(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut A
         return;
     }
     floating(ui, layout.right, (2, 10), "inside", |ui| {
-        scrolled(ui, |ui| inside::show(state, &mut memory.inside, ui, acts))
+        scrolled(ui, |ui| {
+            if !guided::hides_panel(state, ui) {
+                inside::show(state, &mut memory.inside, ui, acts);
+            }
+        })
     });
     floating(ui, layout.bottom, (3, MARGIN), "cook", |ui| hob_bar::show(state, ui, acts, false));
     turner_strip(state, ui, acts, layout);
@@ -162,11 +186,13 @@ fn drawer(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut
     });
     scrolled(ui, |ui| match memory.drawer {
         Drawer::Cook => hob_bar::show(state, ui, acts, true),
+        Drawer::Inside | Drawer::Pieces if guided::hides_panel(state, ui) => {}
         Drawer::Inside => {
             ways::curves_in_drawer(state, &mut memory.ways, ui);
             inside::show(state, &mut memory.inside, ui, acts);
         }
         Drawer::Food => pantry::show(state, memory, ui, acts),
+        Drawer::Pieces if !state.reads_out() => inside::show(state, &mut memory.inside, ui, acts),
         Drawer::Pieces => pieces::show(state, &mut memory.unfolded, ui, acts),
     });
 }

@@ -4,7 +4,7 @@ use egui::{RichText, Ui, vec2};
 use saute_kitchen::Library;
 use saute_kitchen::food::FoodDescription;
 
-use crate::act::{Act, Acts, Setting};
+use crate::act::{Act, Acts, Card, Setting};
 use crate::export::Export;
 use crate::panels::still::Stills;
 use crate::panels::window_state::{PanelMemory, WindowState};
@@ -31,7 +31,7 @@ pub fn show(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &m
     let starts = l.fill("pantry.starts", &[("food", &food)]);
     ui.label(RichText::new(starts).size(12.5).color(theme::of(ui).quiet));
     let mut choice = state.settings.choice.clone();
-    food_and_pan(state, &mut choice, &mut memory.stills, ui);
+    food_and_pan(state, &mut choice, &mut memory.stills, ui, acts);
     if choice != state.settings.choice {
         acts.push(Act::Set(Setting::Choice(choice)));
     }
@@ -40,15 +40,23 @@ pub fn show(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &m
 }
 
 /// The kind of food, its size and temperature, and the pan.
-fn food_and_pan(state: &WindowState, choice: &mut SteakChoice, stills: &mut Stills, ui: &mut Ui) {
+fn food_and_pan(state: &WindowState, choice: &mut SteakChoice, stills: &mut Stills, ui: &mut Ui, acts: &mut Acts) {
     let (library, l, fahrenheit) = (&state.session.library, state.settings.language, state.settings.fahrenheit);
     ui.scope(|ui| kinds(ui, library, choice, stills, l));
     if let Some(food) = library.foods.get(&choice.kind) {
         sizes(ui, food, &mut choice.size_mm, l);
     }
     temperature(ui, l.text("pantry.start_temperature"), &mut choice.initial_c, 0.0, 30.0, fahrenheit);
+    plan_it(l.called("noun", &noun(library, &choice.kind)), ui, acts, l);
     ui.separator();
     ui.heading(l.text("pantry.pan"));
+    pans(ui, library, choice, l);
+    crate::panels::at_home::chip::show(state, ui, acts);
+    temperature(ui, l.text("pantry.preheated"), &mut choice.preheat_c, 20.0, 260.0, fahrenheit);
+}
+
+/// The list of the pans.
+pub(super) fn pans(ui: &mut Ui, library: &Library, choice: &mut SteakChoice, l: Language) {
     let name = l.called("pan", library.pans.get(&choice.pan).map_or(choice.pan.as_str(), |p| &p.name)).to_owned();
     let combo = egui::ComboBox::from_id_salt("pan").selected_text(&name).width(ui.available_width() - 8.0);
     let response = combo.show_ui(ui, |ui| {
@@ -59,7 +67,6 @@ fn food_and_pan(state: &WindowState, choice: &mut SteakChoice, stills: &mut Stil
     response.response.widget_info(|| {
         egui::WidgetInfo::labeled(egui::accesskit::Role::ComboBox, true, l.fill("pantry.pan_spoken", &[("pan", &name)]))
     });
-    temperature(ui, l.text("pantry.preheated"), &mut choice.preheat_c, 20.0, 260.0, fahrenheit);
 }
 
 /// One button for each kind of food; another kind begins with its own size.
@@ -97,7 +104,7 @@ fn kind(ui: &mut Ui, still: Option<egui::TextureHandle>, name: &str, on: bool) -
 }
 
 /// A slider for each dimension of the form, the thickness first.
-fn sizes(ui: &mut Ui, food: &FoodDescription, size_mm: &mut Vec<f64>, l: Language) {
+pub(super) fn sizes(ui: &mut Ui, food: &FoodDescription, size_mm: &mut Vec<f64>, l: Language) {
     let (names, range) = (food.form.dimensions(), &food.size);
     if size_mm.len() != names.len() {
         size_mm.clone_from(&range.default_mm);
@@ -132,6 +139,15 @@ fn set_out(state: &WindowState, count: usize, ui: &mut Ui, acts: &mut Acts) {
             acts.push(Act::Add(count));
         }
     });
+}
+
+/// The way to a plan for the chosen food.
+fn plan_it(food: &str, ui: &mut Ui, acts: &mut Acts, l: Language) {
+    let size = vec2(ui.available_width() - 8.0, theme::TOUCH);
+    let button = theme::of(ui).button(&l.fill("plan.of_food", &[("food", &food)]), false).min_size(size);
+    if ui.add(button).on_hover_text(l.text("learn.plan")).clicked() {
+        acts.push(Act::Open(Card::Plan));
+    }
 }
 
 fn how_many(count: &mut usize, ui: &mut Ui, l: Language) {
@@ -173,14 +189,14 @@ fn recipes(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     }
 }
 
-fn slider(ui: &mut Ui, name: &str, value: &mut f64, low: f64, high: f64, suffix: &str) {
+pub(super) fn slider(ui: &mut Ui, name: &str, value: &mut f64, low: f64, high: f64, suffix: &str) {
     ui.label(RichText::new(name).size(13.0).color(theme::of(ui).quiet));
     let response = ui.add(egui::Slider::new(value, low..=high).fixed_decimals(0).suffix(suffix));
     let shown = *value;
     response.widget_info(|| egui::WidgetInfo::slider(true, shown, name));
 }
 
-fn temperature(ui: &mut Ui, name: &str, celsius: &mut f64, low: f64, high: f64, fahrenheit: bool) {
+pub(super) fn temperature(ui: &mut Ui, name: &str, celsius: &mut f64, low: f64, high: f64, fahrenheit: bool) {
     let show = move |c: f64| if fahrenheit { c * 1.8 + 32.0 } else { c };
     let mut degrees = show(*celsius);
     slider(ui, name, &mut degrees, show(low), show(high), if fahrenheit { " °F" } else { " °C" });

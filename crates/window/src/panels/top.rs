@@ -4,6 +4,7 @@ use egui::Ui;
 use saute_picture::view::View;
 
 use crate::act::{Act, Acts, Card, hint};
+use crate::panels::learn::callout::note_control;
 use crate::panels::window_state::WindowState;
 use crate::ui::{fingers, theme};
 use crate::words::view_words::ViewWords;
@@ -128,17 +129,31 @@ fn paint_gear(painter: &egui::Painter, at: egui::Pos2, ink: egui::Color32) {
 
 fn chip(state: &WindowState, ui: &mut Ui, acts: &mut Acts, text: &str, on: bool, act: Act) {
     let size = egui::vec2(38.0, fingers::height(ui, HEIGHT));
-    let response = ui.add(theme::of(ui).button(text, on).min_size(size));
+    let palette = theme::of(ui);
+    let words = egui::RichText::new(text).size(15.0).strikethrough().color(palette.quiet);
+    // What skill mode hides can still be clicked: it says why it is off.
+    let button = if is_off(state, &act) { egui::Button::new(words) } else { palette.button(text, on) };
+    let response = ui.add(button.min_size(size));
+    note_control(ui, &act, response.rect);
     let response = response.on_hover_text(explained(state, &act));
     if response.clicked() {
         acts.push(act);
     }
 }
 
+/// True of a view that skill mode hides.
+fn is_off(state: &WindowState, act: &Act) -> bool {
+    let shows = matches!(act, Act::Slice | Act::Split) || matches!(act, Act::View(view) if *view != View::Look);
+    shows && !state.reads_out()
+}
+
 /// What a chip does and its key; of a view also what its colours say.
 fn explained(state: &WindowState, act: &Act) -> String {
     let hint = hint(act, state.settings.language);
     match act {
+        Act::View(_) | Act::Slice | Act::Split if is_off(state, act) => {
+            state.settings.language.text("skill.off").to_owned()
+        }
         Act::View(view) => format!("{hint}\n{}", view.meaning(state.settings)),
         Act::Open(Card::Learn) => state.settings.language.text("learn.hint").to_owned(),
         _ => hint,

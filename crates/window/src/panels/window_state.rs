@@ -5,22 +5,31 @@ use std::sync::Arc;
 
 use saute_kitchen::Piece;
 use saute_kitchen::advice::Advice;
+use saute_kitchen::advice::coaching::Coaching;
 use saute_kitchen::dynamics::Tool;
 use saute_kitchen::food::Scale;
 use saute_scene::quality::Quality;
 
 use crate::act::Card;
+use crate::at_home::fitting::AtHome;
+use crate::guided::Guided;
 use crate::input::pouring::Portion;
+use crate::learn::tutorial::Tutorial;
 use crate::mirror::view::MirrorView;
 use crate::panels::Drawer;
+use crate::panels::cards::result::CutOfResult;
+use crate::panels::guided::Entries;
 use crate::panels::inside::Inside;
 use crate::panels::still::Stills;
 use crate::panels::ways::WaysMemory;
+use crate::plan::live::Live;
+use crate::plan::planning::Planning;
 use crate::session::Session;
 use crate::session::timeline::WayBeside;
 use crate::settings::Settings;
 use crate::ui::notice::{Notice, Said};
 use crate::ui::scene_view::SceneView;
+use crate::words::judgement_words::ResultWords;
 
 /// The window's state as panels read it; what they want changed they say with an [`crate::act::Act`].
 pub struct WindowState<'a> {
@@ -35,6 +44,12 @@ pub struct WindowState<'a> {
     /// The photo mode.
     #[cfg(not(target_arch = "wasm32"))]
     pub photo: &'a crate::photo::PhotoMode,
+    /// What was entered about the kitchen at home, and the fit to it.
+    pub at_home: &'a AtHome,
+    /// The search for a plan.
+    pub planning: &'a Planning,
+    /// The cook that follows a plan.
+    pub live: Option<&'a Live>,
     /// The tool that mouse and right stick lead.
     pub tool: Tool,
     /// True while a turner is in the hand.
@@ -48,6 +63,8 @@ pub struct WindowState<'a> {
     pub slice: Option<f64>,
     /// The card that is open.
     pub card: Option<Card>,
+    /// The study or the lesson that leads the cook.
+    pub guided: Option<&'a Guided>,
     /// What was said so far.
     pub said: &'a Notice,
     /// How far a cook came with which the window offers to go on [s].
@@ -58,6 +75,14 @@ pub struct WindowState<'a> {
     pub quality: Quality,
     /// What to do next with the piece that the panels are about, the most urgent first.
     pub advice: Vec<Advice>,
+    /// What a coach says of that piece; none where the coach is off.
+    pub coaching: Option<Coaching>,
+    /// True if the goal is reached, the food is still in the pan and the coach is on.
+    pub alarm: bool,
+    /// The result in words, while its card is open.
+    pub result: Option<ResultWords>,
+    /// The tutorial while it runs.
+    pub tutorial: Option<&'a Tutorial>,
     /// What was said last, while it is still shown.
     pub notice: Option<Said>,
     /// What waits until the instant is reached to which time is turned.
@@ -69,9 +94,20 @@ pub struct WindowState<'a> {
 }
 
 impl WindowState<'_> {
+    /// Returns true if panels may show readings: temperatures, doneness, curves, forecasts and advice. In skill mode, and where a
+    /// study or a lesson hides them, they do not.
+    pub fn reads_out(&self) -> bool {
+        !self.settings.skill_mode && !self.is_blind()
+    }
+
     /// The scale of doneness in whose words the food that the panels show is spoken of.
     pub fn scale(&self) -> Option<Arc<Scale>> {
         self.session.scale(&self.settings.scale)
+    }
+
+    /// Returns true if a study or a lesson hides what cannot be seen in a kitchen.
+    pub fn is_blind(&self) -> bool {
+        self.guided.is_some_and(Guided::hides_read_outs)
     }
 
     /// What a way is called.
@@ -101,6 +137,10 @@ pub struct PanelMemory {
     pub stills: Stills,
     /// What is kept of ways side by side.
     pub ways: WaysMemory,
+    /// What was entered on the card of a study or a lesson.
+    pub answers: Entries,
+    /// The picture of the result.
+    pub result: CutOfResult,
     /// What was typed and chosen about a device.
     #[cfg(not(target_arch = "wasm32"))]
     pub(crate) hand_choice: crate::hand::Choice,
@@ -116,6 +156,8 @@ impl Default for PanelMemory {
             search: String::new(),
             stills: Stills::default(),
             ways: WaysMemory::default(),
+            answers: Entries::default(),
+            result: CutOfResult::default(),
             #[cfg(not(target_arch = "wasm32"))]
             hand_choice: Default::default(),
         }

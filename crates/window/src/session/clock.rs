@@ -77,10 +77,19 @@ impl Session {
         if ticked {
             self.recorder.observe(&self.kitchen);
             self.probes.observe(&self.kitchen);
+            self.ask_when_due();
+            self.hand_over_present();
         }
         self.rejoin();
         self.keep_keyframes(begun.elapsed());
         Ok(ticked)
+    }
+
+    /// Pauses where the lesson has a question.
+    fn ask_when_due(&mut self) {
+        if self.lesson.as_mut().is_some_and(|lesson| lesson.observe(&self.kitchen)) {
+            self.set_paused(true);
+        }
     }
 
     /// Lets devices give their commands, and records them.

@@ -1,5 +1,6 @@
 //! A session that was recorded, played again up to its end.
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use web_time::{Duration, Instant};
@@ -17,8 +18,13 @@ impl Session {
     ///
     /// If the library has not what the session needs.
     pub fn resume(&mut self, recording: Recording) -> Result<(), ReplayError> {
-        let recipe = recording.beginning().recipe(&self.library)?;
-        self.begin_with(Arc::new(recipe), recording.beginning().plays)?;
+        // It goes on in the kitchen in which it was recorded.
+        let library = match recording.beginning().library(self.home())? {
+            Cow::Borrowed(_) => Arc::clone(self.home()),
+            Cow::Owned(there) => Arc::new(there),
+        };
+        let recipe = recording.beginning().recipe(&library)?;
+        self.begin_in(library, Arc::new(recipe), recording.beginning().plays)?;
         self.lay_ahead(recording);
         self.set_paused(true);
         self.timeline.catches_up = self.lies_ahead();

@@ -15,7 +15,7 @@ pub const GAP: f32 = 8.0;
 const RIGHT_WIDTH: f32 = 296.0;
 const LEFT_WIDTH: f32 = 276.0;
 /// Height of what is inside without the curves [points]; with them it takes the whole height.
-const INSIDE_HEIGHT: f32 = 408.0;
+const INSIDE_HEIGHT: f32 = 410.0;
 /// Two rows of controls and a line of words.
 const BOTTOM_HEIGHT: f32 = 110.0;
 const TOP_HEIGHT: f32 = 46.0;

@@ -29,14 +29,14 @@ impl SauteApp {
 
     /// What writes a picture; returns where it is then.
     #[cfg(not(target_arch = "wasm32"))]
-    fn keeper(&self) -> impl Fn(&[u8]) -> Result<PathBuf, String> + Send + 'static {
+    pub(crate) fn keeper(&self) -> impl Fn(&[u8]) -> Result<PathBuf, String> + Send + 'static {
         let folder = self.pictures_folder();
         move |bytes| crate::files::write_picture(&folder, "png", bytes)
     }
 
     /// What downloads a picture; returns what it is called.
     #[cfg(target_arch = "wasm32")]
-    fn keeper(&self) -> impl Fn(&[u8]) -> Result<PathBuf, String> + Send + 'static {
+    pub(crate) fn keeper(&self) -> impl Fn(&[u8]) -> Result<PathBuf, String> + Send + 'static {
         |bytes| crate::browser::download(FILE, "image/png", bytes).map(|()| PathBuf::from(FILE))
     }
 }

@@ -19,7 +19,8 @@ pub fn told(session: &Session, settings: &Settings) -> String {
     let pan = settings.temperature(celsius(kitchen.pan_temperature()));
     let (hob, liquids) = (format!("{:.0}", kitchen.hob_w()), in_the_pan(kitchen, l));
     let parts: [(&str, &dyn Display); 3] = [("pan", &pan), ("hob", &hob), ("liquids", &liquids)];
-    let mut sentences = vec![l.fill("told.pan", &parts)];
+    let pan = if settings.skill_mode { "told.hob" } else { "told.pan" };
+    let mut sentences = vec![l.fill(pan, &parts)];
     sentences.extend(kitchen.pieces().iter().take(MOST).map(|piece| one(piece, session, settings)));
     let further = kitchen.pieces().len().saturating_sub(MOST);
     if further > 0 {
@@ -35,6 +36,10 @@ pub fn told(session: &Session, settings: &Settings) -> String {
 
 fn one(piece: &Piece, session: &Session, settings: &Settings) -> String {
     let l = settings.language;
+    if settings.skill_mode {
+        let parts: [(&str, &dyn Display); 2] = [("name", &name(&piece.id, l)), ("place", &place(piece, l))];
+        return l.fill("told.place", &parts);
+    }
     let shown = |kelvin: f64| settings.temperature(celsius(kelvin));
     let scale = session.scales(&settings.scale).of(&piece.model).cloned();
     let (name, done) = (name(&piece.id, l), doneness(scale.as_deref(), piece, l));

@@ -8,7 +8,8 @@ use serde_json::Value;
 
 use crate::running::run;
 
-const FORMATS: [&str; 9] = ["food", "pan", "coating", "oil", "kinetics", "hob", "recipe", "lab", "rig"];
+const FORMATS: [&str; 11] =
+    ["food", "pan", "coating", "oil", "kinetics", "hob", "recipe", "lab", "rig", "study", "scenario"];
 
 fn page(format: &str) -> String {
     let ran = run(&["schema", format, "--markdown"]);

@@ -84,3 +84,15 @@ fn the_actions_are_listed_with_the_keys_of_their_tables_their_ranges_and_default
     );
     assert!(run(&["list", "actions"]).out.contains("How often a second [Hz]; 3 by default. 0–8."));
 }
+
+#[test]
+fn the_goals_are_listed_with_what_they_want_and_their_sources() {
+    let expected =
+        ["study-2013", "rare", "medium-rare", "medium", "well-done", "crust", "vegetables", "shrimp", "burger"];
+    assert_eq!(ids("goals"), expected);
+    let goals: Value = serde_json::from_str(&run(&["list", "goals", "--json"]).out).unwrap();
+    let of_2013 = &goals[0]["goal"];
+    assert_eq!((of_2013["least_share_pct"].as_f64(), of_2013["class"].as_str()), (Some(40.0), Some("medium")));
+    assert!((0..9).all(|i| !goals[i]["source"].as_str().unwrap().is_empty()));
+    assert!(run(&["list", "goals"]).out.contains("40 % medium on paper-2013"));
+}

@@ -2,6 +2,7 @@
 
 mod doneness;
 mod food;
+mod goals;
 mod kinetics;
 mod oil;
 mod pan;

@@ -70,10 +70,14 @@ pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, whole: Rect) {
                 });
             }
             ui.add_space(8.0);
-            ui.horizontal(|ui| {
+            ui.horizontal_wrapped(|ui| {
                 begun = ui
                     .add(theme::of(ui).button(l.text("first.begin"), true).min_size(vec2(120.0, theme::TOUCH)))
                     .clicked();
+                let shown = ui.add(theme::of(ui).button(l.text("tutorial.begin"), false));
+                if shown.on_hover_text(l.text("learn.tutorial")).clicked() {
+                    acts.push(Act::Tutorial(true));
+                }
                 ui.label(RichText::new(l.text("first.again")).size(13.0).color(theme::of(ui).quiet));
             });
         },

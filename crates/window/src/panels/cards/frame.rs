@@ -61,3 +61,16 @@ impl Framed {
         }
     }
 }
+
+/// A part of a card beside another one, which scrolls by itself.
+pub fn part(ui: &mut Ui, name: &str, width: f32, height: f32, content: impl FnOnce(&mut Ui)) {
+    let down = egui::Layout::top_down(egui::Align::Min);
+    ui.allocate_ui_with_layout(egui::vec2(width, height), down, |ui| {
+        ui.set_min_size(egui::vec2(width, height));
+        let scrolled = egui::ScrollArea::vertical().id_salt(name).max_height(height).min_scrolled_height(height);
+        scrolled.auto_shrink([false, false]).show(ui, |ui| {
+            ui.set_max_width(width - 14.0);
+            content(ui);
+        });
+    });
+}

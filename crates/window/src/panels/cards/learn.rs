@@ -16,7 +16,12 @@ const HEIGHT: f32 = 30.0;
 type Entry = (&'static str, &'static str, Act);
 
 /// What the menu offers, in its order.
-const ENTRIES: [Entry; 2] = [
+const ENTRIES: [Entry; 7] = [
+    ("tutorial.title", "learn.tutorial", Act::Tutorial(true)),
+    ("goals.title", "learn.goals", Act::Open(Card::Goals)),
+    ("plan.title", "learn.plan", Act::Open(Card::Plan)),
+    ("lesson.title", "learn.lessons", Act::Open(Card::Lessons)),
+    ("athome.title", "learn.athome", Act::Open(Card::AtHome)),
     ("help.first_steps", "learn.first_steps", Act::Open(Card::FirstSteps)),
     ("help.title", "learn.help", Act::Open(Card::Help)),
 ];

@@ -2,7 +2,10 @@
 
 pub mod first_steps;
 pub mod frame;
+pub mod goals;
 pub mod help;
 pub mod learn;
+pub mod lessons;
 pub mod messages;
+pub mod result;
 pub mod unfinished;

@@ -7,6 +7,7 @@ use saute_kitchen::{Place, celsius};
 use crate::act::{Act, Acts, hint};
 use crate::panels::cook::{hob_slider, pour, status, time_strip};
 use crate::panels::inside::clock;
+use crate::panels::learn::callout::note_control;
 use crate::panels::window_state::WindowState;
 use crate::session::SPEEDS;
 use crate::ui::theme;
@@ -64,7 +65,7 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
 
 /// Core and pan at a glance, where the panel with all readings is not open.
 fn temperatures(state: &WindowState, ui: &mut Ui) {
-    let Some(piece) = state.session.steak() else { return };
+    let Some(piece) = state.session.steak().filter(|_| state.reads_out()) else { return };
     let l = state.settings.language;
     let shown = |kelvin: f64| state.settings.temperature(celsius(kelvin));
     let (core, pan) = (shown(piece.core()), shown(state.session.kitchen.pan_temperature()));
@@ -151,20 +152,22 @@ fn pause_word(state: &WindowState) -> &'static str {
 }
 
 fn speed_button(state: &WindowState, ui: &mut Ui, acts: &mut Acts, speed: f64) {
-    if press(ui, &format!("{speed:.0}×"), state.session.speed == speed, true, state.settings.language.text("hob.speed"))
-    {
+    let hint = state.settings.language.text("hob.speed");
+    if pressed(ui, &format!("{speed:.0}×"), state.session.speed == speed, true, hint).clicked() {
         acts.push(Act::SpeedSet(speed));
     }
 }
 
 pub(crate) fn button(state: &WindowState, ui: &mut Ui, acts: &mut Acts, text: &str, on: bool, enabled: bool, act: Act) {
-    if press(ui, text, on, enabled, &hint(&act, state.settings.language)) {
+    let response = pressed(ui, text, on, enabled, &hint(&act, state.settings.language));
+    note_control(ui, &act, response.rect);
+    if response.clicked() {
         acts.push(act);
     }
 }
 
-fn press(ui: &mut Ui, text: &str, on: bool, enabled: bool, hint: &str) -> bool {
+fn pressed(ui: &mut Ui, text: &str, on: bool, enabled: bool, hint: &str) -> egui::Response {
     let height = ui.spacing().interact_size.y;
     let response = ui.add_enabled(enabled, theme::of(ui).button(text, on).min_size(egui::vec2(height, height)));
-    response.on_hover_text(hint).clicked()
+    response.on_hover_text(hint)
 }

@@ -1,11 +1,11 @@
-//! Work for another thread of the program: a cook that is played again, as bytes that go there and bytes that come back.
+//! Work off the frame ([`work`](crate::work)): a cook that is played again.
 //!
-//! The window gives an [`Errand`] to its [`Helper`] and goes on drawing. A [`Bench`](self::bench::Bench) on the other side plays the
-//! recording in slices, and answers with [`Stop`]s on the way: keyframes that the window keeps, the last one where it was bound for.
-//! Nothing is shared: a page's helper is a second instance of the program. Without a helper the window plays the cook itself.
+//! The window gives an [`Errand`] to its [`Helper`] and goes on drawing. [`Playing`](self::playing::Playing) on the other side plays
+//! the recording in slices, and answers with [`Stop`]s on the way: keyframes that the window keeps, the last one where it was bound
+//! for. Without a helper the window plays the cook itself.
 
-pub mod bench;
 mod caught_up;
+pub mod playing;
 
 use std::sync::Arc;
 
@@ -15,18 +15,10 @@ use saute_recipe::{Moment, Recipe, Recorder, Replay, Runner, RunnerState};
 use serde::{Deserialize, Serialize};
 
 use super::mark::Mark;
+use crate::work::Helper;
 
 /// Frames that are played faster than they are handed over (chosen: two seconds; a kitchen as bytes takes some thousandths of a second).
 pub(super) const WORTH_FRAMES: u64 = 120;
-
-/// Whoever plays cooks elsewhere. It may be slow; it is asked anew when something else is wanted.
-pub trait Helper {
-    /// Begins an errand, in place of the one before.
-    fn ask(&mut self, errand: Vec<u8>);
-
-    /// Answers that have come since the last call; none once the helper is of no use any more.
-    fn answers(&mut self) -> Option<Vec<Vec<u8>>>;
-}
 
 /// A cook to be played.
 #[derive(Debug, Deserialize, Serialize)]

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use saute_kitchen::Library;
 use saute_recipe::{Recipe, Recording};
 
 use super::Course;
@@ -17,6 +18,7 @@ pub(super) struct PutBy {
     pub(super) course: Course,
     recording: Recording,
     traces: Traces,
+    library: Arc<Library>,
     recipe: Arc<Recipe>,
     plays: bool,
     choice: SteakChoice,
@@ -37,6 +39,12 @@ impl Session {
         }
     }
 
+    /// Forgets all cooks that were put by.
+    pub(in crate::session) fn forget_put_by(&mut self) {
+        self.timeline.past.clear();
+        self.timeline.later.clear();
+    }
+
     /// Counts what the beginning itself made: it is not undone by itself.
     pub(in crate::session) fn end_of_beginning(&mut self) {
         self.timeline.course.given = self.recording.entries().len();
@@ -50,6 +58,7 @@ impl Session {
             course: std::mem::take(&mut self.timeline.course),
             recording: self.recording.clone(),
             traces: self.traces(),
+            library: Arc::clone(&self.library),
             recipe: Arc::clone(&self.recipe),
             plays: self.plays,
             choice: self.choice.clone(),
@@ -78,6 +87,7 @@ impl Session {
     fn bring(&mut self, by: PutBy) {
         self.timeline.course = by.course;
         self.timeline.number += 1;
+        self.library = by.library;
         (self.recipe, self.plays, self.choice) = (by.recipe, by.plays, by.choice);
         self.start_mass_g = by.start_mass_g;
         let moment = by.recording.moment();

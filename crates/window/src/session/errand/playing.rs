@@ -1,4 +1,4 @@
-//! Where errands are done: in another instance of the program.
+//! How errands are done: a recorded cook is played in slices.
 
 use std::sync::Arc;
 
@@ -9,6 +9,7 @@ use web_time::{Duration, Instant as Clock};
 
 use super::{Errand, Instant, Stop};
 use crate::session::Session;
+use crate::work::bench::Craft;
 
 /// Computing time between two stops (chosen: the picture of a cook that is played moves a few times a second).
 const COMPUTED_PER_STOP: Duration = Duration::from_millis(300);
@@ -29,16 +30,16 @@ struct Work {
     computed: Duration,
 }
 
-/// A bench with its own foods and pans.
-pub struct Bench {
+/// The playing of recorded cooks, with its own foods and pans.
+pub struct Playing {
     library: Arc<Library>,
     models: Models,
     work: Option<Work>,
     computed_per_stop: Duration,
 }
 
-impl Bench {
-    /// A bench without work.
+impl Playing {
+    /// Without an errand.
     pub fn new(library: Arc<Library>) -> Self {
         Self { library, models: Models::default(), work: None, computed_per_stop: COMPUTED_PER_STOP }
     }
@@ -46,11 +47,6 @@ impl Bench {
     /// The same with another computing time between two stops.
     pub fn stopping_every(self, computed: Duration) -> Self {
         Self { computed_per_stop: computed, ..self }
-    }
-
-    /// Takes an errand in place of the one before; one that cannot be read is none.
-    pub fn take(&mut self, errand: &[u8]) {
-        self.work = postcard::from_bytes(errand).ok().and_then(|errand| self.begin(errand));
     }
 
     fn begin(&mut self, errand: Errand) -> Option<Work> {
@@ -70,14 +66,18 @@ impl Bench {
         };
         Some(Work { number, to, player, computed: Duration::ZERO })
     }
+}
 
-    /// Returns true while an errand is under way.
-    pub fn is_busy(&self) -> bool {
+impl Craft for Playing {
+    fn take(&mut self, errand: &[u8]) {
+        self.work = postcard::from_bytes(errand).ok().and_then(|errand| self.begin(errand));
+    }
+
+    fn is_busy(&self) -> bool {
         self.work.is_some()
     }
 
-    /// Plays on for about `budget`; returns a stop where one is due.
-    pub fn go_on(&mut self, budget: Duration) -> Option<Vec<u8>> {
+    fn go_on(&mut self, budget: Duration) -> Option<Vec<u8>> {
         let work = self.work.as_mut()?;
         let begun = Clock::now();
         let is_last = work.play(&self.library, budget);

@@ -1,0 +1,90 @@
+//! `saute class`: the results of a class.
+
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use clap::Subcommand;
+use saute_plan::class::{ClassSummary, ResultRow, from_csv, to_csv};
+use saute_plan::study::LogError;
+
+use crate::error::CliError;
+use crate::input::text_file;
+use crate::output::out_file::OutFile;
+use crate::output::{json, stderr, stdout};
+
+/// `saute class`.
+#[derive(Debug, Subcommand)]
+pub enum ClassCommand {
+    /// Merges the results of students, each a CSV file that a lesson has given, into one CSV file, and prints what the class did.
+    Collect(CollectArgs),
+}
+
+/// `saute class collect`.
+#[derive(Debug, clap::Args)]
+pub struct CollectArgs {
+    /// Results of students.
+    #[arg(value_name = "FILE.csv", required = true)]
+    pub files: Vec<PathBuf>,
+    /// File with all results; a result that is there twice is written once.
+    #[arg(long, value_name = "CLASS.csv")]
+    pub out: Option<PathBuf>,
+    /// Prints the summary as JSON.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Largest file that is read [MiB] (chosen: a class has a few kilobytes).
+const LARGEST_MIB: u64 = 8;
+
+/// Runs the command.
+pub fn run(command: &ClassCommand) -> Result<ExitCode, CliError> {
+    match command {
+        ClassCommand::Collect(args) => collect(args),
+    }
+}
+
+fn collect(args: &CollectArgs) -> Result<ExitCode, CliError> {
+    let mut rows = Vec::new();
+    for file in &args.files {
+        rows.extend(read(file)?);
+    }
+    let (merged, summary) = ClassSummary::of(&rows);
+    if let Some(path) = &args.out {
+        let file = OutFile::prepare_as("--out", path, "CLASS.csv")?;
+        file.fill(to_csv(&merged).as_bytes())?;
+        stderr::say(format!("wrote {} results to {}", merged.len(), path.display()));
+    }
+    stdout::print(&if args.json { json::text(&summary)? } else { text(&summary, rows.len() - merged.len()) })?;
+    Ok(ExitCode::SUCCESS)
+}
+
+fn read(path: &Path) -> Result<Vec<ResultRow>, CliError> {
+    let bytes = text_file::bytes(path, LARGEST_MIB, ".csv", "a student's result")?;
+    let place = path.display().to_string();
+    from_csv(&place, &String::from_utf8_lossy(&bytes)).map_err(|LogError { file, line, message }| {
+        let (message, remedy) = message.rsplit_once("; ").unwrap_or((&message, "name files that a lesson has given"));
+        CliError::place(format!("{file}:{line}"), message, remedy)
+    })
+}
+
+fn text(summary: &ClassSummary, twice: usize) -> String {
+    let mut lines = Vec::new();
+    for s in &summary.scenarios {
+        lines.push(format!(
+            "{} ({}): {} results of {} students, {} without a code",
+            s.scenario, s.checksum, s.results, s.students, s.without_code
+        ));
+        lines.push(format!(
+            "  goal met {} of {}; medians: score {:.1}, share on target {:.1} %",
+            s.met, s.results, s.median_score, s.median_target_share_pct
+        ));
+        for q in &s.questions {
+            let error = q.median_error.map_or_else(|| "not compared".to_owned(), |e| format!("median error {e:.1}"));
+            lines.push(format!("  question {}: {} answers, {error}", q.question, q.answers));
+        }
+    }
+    if twice > 0 {
+        lines.push(format!("{twice} results were there twice and count once"));
+    }
+    lines.iter().map(|line| format!("{line}\n")).collect()
+}

@@ -1,0 +1,69 @@
+//! `saute study simulate`.
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use saute_plan::study::{Simulation, dictionary, to_csv};
+
+use super::load;
+use crate::error::CliError;
+use crate::input::data_library::DataLibrary;
+use crate::output::out_dir::OutDir;
+use crate::output::progress::Progress;
+use crate::output::{stderr, stdout};
+use crate::workers::map_all;
+
+/// `saute study simulate`.
+#[derive(Debug, clap::Args)]
+pub struct SimulateArgs {
+    /// Protocol file, or id of a shipped protocol (`saute list studies`).
+    #[arg(value_name = "PROTOCOL")]
+    pub protocol: String,
+    /// Number of simulated participants.
+    #[arg(long, value_name = "N", default_value_t = 12, value_parser = clap::value_parser!(u32).range(1..=200))]
+    pub participants: u32,
+    /// Seed of all draws: the same seed gives the same logs.
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    pub seed: u64,
+    /// Folder of the logs; created if missing.
+    #[arg(long, value_name = "DIR")]
+    pub out: PathBuf,
+}
+
+/// Lets simulated participants take part, and writes their logs.
+pub fn run(args: &SimulateArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
+    let protocol = load(&args.protocol, data)?;
+    let out = OutDir::prepare(&args.out)?;
+    let progress = Progress::over(args.participants.into());
+    let simulation = Simulation { protocol, seed: args.seed };
+    let numbers: Vec<u32> = (1..=args.participants).collect();
+    let logs = map_all(&numbers, |_, number| {
+        let log = simulation.log(*number, &data.library);
+        progress.next(format!("participant {number} of {}", args.participants));
+        log
+    });
+    drop(progress);
+    let mut files = dictionary_files();
+    for log in logs {
+        let (participant, rows) = log.map_err(|error| {
+            CliError::place(&args.protocol, error.to_string(), "set out one piece of food that can be cooked")
+        })?;
+        files.push((format!("study-{participant}.csv"), to_csv(&rows, true).into_bytes()));
+    }
+    let place = out.place();
+    out.fill(files)?;
+    stderr::say(format!("wrote {} logs of simulated participants to {place}", args.participants));
+    stdout::print(&format!(
+        "simulated participants: {}; analyse them with: saute study analyse {place}\n",
+        args.participants
+    ))?;
+    Ok(ExitCode::SUCCESS)
+}
+
+/// The data dictionary, for programs and for people.
+fn dictionary_files() -> Vec<(String, Vec<u8>)> {
+    vec![
+        ("data-dictionary.csv".to_owned(), dictionary::csv().into_bytes()),
+        ("data-dictionary.md".to_owned(), dictionary::page().into_bytes()),
+    ]
+}

@@ -1,0 +1,107 @@
+//! What a class did: many results together.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use serde::Serialize;
+
+use super::result_row::{MOST_QUESTIONS, ResultRow};
+
+/// What a class did.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ClassSummary {
+    /// Each scenario, and each version of it.
+    pub scenarios: Vec<ScenarioSummary>,
+}
+
+/// What a class did in a scenario.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ScenarioSummary {
+    /// Id of the scenario.
+    pub scenario: String,
+    /// Checksum of its text: results of a scenario that was changed are summed up on their own.
+    pub checksum: String,
+    /// Number of results.
+    pub results: usize,
+    /// Number of students with a code.
+    pub students: usize,
+    /// Results without a code.
+    pub without_code: usize,
+    /// Results that met the goal.
+    pub met: usize,
+    /// Median of the score [points].
+    pub median_score: f64,
+    /// Median of the share of the goal [%].
+    pub median_target_share_pct: f64,
+    /// The questions that were answered.
+    pub questions: Vec<QuestionSummary>,
+}
+
+/// What a class answered to a question.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct QuestionSummary {
+    /// Number of the question, from 1.
+    pub question: usize,
+    /// Answers.
+    pub answers: usize,
+    /// Answers whose truth is known.
+    pub compared: usize,
+    /// Median of the distance from the truth, in the unit of the question.
+    pub median_error: Option<f64>,
+}
+
+impl ClassSummary {
+    /// Merges results: rows in the order of scenario and student, each once, and what the class did.
+    pub fn of(rows: &[ResultRow]) -> (Vec<ResultRow>, Self) {
+        let mut merged: Vec<ResultRow> = Vec::new();
+        for row in rows {
+            if !merged.contains(row) {
+                merged.push(row.clone());
+            }
+        }
+        merged.sort_by(|a, b| (&a.scenario, &a.checksum, &a.student).cmp(&(&b.scenario, &b.checksum, &b.student)));
+        let mut groups: BTreeMap<(&str, &str), Vec<&ResultRow>> = BTreeMap::new();
+        for row in &merged {
+            groups.entry((&row.scenario, &row.checksum)).or_default().push(row);
+        }
+        let scenarios = groups.values().filter_map(|rows| ScenarioSummary::of(rows)).collect();
+        (merged, Self { scenarios })
+    }
+}
+
+impl ScenarioSummary {
+    fn of(rows: &[&ResultRow]) -> Option<Self> {
+        let first = rows.first()?;
+        let codes: BTreeSet<&String> = rows.iter().filter_map(|row| row.student.as_ref()).collect();
+        let of = |value: &dyn Fn(&ResultRow) -> f64| median(rows.iter().map(|row| value(row)).collect());
+        Some(Self {
+            scenario: first.scenario.clone(),
+            checksum: first.checksum.clone(),
+            results: rows.len(),
+            students: codes.len(),
+            without_code: rows.iter().filter(|row| row.student.is_none()).count(),
+            met: rows.iter().filter(|row| row.is_met).count(),
+            median_score: of(&|row| row.score)?,
+            median_target_share_pct: of(&|row| row.target_share_pct)?,
+            questions: (0..MOST_QUESTIONS).filter_map(|place| question(rows, place)).collect(),
+        })
+    }
+}
+
+fn question(rows: &[&ResultRow], place: usize) -> Option<QuestionSummary> {
+    let pairs: Vec<[Option<f64>; 2]> = rows.iter().map(|row| row.questions()[place]).collect();
+    let answers = pairs.iter().filter(|[answer, _]| answer.is_some()).count();
+    let errors: Vec<f64> = pairs.iter().filter_map(|[answer, truth]| Some(((*answer)? - (*truth)?).abs())).collect();
+    (answers > 0).then(|| QuestionSummary {
+        question: place + 1,
+        answers,
+        compared: errors.len(),
+        median_error: median(errors),
+    })
+}
+
+/// The median of values: of an even number the mean of the two in the middle.
+fn median(mut values: Vec<f64>) -> Option<f64> {
+    values.sort_by(f64::total_cmp);
+    let (upper, lower) = (values.get(values.len() / 2)?, values.get((values.len() - 1) / 2)?);
+    Some(0.5 * (upper + lower))
+}

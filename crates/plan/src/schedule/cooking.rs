@@ -1,0 +1,148 @@
+//! A job that is under way, second by second: it can be left and gone on with.
+
+use saute_kitchen::{Kitchen, Library, Piece, celsius};
+use saute_recipe::Cook;
+
+use crate::goal::Score;
+use crate::schedule::fork::{self, Rested, Resting};
+use crate::schedule::job::TICKS_PER_S;
+use crate::schedule::{Cue, Job, JobError, JobResult, Pull, Schedule};
+
+/// Time from putting in to the first look at the core [s] (chosen: a piece that has just been laid down).
+const SETTLED_S: u32 = 5;
+/// Share of what is missing at the aim after a rest that the next one starts with [-] (chosen: the core rises a little more in the
+/// rest of a hotter piece).
+const NEXT_SHARE: f64 = 0.9;
+
+/// A job that is under way.
+#[derive(Clone, Debug)]
+pub struct Cooking {
+    job: Job,
+    /// The cook up to the pull.
+    cook: Cook,
+    masses: Vec<f64>,
+    cues: Vec<Cue>,
+    at_s: u32,
+    work: u64,
+    /// Foods that rest at present.
+    resting: Option<Resting>,
+    /// Core at which the next rest begins [°C or %].
+    next: f64,
+    rests: u32,
+    best: Option<Rested>,
+}
+
+impl Cooking {
+    /// Begins a job.
+    ///
+    /// # Errors
+    ///
+    /// If the order or the schedule makes no recipe.
+    pub fn begin(job: Job, library: &Library) -> Result<Self, JobError> {
+        let schedule = job.schedule.pulled_at(job.schedule.pull_s, job.schedule.rest_s);
+        let mut recipe = schedule.recipe(&job.order, library)?;
+        recipe.foods.iter_mut().for_each(|food| food.coarseness = job.coarseness);
+        let cook = Cook::new(recipe, library)?;
+        let masses = cook.kitchen.pieces().iter().map(Piece::mass).collect();
+        let next = if let Pull::ToAim { rise, .. } = job.pull { job.order.goal.aim - rise } else { f64::INFINITY };
+        let (cues, resting, best) = (Vec::new(), None, None);
+        Ok(Self { job, cook, masses, cues, at_s: 0, work: 0, resting, next, rests: 0, best })
+    }
+
+    /// Cooks or rests for a second; returns what came of the job once it is over.
+    ///
+    /// # Errors
+    ///
+    /// If a step cannot be carried out.
+    pub fn second(&mut self) -> Result<Option<JobResult>, JobError> {
+        if let Some(resting) = &mut self.resting {
+            return Ok(if resting.second() { None } else { self.end_rest() });
+        }
+        if self.at_s < self.job.schedule.pull_s {
+            self.cook_second()?;
+        }
+        if self.is_time_to_rest() {
+            let rest_s = (self.job.pull == Pull::AtItsTime).then_some(self.job.schedule.rest_s);
+            let goal = &self.job.order.goal;
+            self.resting = Some(Resting::begin(&self.cook.kitchen, self.at_s, goal, rest_s));
+        }
+        Ok(None)
+    }
+
+    /// Cooks on for a second; before it, notes what there is to see where a step comes.
+    fn cook_second(&mut self) -> Result<(), JobError> {
+        let Schedule { put_s, flips_s, .. } = &self.job.schedule;
+        if self.at_s == *put_s || flips_s.contains(&self.at_s) {
+            self.cues.push(self.cue());
+        }
+        for _ in 0..TICKS_PER_S {
+            self.cook.advance()?;
+        }
+        self.work += fork::work_of_second(&self.cook.kitchen);
+        self.at_s += 1;
+        Ok(())
+    }
+
+    fn cue(&self) -> Cue {
+        let kitchen: &Kitchen = &self.cook.kitchen;
+        let pieces = kitchen.pieces();
+        let mean = |value: &dyn Fn(&Piece) -> f64| pieces.iter().map(value).sum::<f64>() / pieces.len() as f64;
+        Cue {
+            at_s: self.at_s,
+            pan_c: celsius(kitchen.pan_temperature()),
+            core_c: mean(&|p| celsius(p.core())),
+            browned_pct: mean(&|p| p.model.face_reading(&p.state, p.up()).browned_pct),
+            steam_g_s: 1e3 * pieces.iter().map(|p| p.vapour_flow).sum::<f64>(),
+        }
+    }
+
+    fn is_last(&self) -> bool {
+        self.at_s >= self.job.schedule.pull_s
+    }
+
+    /// True at the time of the schedule, or when the core is expected to come to the aim after its rest.
+    fn is_time_to_rest(&self) -> bool {
+        if self.is_last() {
+            return true;
+        }
+        let has_settled = self.at_s > self.job.schedule.put_s + SETTLED_S;
+        let looks = matches!(self.job.pull, Pull::ToAim { .. }) && has_settled;
+        looks && fork::core_now(&self.cook.kitchen, &self.job.order.goal) >= self.next
+    }
+
+    /// Keeps the closest of the rests so far; returns the result if this was the last one.
+    fn end_rest(&mut self) -> Option<JobResult> {
+        let goal = &self.job.order.goal;
+        let missing = |rested: &Rested| goal.aim - rested.outcome.at_core;
+        let rested = Rested { pull: Some(self.cue()), ..self.resting.take()?.rested(&self.masses, goal) };
+        self.work += rested.work;
+        self.rests += 1;
+        let is_over = match self.job.pull {
+            Pull::AtItsTime => true,
+            Pull::ToAim { within, most_rests, .. } => {
+                self.next = fork::core_now(&self.cook.kitchen, goal) + NEXT_SHARE * missing(&rested);
+                self.is_last() || self.rests >= most_rests || missing(&rested) <= within
+            }
+        };
+        let closest = self.best.take().filter(|best| missing(best).abs() <= missing(&rested).abs()).unwrap_or(rested);
+        if is_over {
+            return Some(self.result(closest));
+        }
+        self.best = Some(closest);
+        None
+    }
+
+    fn result(&mut self, rested: Rested) -> JobResult {
+        let schedule = self.job.schedule.pulled_at(rested.pull_s, rested.rest_s);
+        let pull = rested.pull.into_iter();
+        let cues = std::mem::take(&mut self.cues);
+        JobResult {
+            score: Score::of(&rested.outcome, schedule.flips_s.len(), &self.job.order.goal),
+            outcome: rested.outcome,
+            rise: rested.rise,
+            work: self.work,
+            cues: cues.into_iter().filter(|cue| cue.at_s < rested.pull_s).chain(pull).collect(),
+            schedule,
+        }
+    }
+}

@@ -1,0 +1,189 @@
+//! A plan that a person cooks: which steps are done, which is next, and how late each was.
+//!
+//! Steps keep their times whatever happens: a late one moves no other. Foods are counted, since each can go into the pan, be turned and
+//! come out only once a step; a power counts for the first open step that wants about that power and is not far ahead.
+
+use crate::schedule::{Deed, Plan, Step};
+
+/// Something that a person did.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Done {
+    /// When [s].
+    pub at_s: f64,
+    /// What.
+    pub what: Hand,
+}
+
+/// What a hand can do for a plan.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Hand {
+    /// Set the hob to a power [W].
+    Hob(f64),
+    /// Put a piece into the pan.
+    Put,
+    /// Turned a piece over.
+    Flip,
+    /// Took a piece out of the pan.
+    Out,
+}
+
+/// How a step stands.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Standing {
+    /// It was done, so much after its time; before it where negative [s].
+    Done(f64),
+    /// It was left out: a later one of its kind is done.
+    LeftOut,
+    /// It is due in so many seconds; negative once it is late [s].
+    Open(f64),
+}
+
+/// A step with how it stands.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Followed {
+    /// The step.
+    pub step: Step,
+    /// How it stands.
+    pub standing: Standing,
+}
+
+/// Powers closer than this to what a step wants count, as a share and at least [W] (chosen: a slider is set by eye).
+const NEAR_SHARE: f64 = 0.05;
+const NEAR_W: f64 = 25.0;
+/// A power counts for a step from this time before it on [s] (chosen: who turns the knob early means the next step, not the one after).
+const EARLY_S: f64 = 30.0;
+/// From this much after its time a step is late, and before it early [s] (chosen: a hand needs a moment).
+pub const LATE_S: f64 = 3.0;
+
+/// Returns the steps of a plan with how they stand at a time [s], given what was done for a number of pieces, in order.
+pub fn follow(plan: &Plan, done: &[Done], pieces: usize, now_s: f64) -> Vec<Followed> {
+    let steps = plan.steps();
+    let times = done_times(&steps, done, pieces.max(1), now_s);
+    let standing = |(index, step): (usize, &Step)| {
+        let at_s = f64::from(step.at_s);
+        let is_later = |later: usize| times[later].is_some() && same_kind(&steps[later].deed, &step.deed);
+        match times[index] {
+            Some(done_s) => Standing::Done(done_s - at_s),
+            None if (index + 1..steps.len()).any(is_later) => Standing::LeftOut,
+            None => Standing::Open(at_s - now_s),
+        }
+    };
+    let standings: Vec<Standing> = steps.iter().enumerate().map(standing).collect();
+    steps.into_iter().zip(standings).map(|(step, standing)| Followed { step, standing }).collect()
+}
+
+/// When each step was done [s].
+fn done_times(steps: &[Step], done: &[Done], pieces: usize, now_s: f64) -> Vec<Option<f64>> {
+    let nth = |what: Hand, count: usize| done.iter().filter(|d| d.what == what).nth(count - 1).map(|d| d.at_s);
+    let mut powers = done.iter().filter_map(|d| if let Hand::Hob(w) = d.what { Some((d.at_s, w)) } else { None });
+    let mut power = |step: &Step, wanted: f64| {
+        let from_s = f64::from(step.at_s) - EARLY_S;
+        let mut ahead = powers.clone();
+        let found = ahead.find(|(at_s, w)| *at_s >= from_s && is_near(*w, wanted))?;
+        powers = ahead;
+        Some(found.0)
+    };
+    let time = |step: &Step| match step.deed {
+        Deed::Power(wanted) => power(step, wanted),
+        Deed::Put => nth(Hand::Put, pieces),
+        Deed::Flip(number) => nth(Hand::Flip, number * pieces),
+        Deed::Pull => nth(Hand::Out, pieces),
+        Deed::Serve => Some(f64::from(step.at_s)).filter(|at_s| now_s >= *at_s),
+    };
+    steps.iter().map(time).collect()
+}
+
+fn is_near(watt: f64, wanted: f64) -> bool {
+    (watt - wanted).abs() <= (NEAR_SHARE * wanted).max(NEAR_W)
+}
+
+/// Powers follow each other, and what comes out is not turned over any more.
+fn same_kind(later: &Deed, earlier: &Deed) -> bool {
+    match earlier {
+        Deed::Power(_) => matches!(later, Deed::Power(_) | Deed::Pull),
+        Deed::Flip(_) => matches!(later, Deed::Flip(_) | Deed::Pull),
+        Deed::Put | Deed::Pull | Deed::Serve => false,
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use saute_kitchen::Library;
+
+    use super::*;
+    use crate::goal::{Goal, Outcome, Score};
+    use crate::schedule::{Order, Schedule, Setting};
+
+    fn plan() -> Plan {
+        let library = Library::embedded().unwrap();
+        let power = |at_s, hob_w| Setting { at_s, hob_w };
+        Plan {
+            order: Order {
+                food: "beef-lean".into(),
+                size_mm: vec![120.0, 80.0, 25.0],
+                initial_c: 5.0,
+                count: None,
+                pan: "carbon-steel-26".into(),
+                hob_w: vec![400.0, 1100.0, 2000.0],
+                most_flips: 2,
+                goal: Goal::new(&"medium".parse().unwrap(), library.scale("chefs").unwrap(), 60.0).unwrap(),
+            },
+            schedule: Schedule {
+                powers: vec![power(0, 2000.0), power(60, 1100.0), power(100, 400.0)],
+                put_s: 60,
+                flips_s: vec![160, 260],
+                pull_s: 400,
+                rest_s: 120,
+            },
+            promised: Outcome::default(),
+            score: Score(0.0),
+            cues: Vec::new(),
+            sensitivity: Vec::new(),
+            candidates: 1,
+        }
+    }
+
+    fn done(list: &[(f64, Hand)]) -> Vec<Done> {
+        list.iter().map(|(at_s, what)| Done { at_s: *at_s, what: *what }).collect()
+    }
+
+    fn standings(list: &[(f64, Hand)], pieces: usize, now_s: f64) -> Vec<Standing> {
+        follow(&plan(), &done(list), pieces, now_s).into_iter().map(|f| f.standing).collect()
+    }
+
+    /// Steps: 2000 W, put, 1100 W, 400 W, flip 1, flip 2, pull, serve.
+    #[test]
+    fn steps_are_done_early_or_late_and_no_other_step_moves() {
+        use Standing::{Done, Open};
+        let list = [(0.0, Hand::Hob(2000.0)), (72.0, Hand::Put), (58.0, Hand::Hob(1080.0)), (105.0, Hand::Hob(400.0))];
+        assert_eq!(
+            standings(&list, 1, 120.0),
+            [Done(0.0), Done(12.0), Done(-2.0), Done(5.0), Open(40.0), Open(140.0), Open(280.0), Open(400.0)]
+        );
+    }
+
+    #[test]
+    fn a_power_that_is_passed_on_the_way_counts_for_no_step_far_ahead() {
+        let list = [(0.0, Hand::Hob(400.0)), (1.0, Hand::Hob(1100.0)), (2.0, Hand::Hob(2000.0))];
+        assert_eq!(
+            standings(&list, 1, 10.0)[..4],
+            [Standing::Done(2.0), Standing::Open(50.0), Standing::Open(50.0), Standing::Open(90.0)]
+        );
+    }
+
+    #[test]
+    fn a_step_that_a_later_one_makes_needless_is_left_out() {
+        let list = [(60.0, Hand::Put), (165.0, Hand::Flip), (380.0, Hand::Out)];
+        let standings = standings(&list, 1, 390.0);
+        assert_eq!(standings[5..7], [Standing::LeftOut, Standing::Done(-20.0)]);
+        assert_eq!(standings[0], Standing::LeftOut, "the hob does not matter any more");
+    }
+
+    #[test]
+    fn a_group_is_turned_when_each_of_its_pieces_is() {
+        let flips = [(60.0, Hand::Put), (62.0, Hand::Put), (160.0, Hand::Flip), (163.0, Hand::Flip)];
+        assert_eq!(standings(&flips, 2, 170.0)[4], Standing::Done(3.0));
+        assert_eq!(standings(&flips[..3], 2, 170.0)[4], Standing::Open(-10.0));
+    }
+}

@@ -1,0 +1,163 @@
+//! What a cook sees, hears and feels at a step, told from the numbers of the planned cook.
+
+use saute_kitchen::Library;
+use saute_kitchen::food::Form;
+
+use crate::schedule::{Cue, Deed, Plan, Step};
+
+/// What there is to see, hear and feel at a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Sense {
+    /// The pan when the food goes in.
+    Pan {
+        /// Mean temperature of its floor [°C].
+        pan_c: f64,
+        /// What a drop of water does on it.
+        drop: Drop,
+        /// Temperature at which its oil smokes [°C].
+        smoke_c: Option<f64>,
+    },
+    /// The face on the pan, seen when its edge is lifted.
+    Face {
+        /// Browned share [%].
+        browned_pct: f64,
+        /// Its colour.
+        colour: Colour,
+        /// What is heard.
+        hiss: Hiss,
+        /// Mean temperature of the core [°C].
+        core_c: f64,
+    },
+    /// The food when it is done.
+    Done {
+        /// Mean temperature of the core [°C].
+        core_c: f64,
+        /// What the core rises by while it rests [K].
+        rise_k: f64,
+        /// How it feels under a finger.
+        feel: Option<Feel>,
+    },
+    /// The food when it has rested.
+    Rested {
+        /// Highest temperature of the core [°C].
+        peak_c: f64,
+    },
+}
+
+/// What a drop of water does on a pan.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Drop {
+    /// It lies and hisses.
+    Lies,
+    /// It bursts at once.
+    Bursts,
+    /// It runs about in beads.
+    Runs,
+}
+
+/// Colour of a face that was fried.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Colour {
+    /// Pale.
+    Pale,
+    /// Brown in patches.
+    Patches,
+    /// Brown over most of it.
+    Most,
+    /// Brown all over.
+    All,
+}
+
+/// Sound of the steam.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Hiss {
+    /// A quiet sizzle.
+    Quiet,
+    /// A steady sizzle.
+    Steady,
+    /// A loud hiss.
+    Loud,
+}
+
+/// Feel of a food that is done.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Feel {
+    /// As the ball of a loose thumb.
+    LooseThumb,
+    /// As the ball of the thumb that is joined with the forefinger.
+    Forefinger,
+    /// As with the middle finger.
+    MiddleFinger,
+    /// As with the ring finger.
+    RingFinger,
+    /// As with the little finger.
+    LittleFinger,
+    /// A patty that gives in the middle.
+    SoftPatty,
+    /// A patty that is firm all over.
+    FirmPatty,
+    /// A shrimp that springs.
+    Shrimp,
+    /// A vegetable into which a knife goes.
+    Knife,
+}
+
+impl Plan {
+    /// Returns what there is to see, hear and feel at a step; none where only a knob is turned.
+    pub fn sense(&self, step: &Step, library: &Library) -> Option<Sense> {
+        let peak_c = self.promised.core_peak_c;
+        let cue = self.cue(step);
+        match step.deed {
+            Deed::Power(_) => None,
+            Deed::Put => cue.map(|cue| pan(cue, library)),
+            Deed::Flip(_) => cue.map(face),
+            Deed::Pull => cue.map(|cue| Sense::Done {
+                core_c: cue.core_c,
+                rise_k: (peak_c - cue.core_c).max(0.0),
+                feel: library.foods.get(&self.order.food).and_then(|food| feel(food.form, peak_c)),
+            }),
+            Deed::Serve => Some(Sense::Rested { peak_c }),
+        }
+    }
+}
+
+fn pan(cue: &Cue, library: &Library) -> Sense {
+    let drop = match cue.pan_c {
+        c if c < 150.0 => Drop::Lies,
+        c if c < 190.0 => Drop::Bursts,
+        _ => Drop::Runs,
+    };
+    let smoke_c = library.oils.get(&library.room.oil.default).map(|oil| oil.heat.smoke_c);
+    Sense::Pan { pan_c: cue.pan_c, drop, smoke_c }
+}
+
+fn face(cue: &Cue) -> Sense {
+    let colour = match cue.browned_pct {
+        pct if pct < 10.0 => Colour::Pale,
+        pct if pct < 50.0 => Colour::Patches,
+        pct if pct < 90.0 => Colour::Most,
+        _ => Colour::All,
+    };
+    // Chosen: a hand's breadth of wet meat on a hot pan gives off about 0.1 g/s.
+    let hiss = match cue.steam_g_s {
+        s if s < 0.03 => Hiss::Quiet,
+        s if s < 0.1 => Hiss::Steady,
+        _ => Hiss::Loud,
+    };
+    Sense::Face { browned_pct: cue.browned_pct, colour, hiss, core_c: cue.core_c }
+}
+
+fn feel(form: Form, peak_c: f64) -> Option<Feel> {
+    Some(match (form, peak_c) {
+        (Form::Steak, c) if c < 50.0 => Feel::LooseThumb,
+        (Form::Steak, c) if c < 55.0 => Feel::Forefinger,
+        (Form::Steak, c) if c < 60.0 => Feel::MiddleFinger,
+        (Form::Steak, c) if c < 70.0 => Feel::RingFinger,
+        (Form::Steak, _) => Feel::LittleFinger,
+        (Form::Patty, c) if c < 68.0 => Feel::SoftPatty,
+        (Form::Patty, _) => Feel::FirmPatty,
+        (Form::Shrimp, _) => Feel::Shrimp,
+        (Form::Coin | Form::Ring | Form::Stick, _) => Feel::Knife,
+        (Form::Mesh, _) => return None,
+    })
+}

@@ -1,0 +1,29 @@
+//! Studies and lessons of a page, by the names in its address.
+
+use std::sync::Arc;
+
+use saute_kitchen::Library;
+use saute_plan::class::{self, Scenario};
+use saute_plan::study::{self, Participant, Protocol};
+use saute_window::guided::{LessonStart, StudyStart};
+
+/// A shipped study with the code of its participant.
+pub(crate) fn study(library: &Library, id: &str, code: &str) -> Result<StudyStart, String> {
+    let names = study::shipped::names();
+    let text = study::shipped::text(id).ok_or_else(|| format!("study: there is no \"{id}\"; there are {names}"))?;
+    let protocol = Protocol::parse(text, id, library).map_err(|e| e.to_string())?;
+    Ok(StudyStart::in_memory(Arc::new(protocol), participant("participant", code)?))
+}
+
+/// A shipped lesson with the code of its student, which may be empty.
+pub(crate) fn lesson(library: &Library, (id, code, is_locked): (String, String, bool)) -> Result<LessonStart, String> {
+    let names = class::shipped::names();
+    let text = class::shipped::text(&id).ok_or_else(|| format!("scenario: there is no \"{id}\"; there are {names}"))?;
+    let scenario = Arc::new(Scenario::parse(text, &id, library).map_err(|e| e.to_string())?);
+    let student = Some(code).filter(|code| !code.is_empty()).map(|code| participant("student", &code)).transpose()?;
+    Ok(LessonStart { scenario, student, is_locked })
+}
+
+fn participant(key: &str, code: &str) -> Result<Participant, String> {
+    code.parse().map_err(|error| format!("{key}: {error}"))
+}

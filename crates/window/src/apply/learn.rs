@@ -1,0 +1,36 @@
+//! Skill mode: read-outs that are hidden, and why.
+
+use saute_picture::View;
+
+use crate::act::Act;
+use crate::app::SauteApp;
+
+impl SauteApp {
+    /// Hides all read-outs, or shows them again.
+    pub(super) fn set_skill_mode(&mut self, on: bool) {
+        self.settings.skill_mode = on;
+        if on {
+            (self.settings.view, self.settings.split, self.slice) = (View::Look, false, None);
+            (self.settings.curves_open, self.settings.pieces_open) = (false, false);
+            self.scene.placing = false;
+            if self.shows_ways() {
+                self.toggle_ways();
+            }
+        }
+    }
+
+    /// Returns true if an act would show what skill mode hides; says so then.
+    pub(super) fn is_hidden(&self, act: &Act) -> bool {
+        let reads = match act {
+            Act::View(view) => *view != View::Look,
+            Act::Split | Act::Slice | Act::SliceBy(_) | Act::SliceAt(_) | Act::Probe | Act::Placing(true) => true,
+            Act::Curves | Act::SideBySide | Act::Pieces => true,
+            _ => false,
+        };
+        let is_hidden = self.settings.skill_mode && reads;
+        if is_hidden {
+            self.say("skill.off");
+        }
+        is_hidden
+    }
+}

@@ -1,0 +1,281 @@
+//! Studies and lessons by acts, and what leads them in each frame.
+
+use std::sync::Arc;
+
+use saute_picture::View;
+use saute_plan::class::{Scenario, shipped, to_csv};
+use saute_plan::study::{Answers, Event, Stage};
+
+use super::{Guided, LessonDesk, LessonStart, StudyDesk, StudyStart};
+use crate::act::Act;
+use crate::app::SauteApp;
+use crate::words::guided_words;
+
+/// What a participant or a student does with a card or the ribbon.
+#[derive(Clone, Debug, PartialEq)]
+pub enum GuidedAct {
+    /// Takes part.
+    Agree,
+    /// Does not take part.
+    Decline,
+    /// Begins the trial that is next.
+    BeginTrial,
+    /// Ends the trial that runs.
+    EndTrial,
+    /// Hands in what was entered or answered.
+    Answer(Answers),
+    /// Writes rows again that could not be written.
+    KeepRows,
+    /// Saves the log of a page.
+    SaveLog,
+    /// Opens a shipped lesson by its id.
+    Lesson(String),
+    /// Begins the cook of the lesson.
+    BeginLesson,
+    /// Answers the question that waits.
+    Predict(f64),
+    /// Goes on after the truth was shown.
+    GoOn,
+    /// Ends the lesson.
+    EndLesson,
+    /// Saves the result as a file.
+    SaveResult,
+    /// Copies the result as a line for a sheet.
+    CopyResult,
+    /// Begins the lesson anew.
+    AgainLesson,
+    /// Leaves the lesson.
+    Leave,
+    /// Closes the window.
+    CloseWindow,
+}
+
+impl SauteApp {
+    /// The study or the lesson that leads the cook.
+    pub fn guided(&self) -> Option<&Guided> {
+        self.guided.as_ref()
+    }
+
+    /// Begins a study.
+    pub(crate) fn begin_study(&mut self, start: StudyStart) {
+        self.card = None;
+        self.guided = Some(Guided::Study(Box::new(StudyDesk::begin(start))));
+    }
+
+    /// Opens a lesson: its food is set out, and its card says what it is about.
+    pub(crate) fn open_lesson(&mut self, start: LessonStart) {
+        let (recipe, speed) = (Arc::clone(&start.scenario.recipe), start.scenario.speed);
+        if let Err(error) = self.session.set_out_led(recipe) {
+            return self.say_trouble(&error);
+        }
+        let mut desk = LessonDesk::begin(start);
+        self.session.lesson = Some(desk.watch(&self.session));
+        self.session.set_speed(speed);
+        self.motions.clear();
+        self.card = None;
+        self.guided = Some(Guided::Lesson(Box::new(desk)));
+    }
+
+    /// Returns true if an act is locked, and says so.
+    pub(crate) fn refuses(&self, act: &Act) -> bool {
+        let refused = self.guided.as_ref().is_some_and(|guided| guided.locks().forbid(act));
+        if refused {
+            self.say("guided.locked");
+        }
+        refused
+    }
+
+    /// Leads the study or the lesson: ends what is over, and tells what has become known.
+    pub(crate) fn guide(&mut self) {
+        match &mut self.guided {
+            Some(Guided::Study(desk)) if desk.is_over(&self.session) => self.end_trial(),
+            Some(Guided::Lesson(desk)) => {
+                let known = self.session.lesson.as_ref().and_then(|lesson| desk.newly_known(lesson));
+                let is_over = desk.is_over(&self.session);
+                if let (Some(place), Some(lesson)) = (known, &self.session.lesson) {
+                    let words = guided_words::truth(lesson, place, &self.settings);
+                    self.notice.say(words);
+                }
+                if is_over {
+                    self.end_lesson();
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// Carries out what a participant or a student does.
+    pub(crate) fn guided_act(&mut self, act: GuidedAct, ctx: &egui::Context) {
+        match act {
+            GuidedAct::Agree => self.study_event(Event::Agreed),
+            GuidedAct::Decline => self.with_study(|desk| desk.decline()),
+            GuidedAct::BeginTrial => self.begin_trial(),
+            GuidedAct::EndTrial => self.end_trial(),
+            GuidedAct::Answer(answers) => self.study_event(Event::Answered(answers)),
+            GuidedAct::KeepRows => self.with_study(StudyDesk::keep_rows),
+            GuidedAct::SaveLog => self.save_log(),
+            GuidedAct::Lesson(id) => self.open_shipped_lesson(&id),
+            GuidedAct::BeginLesson => self.begin_lesson(),
+            GuidedAct::Predict(answer) => self.predict(answer),
+            GuidedAct::GoOn => self.with_lesson(LessonDesk::go_on),
+            GuidedAct::EndLesson => self.end_lesson(),
+            GuidedAct::SaveResult => self.save_result(),
+            GuidedAct::CopyResult => self.copy_result(ctx),
+            GuidedAct::AgainLesson => self.lesson_again(),
+            GuidedAct::Leave => self.leave_lesson(),
+            GuidedAct::CloseWindow => ctx.send_viewport_cmd(egui::ViewportCommand::Close),
+        }
+    }
+
+    fn with_study(&mut self, change: impl FnOnce(&mut StudyDesk)) {
+        if let Some(Guided::Study(desk)) = &mut self.guided {
+            change(desk);
+        }
+    }
+
+    fn with_lesson(&mut self, change: impl FnOnce(&mut LessonDesk)) {
+        if let Some(Guided::Lesson(desk)) = &mut self.guided {
+            change(desk);
+        }
+    }
+
+    fn study_event(&mut self, event: Event) {
+        let mut refused = None;
+        self.with_study(|desk| refused = desk.take(event).err());
+        self.memory.answers = Default::default();
+        if let Some(error) = refused {
+            self.say_trouble(&error);
+        }
+    }
+
+    fn begin_trial(&mut self) {
+        let Some(Guided::Study(desk)) = &self.guided else { return };
+        let (Stage::Trial { .. }, Some(simulate)) = (desk.study().stage(), desk.study().simulate()) else { return };
+        let (recipe, speed) = (Arc::clone(&simulate.recipe), simulate.speed);
+        if let Err(error) = self.session.set_out_led(recipe) {
+            return self.say_trouble(&error);
+        }
+        self.session.set_speed(speed);
+        self.motions.clear();
+        let session = &self.session;
+        if let Some(Guided::Study(desk)) = &mut self.guided {
+            desk.begin_trial(session);
+        }
+        self.show_only_what_is_allowed();
+    }
+
+    fn end_trial(&mut self) {
+        let session = &self.session;
+        if let Some(Guided::Study(desk)) = &mut self.guided {
+            desk.end_trial(session);
+        }
+    }
+
+    /// Where read-outs are hidden the window shows the look, without cut and curves.
+    fn show_only_what_is_allowed(&mut self) {
+        (self.glance, self.card) = (None, None);
+        if !self.guided.as_ref().is_some_and(|guided| guided.locks().views) {
+            return;
+        }
+        (self.settings.view, self.settings.split) = (View::Look, false);
+        (self.settings.curves_open, self.settings.pieces_open) = (false, false);
+        self.slice = None;
+    }
+
+    fn open_shipped_lesson(&mut self, id: &str) {
+        let parsed = shipped::text(id).map(|text| Scenario::parse(text, id, &self.session.library));
+        match parsed {
+            Some(Ok(scenario)) => {
+                self.open_lesson(LessonStart { scenario: Arc::new(scenario), student: None, is_locked: false });
+            }
+            Some(Err(error)) => self.say_trouble(&error),
+            None => {}
+        }
+    }
+
+    fn begin_lesson(&mut self) {
+        self.with_lesson(LessonDesk::start_cook);
+        self.session.set_paused(false);
+        self.show_only_what_is_allowed();
+    }
+
+    fn predict(&mut self, answer: f64) {
+        let Some(lesson) = &mut self.session.lesson else { return };
+        let Some(place) = lesson.answer(answer) else { return };
+        let is_known = lesson.asked()[place].truth.is_some();
+        self.memory.answers = Default::default();
+        self.with_lesson(|desk| desk.show_truth(place, is_known));
+        self.session.set_paused(false);
+    }
+
+    fn end_lesson(&mut self) {
+        if let Some(Guided::Lesson(desk)) = &mut self.guided {
+            desk.end(&mut self.session);
+            #[cfg(target_arch = "wasm32")]
+            if let (Some((row, _)), Some(host)) = (desk.result(), &self.host) {
+                host.report(row);
+            }
+        }
+    }
+
+    pub(crate) fn lesson_again(&mut self) {
+        let Some(Guided::Lesson(desk)) = &self.guided else { return };
+        let start = desk.start().clone();
+        self.open_lesson(start);
+    }
+
+    fn leave_lesson(&mut self) {
+        let may = matches!(&self.guided, Some(Guided::Lesson(desk)) if !desk.is_locked());
+        if may {
+            (self.guided, self.session.lesson) = (None, None);
+            self.session.set_paused(false);
+        }
+    }
+
+    fn save_log(&mut self) {
+        let Some(Guided::Study(desk)) = &self.guided else { return };
+        let (name, csv) = (format!("study-{}.csv", desk.study().participant()), desk.csv());
+        self.save_text(&name, &csv);
+    }
+
+    fn save_result(&mut self) {
+        let Some((row, _)) = self.lesson_result() else { return };
+        let student = row.student.clone().unwrap_or_else(|| "result".to_owned());
+        let (name, csv) = (format!("{}-{student}.csv", row.scenario), to_csv(std::slice::from_ref(row)));
+        self.save_text(&name, &csv);
+    }
+
+    fn copy_result(&mut self, ctx: &egui::Context) {
+        let Some((row, _)) = self.lesson_result() else { return };
+        ctx.copy_text(row.line());
+        self.say("guided.copied");
+    }
+
+    fn lesson_result(&self) -> Option<&(saute_plan::class::ResultRow, saute_plan::study::Measures)> {
+        match &self.guided {
+            Some(Guided::Lesson(desk)) => desk.result(),
+            _ => None,
+        }
+    }
+
+    /// Hands the browser a file.
+    #[cfg(target_arch = "wasm32")]
+    fn save_text(&self, name: &str, text: &str) {
+        if let Err(error) = crate::browser::download(name, "text/csv", text.as_bytes()) {
+            self.say_trouble(&error);
+        }
+    }
+
+    /// Writes a file into the folder of pictures, where people find what they save without a dialog.
+    #[cfg(not(target_arch = "wasm32"))]
+    fn save_text(&self, name: &str, text: &str) {
+        let path = self.pictures_folder().join(name);
+        match crate::session_file::write_whole(&path, text.as_bytes()) {
+            Ok(()) => {
+                let said = self.settings.language.fill("notice.cook_saved", &[("path", &path.display())]);
+                self.notice.say_of(said, path);
+            }
+            Err(error) => self.say_trouble(&format!("{}: {error}", path.display())),
+        }
+    }
+}

@@ -1,0 +1,128 @@
+//! A lesson in the window.
+
+use std::sync::Arc;
+
+use saute_plan::class::{Lesson, ResultRow, Scenario};
+use saute_plan::study::protocol_file::Information;
+use saute_plan::study::{Measures, Participant, Times};
+
+use super::study_desk::has_rested;
+use crate::session::Session;
+
+/// A lesson to begin with.
+#[derive(Clone, Debug)]
+pub struct LessonStart {
+    /// The scenario.
+    pub scenario: Arc<Scenario>,
+    /// Code of the student, if there is one.
+    pub student: Option<Participant>,
+    /// True if it cannot be left.
+    pub is_locked: bool,
+}
+
+/// A lesson in the window. What watches the cook is with the session ([`Session::lesson`]).
+pub struct LessonDesk {
+    start: LessonStart,
+    masses: Vec<f64>,
+    has_begun: bool,
+    /// A question that was answered, whose truth is shown until the student goes on.
+    shown: Option<usize>,
+    /// Questions whose truth was told.
+    told: Vec<usize>,
+    result: Option<(ResultRow, Measures)>,
+}
+
+impl LessonDesk {
+    pub(super) fn begin(start: LessonStart) -> Self {
+        Self { start, masses: Vec::new(), has_begun: false, shown: None, told: Vec::new(), result: None }
+    }
+
+    /// The scenario.
+    pub fn scenario(&self) -> &Scenario {
+        &self.start.scenario
+    }
+
+    /// What it began with.
+    pub(super) fn start(&self) -> &LessonStart {
+        &self.start
+    }
+
+    /// True if it cannot be left.
+    pub fn is_locked(&self) -> bool {
+        self.start.is_locked
+    }
+
+    /// True once the student has begun.
+    pub fn has_begun(&self) -> bool {
+        self.has_begun
+    }
+
+    /// The question whose truth is shown.
+    pub fn shown(&self) -> Option<usize> {
+        self.shown
+    }
+
+    /// What came of it, once it is over.
+    pub fn result(&self) -> Option<&(ResultRow, Measures)> {
+        self.result.as_ref()
+    }
+
+    /// True while a card asks. That a question waits is known by the session's pause.
+    pub(super) fn asks(&self) -> bool {
+        !self.has_begun || self.shown.is_some() || self.result.is_some()
+    }
+
+    pub(super) fn hides_read_outs(&self) -> bool {
+        self.has_begun && self.result.is_none() && self.start.scenario.overlays == Information::Hidden
+    }
+
+    /// The lesson that watches the cook.
+    pub(super) fn watch(&mut self, session: &Session) -> Lesson {
+        self.masses = session.kitchen.pieces().iter().map(saute_kitchen::Piece::mass).collect();
+        (self.has_begun, self.shown, self.result) = (false, None, None);
+        self.told.clear();
+        Lesson::begin(Arc::clone(&self.start.scenario), self.start.student.clone())
+    }
+
+    pub(super) fn start_cook(&mut self) {
+        self.has_begun = true;
+    }
+
+    /// Shows the truth of an answered question if it is known already.
+    pub(super) fn show_truth(&mut self, place: usize, is_known: bool) {
+        if is_known {
+            self.shown = Some(place);
+            self.told.push(place);
+        }
+    }
+
+    pub(super) fn go_on(&mut self) {
+        self.shown = None;
+    }
+
+    /// The first question whose truth has become known since it was answered.
+    pub(super) fn newly_known(&mut self, lesson: &Lesson) -> Option<usize> {
+        let known = |place: &usize| {
+            let asked = lesson.asked()[*place];
+            asked.answer.is_some() && asked.truth.is_some() && !self.told.contains(place)
+        };
+        let place = (0..lesson.asked().len()).find(known)?;
+        self.told.push(place);
+        Some(place)
+    }
+
+    /// True if it has come to its end.
+    pub(super) fn is_over(&self, session: &Session) -> bool {
+        let runs = self.has_begun && self.result.is_none();
+        runs && (session.kitchen.time_s() >= self.start.scenario.max_s || has_rested(session))
+    }
+
+    /// Ends it.
+    pub(super) fn end(&mut self, session: &mut Session) {
+        let times = Times::of(session.recording());
+        let measures = Measures::read(&session.kitchen, &self.masses, &self.start.scenario.goal, &times);
+        if let Some(lesson) = &mut session.lesson {
+            self.result = Some((lesson.end(&measures), measures));
+        }
+    }
+}

@@ -1,0 +1,237 @@
+//! A study in the window: the participant's way, the present trial, and where rows go.
+
+use std::sync::Arc;
+
+use saute_plan::study::protocol_file::Information;
+use saute_plan::study::{Event, LogRow, Measures, Participant, Protocol, Stage, Study, StudyError, Times, to_csv};
+use web_time::Instant;
+
+use crate::session::Session;
+
+/// How far the core cools below its peak before a trial ends by itself [K] (chosen: as the advice that the food has rested).
+const RESTED_K: f64 = 0.3;
+
+/// Where rows go.
+enum Keeper {
+    /// A log on the disk.
+    #[cfg(not(target_arch = "wasm32"))]
+    File(super::log_file::LogFile),
+    /// They are kept here and offered as a download.
+    Memory,
+}
+
+/// A study to begin with.
+pub struct StudyStart {
+    study: Study,
+    earlier: Vec<LogRow>,
+    keeper: Keeper,
+}
+
+impl Clone for StudyStart {
+    /// A clone keeps its rows in memory: a log has one writer.
+    fn clone(&self) -> Self {
+        Self { study: self.study.clone(), earlier: self.earlier.clone(), keeper: Keeper::Memory }
+    }
+}
+
+impl std::fmt::Debug for StudyStart {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        f.debug_struct("StudyStart").field("participant", self.study.participant()).finish_non_exhaustive()
+    }
+}
+
+impl StudyStart {
+    /// A study whose rows are kept in memory, as in a page.
+    pub fn in_memory(protocol: Arc<Protocol>, participant: Participant) -> Self {
+        let study = Study::begin(protocol, participant).started_at(outside::time_of_day());
+        Self { study, earlier: Vec::new(), keeper: Keeper::Memory }
+    }
+
+    /// A study whose log is a file in a folder; one that is there is gone on with.
+    ///
+    /// # Errors
+    ///
+    /// If the folder cannot be written to, or the log is of another participant or protocol.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub fn in_folder(
+        protocol: Arc<Protocol>,
+        participant: Participant,
+        folder: &std::path::Path,
+    ) -> Result<Self, String> {
+        let (file, earlier) = super::log_file::LogFile::open(folder, &participant)?;
+        let study = Study::begin(protocol, participant).started_at(outside::time_of_day());
+        let study = study.resume(&earlier).map_err(|error| error.to_string())?;
+        Ok(Self { study, earlier, keeper: Keeper::File(file) })
+    }
+}
+
+#[cfg(target_arch = "wasm32")]
+use crate::browser::host as outside;
+#[cfg(not(target_arch = "wasm32"))]
+use crate::window as outside;
+
+/// A study in the window.
+pub struct StudyDesk {
+    study: Study,
+    keeper: Keeper,
+    /// All rows, and how many of them are kept.
+    rows: Vec<LogRow>,
+    kept: usize,
+    trial: Option<Trial>,
+    last: Option<Measures>,
+    has_declined: bool,
+    begun: Instant,
+    trouble: Option<String>,
+}
+
+/// A trial that runs.
+struct Trial {
+    masses: Vec<f64>,
+    begun: Instant,
+}
+
+impl StudyDesk {
+    pub(super) fn begin(start: StudyStart) -> Self {
+        let kept = start.earlier.len();
+        Self {
+            study: start.study,
+            keeper: start.keeper,
+            rows: start.earlier,
+            kept,
+            trial: None,
+            last: None,
+            has_declined: false,
+            begun: Instant::now(),
+            trouble: None,
+        }
+    }
+
+    /// The participant's way.
+    pub fn study(&self) -> &Study {
+        &self.study
+    }
+
+    /// True while a trial runs.
+    pub fn is_running(&self) -> bool {
+        self.trial.is_some()
+    }
+
+    /// True if the participant did not agree.
+    pub fn has_declined(&self) -> bool {
+        self.has_declined
+    }
+
+    /// What came of the trial before, if the participant is to be told.
+    pub fn told(&self) -> Option<&Measures> {
+        self.last.as_ref()
+    }
+
+    /// Why rows could not be written.
+    pub fn trouble(&self) -> Option<&str> {
+        self.trouble.as_deref()
+    }
+
+    /// True if rows are kept in memory only.
+    pub fn offers_download(&self) -> bool {
+        matches!(self.keeper, Keeper::Memory) && !self.rows.is_empty()
+    }
+
+    /// The log as CSV.
+    pub fn csv(&self) -> String {
+        to_csv(&self.rows, true)
+    }
+
+    pub(super) fn hides_read_outs(&self) -> bool {
+        self.study.information() == Information::Hidden
+    }
+
+    pub(super) fn decline(&mut self) {
+        self.has_declined = self.study.stage() == Stage::Consent;
+    }
+
+    /// A trial begins with what is set out now.
+    pub(super) fn begin_trial(&mut self, session: &Session) {
+        let masses = session.kitchen.pieces().iter().map(saute_kitchen::Piece::mass).collect();
+        self.trial = Some(Trial { masses, begun: Instant::now() });
+    }
+
+    /// Returns true if the trial has come to its end: its time is over, or the food has rested.
+    pub(super) fn is_over(&self, session: &Session) -> bool {
+        let Some(simulate) = self.study.simulate().filter(|_| self.is_running()) else { return false };
+        session.kitchen.time_s() >= simulate.max_s || has_rested(session)
+    }
+
+    /// Ends the trial, and keeps its row.
+    pub(super) fn end_trial(&mut self, session: &Session) {
+        let (Some(trial), Some(simulate)) = (self.trial.take(), self.study.simulate()) else { return };
+        let measures = Measures::read(&session.kitchen, &trial.masses, &simulate.goal, &Times::of(session.recording()));
+        let told = simulate.feedback.then_some(measures);
+        let session_name = self.keep_session(session);
+        let wall_s = Some(trial.begun.elapsed().as_secs_f64());
+        // A trial that runs belongs to the stage.
+        let _ = self.take(Event::TrialEnded { measures: Box::new(measures), wall_s, session: session_name });
+        self.last = told;
+    }
+
+    /// Takes an event; its rows are kept at once.
+    pub(super) fn take(&mut self, event: Event) -> Result<(), StudyError> {
+        let rows = self.study.take(event, self.begun.elapsed().as_secs_f64())?;
+        self.rows.extend(rows);
+        self.last = None;
+        self.keep_rows();
+        Ok(())
+    }
+
+    /// Writes rows that are not kept yet; says why if it cannot.
+    pub(super) fn keep_rows(&mut self) {
+        match &mut self.keeper {
+            #[cfg(not(target_arch = "wasm32"))]
+            Keeper::File(file) => match file.append(&self.rows[self.kept..]) {
+                Ok(()) => (self.kept, self.trouble) = (self.rows.len(), None),
+                Err(error) => self.trouble = Some(error.to_string()),
+            },
+            Keeper::Memory => self.kept = self.rows.len(),
+        }
+    }
+
+    /// Keeps the session of the trial, if the protocol says so; returns the name of its file.
+    #[cfg(not(target_arch = "wasm32"))]
+    fn keep_session(&mut self, session: &Session) -> Option<String> {
+        let (Keeper::File(file), Stage::Trial { phase, trial }) = (&self.keeper, self.study.stage()) else {
+            return None;
+        };
+        if !self.study.protocol().keep_sessions {
+            return None;
+        }
+        let name = format!("study-{}-phase-{}-trial-{trial}.saute", self.study.participant(), phase + 1);
+        let bytes = session.recording().clone().to_file();
+        match crate::session_file::write_whole(&file.folder.join(&name), &bytes) {
+            Ok(()) => Some(name),
+            Err(error) => {
+                self.trouble = Some(format!("{name}: {error}"));
+                None
+            }
+        }
+    }
+
+    /// A page keeps no sessions.
+    #[cfg(target_arch = "wasm32")]
+    fn keep_session(&mut self, _: &Session) -> Option<String> {
+        None
+    }
+}
+
+/// Returns true if the food was taken out and its core has begun to cool.
+pub(super) fn has_rested(session: &Session) -> bool {
+    let pieces = session.kitchen.pieces();
+    let rested = |piece: &saute_kitchen::Piece| {
+        piece.lies_on_board() && piece.core_peak.1 > 0.0 && piece.core() < piece.core_peak.0 - RESTED_K
+    };
+    is_out(session) && pieces.iter().all(rested)
+}
+
+/// Returns true if food was taken out, and none is left in the pan.
+pub(crate) fn is_out(session: &Session) -> bool {
+    let pieces = session.kitchen.pieces();
+    !pieces.is_empty() && pieces.iter().all(saute_kitchen::Piece::lies_on_board)
+}

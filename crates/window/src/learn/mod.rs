@@ -1,0 +1,18 @@
+//! What the window teaches: goals, the result of a cook, skill mode, and the tutorial.
+
+pub mod goal_choice;
+pub mod on_its_own;
+pub mod raster;
+pub mod result;
+pub mod tutorial;
+
+use self::tutorial::Tutorial;
+
+/// What the window keeps of what it teaches.
+#[derive(Debug, Default)]
+pub struct Learning {
+    /// The tutorial while it runs.
+    pub tutorial: Option<Tutorial>,
+    /// The cook whose result was shown by itself: when its food came out [s].
+    pub(crate) shown_for: Option<f64>,
+}

@@ -1,0 +1,50 @@
+//! The result of a cook: when it is shown by itself, and its picture that is shared.
+
+use saute_kitchen::advice::Advice;
+
+use crate::act::Card;
+use crate::app::SauteApp;
+use crate::learn::goal_choice::goal_of;
+use crate::learn::on_its_own;
+use crate::words::judgement_words::ResultWords;
+
+/// Longest interval between the marks of one taking out [s] (chosen: pieces of a group follow each other within it).
+const SAME_OUT_S: f64 = 0.05;
+
+impl SauteApp {
+    /// Opens the result once the food has rested: once for each time that it came out, unless it is switched off.
+    pub(crate) fn watch_result(&mut self, advice: &[Advice]) {
+        let has_rested = advice.iter().any(|one| matches!(one, Advice::Rested { .. }));
+        let is_free = self.card.is_none() && !self.card_is_open() && !self.shows_ways() && !self.session.paused;
+        let is_alone = self.session.runner.is_none() && self.learn.tutorial.is_none() && self.guided.is_none();
+        if !(self.settings.result_opens && has_rested && is_free && is_alone && self.session.is_out()) {
+            return;
+        }
+        let came_out = self.session.came_out_s();
+        let same = |a: f64, b: f64| (a - b).abs() < SAME_OUT_S;
+        let is_new = came_out.is_some_and(|now| self.learn.shown_for.is_none_or(|before| !same(now, before)));
+        if is_new {
+            self.learn.shown_for = came_out;
+            self.card = Some(Card::Result);
+        }
+    }
+
+    /// The result in words; none without food that a scale knows.
+    pub(crate) fn result_words(&self) -> Option<ResultWords> {
+        let goal = goal_of(&self.session, &self.settings)?;
+        let judgement = self.session.judgement(&goal)?;
+        Some(ResultWords::of(&judgement, &goal, &self.session, &self.settings))
+    }
+
+    /// Saves the result as a picture: into the folder of pictures, or as a download of the browser.
+    pub(crate) fn share_result(&self) {
+        let l = self.settings.language;
+        let Some((words, piece)) = self.result_words().zip(self.session.steak()) else { return };
+        let drawn = on_its_own::picture(&words, piece, l);
+        let bytes = saute_picture::still::png_file::png_bytes(&drawn).map_err(|error| error.to_string());
+        match bytes.and_then(|bytes| self.keeper()(&bytes)) {
+            Ok(path) => self.notice.say_of(l.fill("notice.saved", &[("path", &path.display())]), path),
+            Err(error) => self.notice.say(l.fill("notice.not_saved", &[("error", &error)])),
+        }
+    }
+}

@@ -1,0 +1,46 @@
+//! Forecasts in one line, under the readings.
+
+use egui::{Label, RichText, Sense, Ui, UiBuilder, vec2};
+use saute_plan::forecast::Question;
+
+use super::{age_words, class};
+use crate::panels::window_state::WindowState;
+use crate::ui::theme;
+
+/// Its height, which it keeps while there is nothing to say [points].
+const HEIGHT: f32 = 16.0;
+/// How far ahead it looks [s].
+const AHEAD_S: f64 = 120.0;
+
+/// Shows the line.
+pub fn show(state: &WindowState, ui: &mut Ui) {
+    let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), HEIGHT), Sense::hover());
+    let Some((words, is_current)) = words(state) else { return };
+    let ink = if is_current { theme::of(ui).text } else { theme::of(ui).quiet };
+    let mut child = ui.new_child(UiBuilder::new().max_rect(rect));
+    let label = Label::new(RichText::new(&words).size(13.0).color(ink)).truncate();
+    let hint = state.settings.language.text(if is_current { "ahead.line_hint" } else { "ahead.stale" });
+    child.add(label).on_hover_text(format!("{words}\n{hint}"));
+}
+
+/// The words, and whether they hold as things are.
+fn words(state: &WindowState) -> Option<(String, bool)> {
+    let (settings, l) = (state.settings, state.settings.language);
+    let as_it_is = state.session.foreseen(Question::AsItIs)?;
+    let shown = |kelvin: f64| settings.temperature(saute_kitchen::celsius(kelvin));
+    let core = shown(as_it_is.core_in(AHEAD_S).0);
+    let out = state.session.foreseen(Question::TakeOut);
+    let last = out.as_ref().unwrap_or(&as_it_is);
+    let peak = match class(state, &last.answer.outlook) {
+        Some(class) => {
+            l.fill("ahead.peak_class", &[("peak", &shown(last.answer.outlook.peak.core)), ("class", &class)])
+        }
+        None => shown(last.answer.outlook.peak.core),
+    };
+    let key = if out.is_some() { "ahead.line" } else { "ahead.line_out" };
+    let mut words = l.fill(key, &[("core", &core), ("peak", &peak)]);
+    if let Some(age) = age_words(state, &as_it_is) {
+        words = format!("{words} · {age}");
+    }
+    Some((words, as_it_is.is_current && last.is_current))
+}

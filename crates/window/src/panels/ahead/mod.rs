@@ -1,0 +1,51 @@
+//! What is ahead of the piece that the panels show: forecasts as a line of words, as a table, and as curves.
+
+pub mod future_curves;
+pub mod line;
+pub mod table;
+
+use saute_kitchen::celsius;
+use saute_kitchen::doneness::at_core;
+use saute_plan::forecast::{Outlook, Question};
+
+use crate::panels::window_state::WindowState;
+use crate::session::forecasts::Standing;
+use crate::settings::Settings;
+
+/// Returns true if forecasts are made and wanted: then there is room for them.
+pub fn are_shown(state: &WindowState) -> bool {
+    state.settings.foresees() && state.session.forecasts().are_made()
+}
+
+/// The class in which the core ends, in the cook's words; none where no scale says anything about it.
+fn class(state: &WindowState, outlook: &Outlook) -> Option<String> {
+    let (piece, scale) = (state.session.steak()?, state.scale()?);
+    let class = outlook.class(&scale, at_core(piece, &scale))?;
+    Some(state.settings.language.called("class", &scale.class[class].name).to_owned())
+}
+
+/// A temperature [K] as a number in the chosen unit.
+fn number(settings: &Settings, kelvin: f64) -> String {
+    format!("{:.0}", settings.degrees(celsius(kelvin)))
+}
+
+/// Half the width of a band [K] as a number in the chosen unit.
+fn half_band(settings: &Settings, kelvin: f64) -> String {
+    format!("{:.1}", settings.degrees(kelvin) - settings.degrees(0.0))
+}
+
+/// How old answers are, in words, where that is worth one.
+fn age_words(state: &WindowState, standing: &Standing) -> Option<String> {
+    let seconds = format!("{:.0}", standing.age_s);
+    standing.is_old().then(|| state.settings.language.fill("ahead.age", &[("seconds", &seconds)]))
+}
+
+/// What is asked, in words.
+fn question_words(state: &WindowState, question: Question) -> &'static str {
+    state.settings.language.text(match question {
+        Question::AsItIs => "ahead.as_it_is",
+        Question::Flip => "ahead.flip",
+        Question::TakeOut => "ahead.take_out",
+        Question::LowerHeat => "ahead.lower_heat",
+    })
+}

@@ -1,0 +1,6 @@
+//! "My kitchen": the card with what was observed and what was found, and the word beside the pan.
+
+pub mod card;
+pub mod chip;
+mod entry;
+mod found;

@@ -1,0 +1,74 @@
+//! The ribbon over the scene: where one is in a study or a lesson, the goal, and the way to the end.
+
+use egui::{Align2, Area, Id, RichText, Ui, vec2};
+use saute_plan::study::Stage;
+
+use crate::act::{Act, Acts};
+use crate::guided::{GuidedAct, LessonDesk, StudyDesk, is_out};
+use crate::panels::window_state::WindowState;
+use crate::ui::layout::{GAP, Layout};
+use crate::ui::{fingers, theme};
+
+/// Names phase and trial, and ends the trial; it never says which condition holds.
+pub(super) fn of_study(state: &WindowState, desk: &StudyDesk, ui: &Ui, acts: &mut Acts, layout: &Layout) {
+    let Some(simulate) = desk.study().simulate() else { return };
+    let Stage::Trial { phase, trial } = desk.study().stage() else { return };
+    let l = state.settings.language;
+    let title = &desk.study().protocol().phases[phase].title;
+    let at: [(&str, &dyn std::fmt::Display); 2] = [("trial", &trial), ("trials", &simulate.trials)];
+    let where_ = format!("{title} · {}", l.fill("study.trial", &at));
+    let goal = l.called("goal", &simulate.goal.goal.name).to_owned();
+    ribbon(ui, layout, (&where_, &goal), |ui| {
+        end_button(state, ui, acts, "study.end_trial", GuidedAct::EndTrial);
+    });
+}
+
+/// Names the lesson and its goal, ends it, and leaves it where that is allowed.
+pub(super) fn of_lesson(state: &WindowState, desk: &LessonDesk, ui: &Ui, acts: &mut Acts, layout: &Layout) {
+    if !desk.has_begun() || desk.result().is_some() {
+        return;
+    }
+    let l = state.settings.language;
+    let title = desk.scenario().title.of(l == crate::words::language::Language::Japanese).to_owned();
+    let goal = l.called("goal", &desk.scenario().goal.goal.name).to_owned();
+    ribbon(ui, layout, (&title, &goal), |ui| {
+        end_button(state, ui, acts, "lesson.end", GuidedAct::EndLesson);
+        let leave = theme::of(ui).button(l.text("lesson.leave_short"), false);
+        if !desk.is_locked() && ui.add(leave).on_hover_text(l.text("lesson.leave")).clicked() {
+            acts.push(Act::Guided(GuidedAct::Leave));
+        }
+    });
+}
+
+/// A button that ends a cook once the food is out.
+fn end_button(state: &WindowState, ui: &mut Ui, acts: &mut Acts, key: &'static str, act: GuidedAct) {
+    let l = state.settings.language;
+    let can = is_out(state.session);
+    let end = theme::of(ui).button(l.text(key), can).min_size(vec2(84.0, fingers::height(ui, 32.0)));
+    let response = ui.add_enabled(can, end).on_disabled_hover_text(l.text("guided.take_out_first"));
+    if response.clicked() {
+        acts.push(Act::Guided(act));
+    }
+}
+
+fn ribbon(ui: &Ui, layout: &Layout, (first, second): (&str, &str), buttons: impl FnOnce(&mut Ui)) {
+    // On a narrow window the upper edge belongs to the views of the eye.
+    let (at, pivot) = if layout.narrow {
+        (layout.free.center_bottom() - vec2(0.0, GAP), Align2::CENTER_BOTTOM)
+    } else {
+        (layout.free.center_top() + vec2(0.0, 0.4 * layout.top.height() + GAP), Align2::CENTER_TOP)
+    };
+    Area::new(Id::unique("ribbon")).fixed_pos(at).pivot(pivot).show(ui.ctx(), |ui| {
+        theme::of(ui).panel().inner_margin(8).show(ui, |ui| {
+            ui.horizontal(|ui| {
+                ui.vertical(|ui| {
+                    ui.spacing_mut().item_spacing.y = 1.0;
+                    ui.set_max_width((layout.free.width() - 230.0).max(140.0));
+                    ui.label(RichText::new(first).size(14.5).strong());
+                    ui.label(RichText::new(second).size(12.5).color(theme::of(ui).quiet));
+                });
+                buttons(ui);
+            });
+        });
+    });
+}

@@ -1,0 +1,27 @@
+//! The coach's sentences below the advice: what happens and why, and the next cue.
+
+use egui::{Label, RichText, Ui};
+
+use crate::panels::window_state::WindowState;
+use crate::ui::theme;
+use crate::words::coach_words;
+
+/// Height of two lines of the sentence [points].
+const TWO_LINES: f32 = 29.0;
+
+/// Shows both where the coach is on; on a narrow window the cue alone.
+pub fn show(state: &WindowState, ui: &mut Ui, cue_alone: bool) {
+    let Some(coaching) = &state.coaching else { return };
+    let palette = theme::of(ui);
+    let happening = coach_words::happening(coaching, state.settings);
+    if let Some(cue) = coach_words::cue(coaching, state.settings) {
+        let words = Label::new(RichText::new(cue).size(13.0).strong()).truncate();
+        ui.add(words).on_hover_text(cue);
+    }
+    if !cue_alone {
+        let words = Label::new(RichText::new(&happening).size(12.5).color(palette.quiet));
+        // A second line only where there is room for it.
+        let fits = ui.available_height() >= TWO_LINES;
+        ui.add(if fits { words.wrap() } else { words.truncate() }).on_hover_text(&happening);
+    }
+}

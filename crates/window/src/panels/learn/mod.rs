@@ -1,0 +1,5 @@
+//! What is taught while one cooks: the coach's sentences, the alarm at the goal, the callout of the tutorial.
+
+pub mod callout;
+pub mod coach;
+pub mod goal_alarm;

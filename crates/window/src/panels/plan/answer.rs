@@ -1,0 +1,105 @@
+//! The plan that was found: what is promised, the time line, the steps, what changes it, and what to do with it.
+
+use egui::{RichText, Ui, vec2};
+use saute_plan::schedule::{Plan, Step};
+
+use super::time_line;
+use crate::act::{Act, Acts};
+use crate::panels::inside::clock;
+use crate::panels::window_state::WindowState;
+use crate::plan::{PlanAct, PlanFile};
+use crate::ui::theme;
+use crate::words::{cue_words, plan_words};
+
+/// Room for the time of a step, and for what is done [points].
+const TIME: f32 = 44.0;
+const DEED: f32 = 150.0;
+
+/// Shows a plan.
+pub fn show(state: &WindowState, plan: &Plan, ui: &mut Ui, acts: &mut Acts) {
+    let (l, settings) = (state.settings.language, state.settings);
+    ui.label(RichText::new(plan_words::heading(&plan.order, &state.session.library, settings)).size(15.0));
+    if let Some(why) = plan_words::why_not(plan, settings) {
+        ui.label(RichText::new(why).color(theme::of(ui).accent).strong());
+    }
+    if is_of_other_choice(state) {
+        ui.label(RichText::new(l.text("plan.other_choice")).size(13.0).color(theme::of(ui).accent));
+    }
+    buttons(state, ui, acts);
+    promise(state, plan, ui);
+    time_line::show(state, plan, ui);
+    plan.steps().iter().for_each(|step| row(state, plan, step, ui));
+    ui.add_space(6.0);
+    ui.label(RichText::new(l.text("plan.if_different")).strong());
+    for s in &plan.sensitivity {
+        ui.label(RichText::new(plan_words::sentence(s, &plan.order.goal, settings)).size(13.5));
+    }
+    ui.add_space(4.0);
+    ui.label(RichText::new(l.text("plan.honest")).size(12.5).color(theme::of(ui).quiet));
+}
+
+/// True if the food, the pan or the target was changed since the plan was asked for.
+fn is_of_other_choice(state: &WindowState) -> bool {
+    let settings = state.settings;
+    let now = settings.plan.asked(&settings.choice, &state.session.library, settings);
+    state.planning.asked().is_some_and(|asked| *asked != now)
+}
+
+fn buttons(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+    let l = state.settings.language;
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing = vec2(6.0, 6.0);
+        let mut button = |key: &'static str, hint: &'static str, on, act| {
+            if ui.add(theme::of(ui).button(l.text(key), on)).on_hover_text(l.text(hint)).clicked() {
+                acts.push(Act::Plan(act));
+            }
+        };
+        button("plan.cook_live", "plan.cook_live_hint", true, PlanAct::CookLive);
+        button("plan.cook_itself", "plan.cook_itself_hint", false, PlanAct::CookItself);
+        button(PlanFile::Card.words(), "plan.save_card_hint", false, PlanAct::Save(PlanFile::Card));
+        button(PlanFile::Recipe.words(), "plan.save_recipe_hint", false, PlanAct::Save(PlanFile::Recipe));
+    });
+}
+
+fn promise(state: &WindowState, plan: &Plan, ui: &mut Ui) {
+    let (l, settings) = (state.settings.language, state.settings);
+    let core = settings.fine_temperature(plan.promised.core_peak_c);
+    ui.label(RichText::new(l.text("plan.promised")).strong());
+    let joint = l.text("plan.sentence_joint");
+    let words = [
+        l.fill("plan.middle", &[("core", &core)]),
+        plan_words::on_target(plan, l) + joint,
+        plan_words::crust(&plan.promised, l) + joint,
+    ];
+    ui.label(RichText::new(words.join(l.text("plan.word_joint"))).size(14.0));
+}
+
+/// A step: when, what, and what there is to see, hear and feel.
+fn row(state: &WindowState, plan: &Plan, step: &Step, ui: &mut Ui) {
+    let (l, settings) = (state.settings.language, state.settings);
+    let sense = plan.sense(step, &state.session.library).map(|sense| cue_words::sense(&sense, settings));
+    let narrow = ui.available_width() < 420.0;
+    ui.horizontal_top(|ui| {
+        let cell = |ui: &mut Ui, width: f32, text: RichText| {
+            ui.allocate_ui(vec2(width, 18.0), |ui| {
+                ui.set_min_width(width);
+                ui.add(egui::Label::new(text).wrap());
+            });
+        };
+        cell(ui, TIME, RichText::new(clock(f64::from(step.at_s))).size(14.5).strong().color(theme::of(ui).accent));
+        let deed = RichText::new(cue_words::deed(&step.deed, l)).size(14.5).strong();
+        if narrow {
+            ui.vertical(|ui| {
+                ui.label(deed);
+                if let Some(sense) = sense {
+                    ui.label(RichText::new(sense).size(13.0).color(theme::of(ui).quiet));
+                }
+            });
+        } else {
+            cell(ui, DEED, deed);
+            if let Some(sense) = sense {
+                ui.add(egui::Label::new(RichText::new(sense).size(13.0)).wrap());
+            }
+        }
+    });
+}

@@ -1,0 +1,81 @@
+//! The card of plans: what is asked on its left, what was found on its right.
+
+use egui::{Rect, RichText, ScrollArea, Ui};
+
+use super::{answer, form};
+use crate::act::{Act, Acts, Card};
+use crate::panels::cards::frame::{Framed, part};
+use crate::panels::window_state::WindowState;
+use crate::plan::PlanAct;
+use crate::plan::planning::Standing;
+use crate::ui::theme;
+use crate::words::plan_words;
+
+/// Width of the card at most, and of what is asked where the answer stands beside it [points].
+const WIDTH: f32 = 1000.0;
+const FORM: f32 = 318.0;
+/// Below this width the answer stands below what is asked [points].
+const NARROW: f32 = 760.0;
+
+/// Shows the card over everything; Esc, the button or a click beside it closes it.
+pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, whole: Rect) {
+    let framed = Framed { card: Card::Plan, id: "plan", title: "plan.title", width: WIDTH };
+    framed.show(state, ui, acts, whole, |ui, acts| {
+        let height = whole.height() - 112.0;
+        if whole.width() < NARROW {
+            let scrolled = ScrollArea::vertical().max_height(height).min_scrolled_height(height);
+            scrolled.auto_shrink([false, true]).show(ui, |ui| narrow(state, ui, acts));
+            return;
+        }
+        ui.horizontal_top(|ui| {
+            part(ui, "asked", FORM, height, |ui| form::show(state, ui, acts));
+            let rest = ui.available_width();
+            part(ui, "answer", rest, height, |ui| found(state, ui, acts));
+        });
+    });
+}
+
+/// What was found comes first once there is something.
+fn narrow(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+    if *state.planning.standing() == Standing::Idle {
+        form::show(state, ui, acts);
+        ui.separator();
+        found(state, ui, acts);
+    } else {
+        found(state, ui, acts);
+        ui.separator();
+        form::show(state, ui, acts);
+    }
+}
+
+fn found(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+    let l = state.settings.language;
+    match state.planning.standing() {
+        Standing::Idle => {
+            ui.label(RichText::new(l.text("plan.how")).color(theme::of(ui).quiet));
+        }
+        Standing::Searching(progress) => {
+            let (share, count) = progress.map_or((0.0, 0), |progress| (progress.share, progress.candidates));
+            let stage = progress.map_or("plan.stage_first", |progress| plan_words::stage(progress.stage));
+            searching(state, ui, acts, share as f32, &l.fill(stage, &[("count", &count)]));
+        }
+        Standing::Refused(why) => {
+            ui.label(RichText::new(l.fill("plan.refused", &[("why", why)])).color(theme::of(ui).accent));
+        }
+        Standing::Found(plan) => answer::show(state, plan, ui, acts),
+    }
+}
+
+/// The bar, what is done now, and the button that ends it.
+fn searching(state: &WindowState, ui: &mut Ui, acts: &mut Acts, share: f32, doing: &str) {
+    let l = state.settings.language;
+    ui.label(RichText::new(l.text("plan.searching")).size(17.0));
+    let bar = ui.add(egui::ProgressBar::new(share).desired_width(ui.available_width()).fill(theme::of(ui).accent));
+    let spoken = l.fill("plan.progress", &[("percent", &format!("{:.0}", 100.0 * share))]);
+    bar.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::ProgressIndicator, true, &spoken));
+    ui.label(RichText::new(doing).color(theme::of(ui).quiet));
+    ui.label(RichText::new(l.text("plan.meanwhile")).size(13.0).color(theme::of(ui).quiet));
+    if ui.add(theme::of(ui).button(l.text("plan.cancel"), false)).clicked() {
+        acts.push(Act::Plan(PlanAct::Cancel));
+    }
+}

@@ -1,0 +1,148 @@
+//! What a plan is asked for: food, size, start, target, crust, flips, pan and powers.
+
+use egui::{RichText, TextEdit, Ui, vec2};
+use saute_plan::schedule::asked::{scale_for, scales_for};
+
+use crate::act::{Act, Acts, Setting};
+use crate::panels::pantry::{pans, sizes, slider, temperature};
+use crate::panels::window_state::WindowState;
+use crate::plan::PlanAct;
+use crate::plan::choice::{MOST_FLIPS, PlanChoice};
+use crate::session::SteakChoice;
+use crate::ui::theme;
+
+/// Shows what is asked, and the button that searches.
+pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+    let (l, settings) = (state.settings.language, state.settings);
+    let (mut choice, mut plan) = (settings.choice.clone(), settings.plan.clone());
+    find(state, ui, acts);
+    ui.heading(l.text("plan.food"));
+    foods(state, ui, &mut choice, &mut plan);
+    let library = &state.session.library;
+    if let Some(food) = library.foods.get(&choice.kind) {
+        sizes(ui, food, &mut choice.size_mm, l);
+    }
+    temperature(ui, l.text("pantry.start_temperature"), &mut choice.initial_c, 0.0, 30.0, settings.fahrenheit);
+    ui.heading(l.text("plan.target"));
+    target(state, ui, &choice, &mut plan);
+    crust_and_flips(state, ui, &choice, &mut plan);
+    ui.heading(l.text("pantry.pan"));
+    pans(ui, library, &mut choice, l);
+    crate::panels::at_home::chip::show(state, ui, acts);
+    powers(state, ui, &mut plan);
+    if choice != settings.choice {
+        acts.push(Act::Set(Setting::Choice(choice)));
+    }
+    if plan != settings.plan {
+        acts.push(Act::Plan(PlanAct::Choose(plan)));
+    }
+}
+
+fn find(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+    let text = state.settings.language.text("plan.find");
+    let size = vec2(ui.available_width(), theme::TOUCH);
+    let button = theme::of(ui).button(text, true).min_size(size);
+    if ui.add_enabled(!state.planning.is_searching(), button).clicked() {
+        acts.push(Act::Plan(PlanAct::Find));
+    }
+}
+
+/// The list of the foods; another one begins with its own size, and with the crust that is usual for it.
+fn foods(state: &WindowState, ui: &mut Ui, choice: &mut SteakChoice, plan: &mut PlanChoice) {
+    let (library, l) = (&state.session.library, state.settings.language);
+    let name = l.called("food", library.foods.get(&choice.kind).map_or(choice.kind.as_str(), |food| &food.name));
+    let name = name.to_owned();
+    let combo = egui::ComboBox::from_id_salt("plan-food").selected_text(&name).width(ui.available_width() - 8.0);
+    let before = choice.kind.clone();
+    let shown = combo.show_ui(ui, |ui| {
+        for (id, food) in &library.foods {
+            ui.selectable_value(&mut choice.kind, id.clone(), l.called("food", &food.name));
+        }
+    });
+    let spoken = l.fill("plan.food_spoken", &[("food", &name)]);
+    shown.response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::ComboBox, true, &spoken));
+    if choice.kind != before {
+        plan.crust_pct = None;
+        if let Some(food) = library.foods.get(&choice.kind) {
+            choice.size_mm.clone_from(&food.size.default_mm);
+        }
+    }
+}
+
+/// The classes of the scale, and a temperature of the core.
+fn target(state: &WindowState, ui: &mut Ui, choice: &SteakChoice, plan: &mut PlanChoice) {
+    let (library, l) = (&state.session.library, state.settings.language);
+    let scales = scales_for(library, &choice.kind);
+    let scale = scale_for(library, &choice.kind, &plan.scale);
+    if scales.len() > 1 {
+        scale_list(state, ui, &scales, plan);
+    }
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing = vec2(5.0, 5.0);
+        if let Some(scale) = scale {
+            let wanted = plan.class_on(scale, state.settings).to_owned();
+            for class in &scale.class {
+                let on = !plan.by_core && class.name == wanted;
+                if chip(ui, l.called("class", &class.name), on) {
+                    (plan.by_core, plan.class) = (false, class.name.clone());
+                }
+            }
+        }
+        if chip(ui, l.text("plan.by_core"), plan.by_core || scale.is_none()) {
+            plan.by_core = true;
+        }
+    });
+    if plan.by_core || scale.is_none() {
+        temperature(ui, l.text("plan.core_wanted"), &mut plan.core_c, 35.0, 95.0, state.settings.fahrenheit);
+    }
+}
+
+fn scale_list(
+    state: &WindowState,
+    ui: &mut Ui,
+    scales: &[&std::sync::Arc<saute_kitchen::food::Scale>],
+    plan: &mut PlanChoice,
+) {
+    let l = state.settings.language;
+    let here = scales.iter().find(|scale| scale.id == plan.scale).or(scales.first());
+    let name = here.map_or("", |scale| l.called("scale", &scale.name));
+    let combo = egui::ComboBox::from_id_salt("plan-scale").selected_text(name).width(ui.available_width() - 8.0);
+    let shown = combo.show_ui(ui, |ui| {
+        for scale in scales {
+            ui.selectable_value(&mut plan.scale, scale.id.clone(), l.called("scale", &scale.name));
+        }
+    });
+    let spoken = l.fill("plan.scale_spoken", &[("scale", &name)]);
+    shown.response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::ComboBox, true, &spoken));
+}
+
+fn chip(ui: &mut Ui, text: &str, on: bool) -> bool {
+    let response = ui.add(theme::of(ui).button(text, on));
+    response.widget_info(|| egui::WidgetInfo::selected(egui::accesskit::Role::RadioButton, true, on, text));
+    response.clicked()
+}
+
+fn crust_and_flips(state: &WindowState, ui: &mut Ui, choice: &SteakChoice, plan: &mut PlanChoice) {
+    let l = state.settings.language;
+    let usual = plan.crust_of(&state.session.library, &choice.kind);
+    let mut crust = usual;
+    slider(ui, l.text("plan.crust"), &mut crust, 0.0, 100.0, " %");
+    if crust != usual {
+        plan.crust_pct = Some(crust.round());
+    }
+    let mut flips = plan.most_flips as f64;
+    slider(ui, l.text("plan.flips"), &mut flips, 0.0, MOST_FLIPS as f64, "");
+    plan.most_flips = flips.round() as usize;
+}
+
+/// The powers that the hob has, as they are typed.
+fn powers(state: &WindowState, ui: &mut Ui, plan: &mut PlanChoice) {
+    let l = state.settings.language;
+    ui.label(RichText::new(l.text("plan.powers")).size(13.0).color(theme::of(ui).quiet));
+    let dial = PlanChoice::default().powers_w(&state.session.library);
+    let dial: Vec<String> = dial.iter().map(f64::to_string).collect();
+    let field = TextEdit::singleline(&mut plan.powers).hint_text(dial.join(", ")).desired_width(ui.available_width());
+    let spoken = l.text("plan.powers");
+    theme::field(ui, field).widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::TextInput, true, spoken));
+    ui.label(RichText::new(l.text("plan.powers_how")).size(12.5).color(theme::of(ui).quiet));
+}

@@ -1,0 +1,111 @@
+//! Carries out what is done about a plan.
+
+use std::sync::Arc;
+
+use saute_plan::schedule::Plan;
+
+use super::PlanFile;
+use super::live::Live;
+use super::{PlanAct, kitchen_card};
+use crate::act::Card;
+use crate::app::SauteApp;
+use crate::session::SPEEDS;
+use crate::work::Kind;
+use crate::work::in_frames::InFrames;
+
+impl SauteApp {
+    /// Carries out what is done about a plan.
+    pub(crate) fn act_on_plan(&mut self, act: PlanAct, ctx: &egui::Context) {
+        match act {
+            PlanAct::Choose(choice) => self.settings.plan = choice,
+            PlanAct::Find => self.find_plan(),
+            PlanAct::Cancel => self.planning.cancel(),
+            PlanAct::CookLive => self.cook_live(),
+            PlanAct::CookItself => self.let_plan_cook(),
+            PlanAct::Save(file) => self.save_plan(file, ctx),
+            PlanAct::DoStep => self.do_step(),
+            PlanAct::Hurry => self.session.set_speed(SPEEDS[SPEEDS.len() - 1]),
+            PlanAct::Leave => self.live = None,
+        }
+    }
+
+    fn find_plan(&mut self) {
+        let asked = self.settings.plan.asked(&self.settings.choice, &self.session.library, &self.settings);
+        let helper = (!self.planning.has_helper()).then(|| self.hire_or_frames(Kind::Plan));
+        let home = self.session.home().home().map(str::to_owned);
+        self.planning.ask(asked, home, helper);
+    }
+
+    /// A helper for a kind of work; where no agency finds one, it works in frames.
+    pub(crate) fn hire_or_frames(&self, kind: Kind) -> Box<dyn crate::work::Helper> {
+        let in_frames = || Box::new(InFrames::new(kind, &self.session.library)) as Box<dyn crate::work::Helper>;
+        self.hire(kind).unwrap_or_else(in_frames)
+    }
+
+    /// Takes what the search has found since the last frame.
+    pub(crate) fn follow_plan(&mut self, ctx: &egui::Context) {
+        let was_searching = self.planning.is_searching();
+        self.planning.take_answers(&self.session.library);
+        if was_searching && !self.planning.is_searching() && self.card != Some(Card::Plan) {
+            self.say("plan.ready");
+        }
+        if self.planning.is_searching() {
+            let soon = std::time::Duration::from_millis(if self.planning.needs_frames() { 0 } else { 200 });
+            ctx.request_repaint_after(soon);
+        }
+        if let Some(live) = self.live.as_mut().filter(|live| live.is_of(&self.session)) {
+            live.look_after(&mut self.session);
+        }
+    }
+
+    fn cook_live(&mut self) {
+        let Some(plan) = self.planning.plan().cloned() else { return };
+        if self.begin_plan(&plan, false) {
+            self.live = Some(Live::new(plan, &self.session));
+            self.session.set_paused(true);
+        }
+    }
+
+    fn let_plan_cook(&mut self) {
+        let Some(plan) = self.planning.plan().cloned() else { return };
+        if self.begin_plan(&plan, true) {
+            self.live = None;
+        }
+    }
+
+    /// Begins the cook of a plan: it plays, or its food and its pan are set out. Returns false if that cannot be done.
+    fn begin_plan(&mut self, plan: &Plan, plays: bool) -> bool {
+        let library = Arc::clone(self.session.home());
+        let begun = match plan.schedule.recipe(&plan.order, &library) {
+            Ok(recipe) if plays => self.session.play(recipe).map_err(|error| error.to_string()),
+            Ok(recipe) => self.session.set_out_recipe(recipe).map_err(|error| error.to_string()),
+            Err(error) => Err(error.to_string()),
+        };
+        if let Err(error) = &begun {
+            self.say_trouble(error);
+            return false;
+        }
+        self.motions.clear();
+        self.card = None;
+        true
+    }
+
+    /// Does the steps that come next, in the cook that follows a plan; time goes on.
+    fn do_step(&mut self) {
+        let Some(live) = self.live.as_ref().filter(|live| live.is_of(&self.session)) else { return };
+        for command in live.commands(&self.session) {
+            self.give(&command);
+        }
+        self.session.set_paused(false);
+    }
+
+    /// The bytes of a file that is made of the plan that was found.
+    pub(crate) fn plan_file(&self, file: PlanFile) -> Option<Vec<u8>> {
+        let plan = self.planning.plan().or_else(|| self.live.as_ref().map(Live::plan))?;
+        let text = match file {
+            PlanFile::Recipe => super::recipe_file(plan, &self.session.library, &self.settings),
+            PlanFile::Card => kitchen_card::page(plan, &self.session.library, &self.settings),
+        };
+        Some(text.into_bytes())
+    }
+}

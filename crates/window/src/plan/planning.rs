@@ -1,0 +1,118 @@
+//! The window's side of a search: what was asked, how far it is, and the plan.
+
+use saute_kitchen::Library;
+use saute_plan::schedule::Plan;
+use saute_plan::schedule::asked::Asked;
+use saute_plan::schedule::search::SearchProgress;
+
+use super::craft::{PlanAnswer, PlanOrder, Told};
+use crate::work::Helper;
+
+/// How a search stands.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub enum Standing {
+    /// Nothing was asked.
+    #[default]
+    Idle,
+    /// It goes on; no number of candidates is known at first.
+    Searching(Option<SearchProgress>),
+    /// A plan was found.
+    Found(Box<Plan>),
+    /// It could not be searched for, and why.
+    Refused(String),
+}
+
+/// The search for a plan.
+#[derive(Default)]
+pub struct Planning {
+    helper: Option<Box<dyn Helper>>,
+    number: u64,
+    asked: Option<Asked>,
+    standing: Standing,
+}
+
+impl Planning {
+    /// How the search stands.
+    pub fn standing(&self) -> &Standing {
+        &self.standing
+    }
+
+    /// What was asked last.
+    pub fn asked(&self) -> Option<&Asked> {
+        self.asked.as_ref()
+    }
+
+    /// The plan, once it is found.
+    pub fn plan(&self) -> Option<&Plan> {
+        if let Standing::Found(plan) = &self.standing { Some(plan) } else { None }
+    }
+
+    /// Returns true while frames are to be drawn for the search.
+    pub fn needs_frames(&self) -> bool {
+        self.helper.as_ref().is_some_and(|helper| helper.needs_frames())
+    }
+
+    /// Returns true while it searches.
+    pub fn is_searching(&self) -> bool {
+        matches!(self.standing, Standing::Searching(_))
+    }
+
+    /// Returns true if there is a helper who can be asked.
+    pub fn has_helper(&self) -> bool {
+        self.helper.is_some()
+    }
+
+    /// Asks for a plan in a kitchen at home, in place of what was asked before; a new helper if one was hired.
+    pub fn ask(&mut self, asked: Asked, home: Option<String>, hired: Option<Box<dyn Helper>>) {
+        self.helper = hired.or(self.helper.take());
+        let Some(helper) = &mut self.helper else { return };
+        self.number += 1;
+        let order = PlanOrder { number: self.number, home, asked: asked.clone() };
+        let order = postcard::to_allocvec(&order).expect("an order has no kind that postcard lacks");
+        helper.ask(order);
+        (self.asked, self.standing) = (Some(asked), Standing::Searching(None));
+    }
+
+    /// Ends the search.
+    pub fn cancel(&mut self) {
+        if let Some(helper) = self.helper.as_mut().filter(|_| matches!(self.standing, Standing::Searching(_))) {
+            helper.ask(Vec::new());
+            self.standing = Standing::Idle;
+        }
+    }
+
+    /// A helper with other data is hired for the next search, and no plan of the old data is shown.
+    pub fn forget(&mut self) {
+        (self.helper, self.standing) = (None, Standing::Idle);
+    }
+
+    /// Takes what the helper has answered.
+    pub fn take_answers(&mut self, library: &Library) {
+        let Some(helper) = &mut self.helper else { return };
+        match helper.answers() {
+            Some(answers) => answers.iter().for_each(|bytes| self.take(bytes, library)),
+            None => {
+                self.helper = None;
+                if self.is_searching() {
+                    self.standing = Standing::Idle;
+                }
+            }
+        }
+    }
+
+    fn take(&mut self, bytes: &[u8], library: &Library) {
+        let Ok(PlanAnswer { number, told }) = postcard::from_bytes(bytes) else { return };
+        if number != self.number || !self.is_searching() {
+            return;
+        }
+        let Some(asked) = &self.asked else { return };
+        self.standing = match told {
+            Told::Progress(progress) => Standing::Searching(Some(progress)),
+            Told::Refused(why) => Standing::Refused(why),
+            Told::Found(data) => match asked.order(library) {
+                Ok(order) => Standing::Found(Box::new(data.plan(order))),
+                Err(error) => Standing::Refused(error.to_string()),
+            },
+        };
+    }
+}

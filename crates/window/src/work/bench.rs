@@ -1,0 +1,62 @@
+//! Where work is done: on another thread, in another instance of the program, or between frames.
+
+use std::sync::Arc;
+
+use saute_kitchen::Library;
+use web_time::{Duration, Instant};
+
+use super::Kind;
+
+/// How one kind of work is done.
+pub trait Craft {
+    /// Takes an order in place of the one before; one that is empty, or cannot be read, is none.
+    fn take(&mut self, order: &[u8]);
+
+    /// Returns true while there is something to do.
+    fn is_busy(&self) -> bool;
+
+    /// Works on for about `budget`; returns an answer where one is due.
+    fn go_on(&mut self, budget: Duration) -> Option<Vec<u8>>;
+}
+
+/// A bench for one kind of work, with its own foods and pans.
+pub struct Bench {
+    kind: Kind,
+    craft: Box<dyn Craft>,
+    /// Computing time since the last rest.
+    worked: Duration,
+}
+
+impl Bench {
+    /// A bench without an order.
+    pub fn new(kind: Kind, library: Arc<Library>) -> Self {
+        Self { kind, craft: kind.craft(library), worked: Duration::ZERO }
+    }
+
+    /// Takes an order in place of the one before.
+    pub fn take(&mut self, order: &[u8]) {
+        self.timed(|craft| craft.take(order));
+    }
+
+    /// Returns true while there is something to do.
+    pub fn is_busy(&self) -> bool {
+        self.craft.is_busy()
+    }
+
+    /// Works on for about `budget`; returns an answer where one is due.
+    pub fn go_on(&mut self, budget: Duration) -> Option<Vec<u8>> {
+        self.timed(|craft| craft.go_on(budget))
+    }
+
+    /// How long it rests before it goes on; what was worked so far is rested for only once.
+    pub fn rest(&mut self) -> Duration {
+        std::mem::take(&mut self.worked).mul_f64(self.kind.rest_share())
+    }
+
+    fn timed<T>(&mut self, work: impl FnOnce(&mut dyn Craft) -> T) -> T {
+        let begun = Instant::now();
+        let done = work(&mut *self.craft);
+        self.worked += begun.elapsed();
+        done
+    }
+}

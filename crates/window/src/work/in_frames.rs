@@ -1,0 +1,89 @@
+//! A helper without a thread of its own: it works a little whenever the window asks for answers, once a frame.
+
+use std::sync::Arc;
+
+use saute_kitchen::Library;
+use web_time::{Duration, Instant};
+
+use super::bench::Bench;
+use super::{Agency, Helper, Kind};
+
+/// How long a frame may work [ms] (chosen: a quarter of a frame at 60 frames a second).
+const FRAME_MS: u64 = 4;
+
+/// A bench in the window's own thread.
+pub struct InFrames {
+    bench: Bench,
+    rests_until: Option<Instant>,
+}
+
+impl InFrames {
+    /// A bench without an order.
+    pub fn new(kind: Kind, library: &Arc<Library>) -> Self {
+        Self { bench: Bench::new(kind, Arc::clone(library)), rests_until: None }
+    }
+}
+
+impl Helper for InFrames {
+    fn ask(&mut self, order: Vec<u8>) {
+        self.bench.take(&order);
+    }
+
+    fn answers(&mut self) -> Option<Vec<Vec<u8>>> {
+        let now = Instant::now();
+        if !self.bench.is_busy() || self.rests_until.is_some_and(|until| now < until) {
+            return Some(Vec::new());
+        }
+        let answer = self.bench.go_on(Duration::from_millis(FRAME_MS));
+        self.rests_until = Some(Instant::now() + self.bench.rest());
+        Some(answer.into_iter().collect())
+    }
+
+    fn needs_frames(&self) -> bool {
+        self.bench.is_busy()
+    }
+}
+
+/// Lets all work be done between frames.
+pub struct Frames;
+
+impl Agency for Frames {
+    fn hire(&self, kind: Kind, library: &Arc<Library>) -> Box<dyn Helper> {
+        Box::new(InFrames::new(kind, library))
+    }
+}
+
+/// A helper whose place is taken in frames once it is of no use: its last order is done anew.
+pub struct OrInFrames {
+    helper: Box<dyn Helper>,
+    kind: Kind,
+    library: Arc<Library>,
+    order: Vec<u8>,
+}
+
+impl OrInFrames {
+    /// Lets a helper work as long as it can.
+    pub fn new(helper: Box<dyn Helper>, kind: Kind, library: &Arc<Library>) -> Self {
+        Self { helper, kind, library: Arc::clone(library), order: Vec::new() }
+    }
+}
+
+impl Helper for OrInFrames {
+    fn ask(&mut self, order: Vec<u8>) {
+        self.order.clone_from(&order);
+        self.helper.ask(order);
+    }
+
+    fn answers(&mut self) -> Option<Vec<Vec<u8>>> {
+        if let Some(answers) = self.helper.answers() {
+            return Some(answers);
+        }
+        self.helper = Box::new(InFrames::new(self.kind, &self.library));
+        self.helper.ask(self.order.clone());
+        Some(Vec::new())
+    }
+
+    fn needs_frames(&self) -> bool {
+        self.helper.needs_frames()
+    }
+}

@@ -1,0 +1,273 @@
+//! Promise: studies and lessons are gone through in the window: cards, ribbon, locks, hidden read-outs, rows and results.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use egui::accesskit::Role;
+use egui::{Key, vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable;
+use saute_kitchen::Library;
+use saute_picture::View;
+use saute_plan::class::{Scenario, shipped};
+use saute_plan::study::{LogRow, Protocol, RowKind, Stage, from_csv};
+use saute_window::guided::{Guided, LessonStart, StudyStart};
+use saute_window::{Language, SauteApp, Start};
+
+use crate::harness::{cook, press, save, steps, window_with};
+
+/// Two short trials, one before and one after the stove, with hidden read-outs in both conditions.
+const PROTOCOL: &str = r#"id = "tiny"
+title = "A tiny study"
+consent = "You will cook twice. Only your code and what you do is kept."
+keep_sessions = true
+[[condition]]
+id = "A"
+information = "hidden"
+[[phase]]
+title = "First"
+[phase.simulate]
+recipe = "medium"
+goal = "study-2013"
+trials = 1
+speed = 5
+max_s = 12
+feedback = true
+[[phase]]
+title = "Stove"
+[phase.cook_for_real]
+instructions = "Cook the steak at the stove."
+goal = "study-2013"
+enter = ["core_c", "class"]
+[[phase]]
+title = "Second"
+[phase.simulate]
+recipe = "medium"
+goal = "study-2013"
+trials = 1
+speed = 5
+max_s = 600
+[[phase]]
+title = "Questions"
+[phase.questionnaire]
+[[phase.questionnaire.item]]
+id = "fun"
+text = "Was it fun?"
+answer = "likert"
+"#;
+
+fn start(folder: &Path) -> Start {
+    let library = Library::embedded().expect("embedded data");
+    let protocol = Arc::new(Protocol::parse(PROTOCOL, "tiny.toml", &library).expect("parses"));
+    let study = StudyStart::in_folder(protocol, "P01".parse().expect("a code"), folder).expect("begins");
+    Start { study: Some(study), ..Start::default() }
+}
+
+fn click(harness: &mut Harness<'static, SauteApp>, label: &str) {
+    harness.get_by_label(label).click();
+    steps(harness, 4);
+}
+
+fn stage(harness: &Harness<'static, SauteApp>) -> Stage {
+    match harness.state().guided() {
+        Some(Guided::Study(desk)) => desk.study().stage(),
+        _ => panic!("no study"),
+    }
+}
+
+fn rows(folder: &Path) -> Vec<LogRow> {
+    let text = std::fs::read_to_string(folder.join("study-P01.csv")).expect("is written");
+    from_csv("study-P01.csv", &text).expect("a log")
+}
+
+fn folder(name: &str) -> std::path::PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("studies").join(name);
+    // It may be there from an earlier run.
+    let _ = std::fs::remove_dir_all(&folder);
+    folder
+}
+
+#[test]
+fn a_whole_study_is_gone_through_and_its_rows_are_on_the_disk() {
+    let folder = folder("whole");
+    let mut harness = window_with(vec2(1280.0, 720.0), start(&folder));
+    save(&mut harness, "study-consent");
+    press(&mut harness, Key::Escape);
+    assert_eq!(stage(&harness), Stage::Consent, "Esc closes no card of a study");
+    click(&mut harness, "I agree and begin");
+    save(&mut harness, "study-trial");
+    click(&mut harness, "Begin");
+    assert_eq!(harness.state().session().speed, 5.0);
+    locks_hold(&mut harness);
+    cook(&mut harness, 12.5);
+    assert_eq!(stage(&harness), Stage::CookForReal { phase: 1 }, "its time is over");
+    assert_eq!(rows(&folder).last().map(|row| row.kind), Some(RowKind::Trial), "is on the disk at once");
+    save(&mut harness, "study-real");
+    enter_real(&mut harness);
+    save(&mut harness, "study-trial-2");
+    click(&mut harness, "Begin");
+    second_trial(&mut harness);
+    save(&mut harness, "study-questions");
+    click(&mut harness, "6 (1 is not at all, 7 is very much)");
+    click(&mut harness, "Done");
+    assert_eq!(stage(&harness), Stage::Over);
+    save(&mut harness, "study-over");
+    check_rows(&folder);
+}
+
+/// What a study locks stays as it is.
+fn locks_hold(harness: &mut Harness<'static, SauteApp>) {
+    for key in [Key::CloseBracket, Key::Space, Key::R, Key::Num2, Key::X, Key::G, Key::F4] {
+        press(harness, key);
+    }
+    let app = harness.state();
+    assert!(app.session().speed == 5.0 && !app.session().paused && app.slice().is_none());
+    assert!(app.settings().view == View::Look && !app.settings().curves_open);
+    assert!(app.said().iter().any(|said| said == "This is locked here."), "{:?}", app.said());
+    assert!(harness.query_by_label_contains("°C").is_none(), "no temperature is read");
+    save(harness, "study-blind");
+}
+
+fn enter_real(harness: &mut Harness<'static, SauteApp>) {
+    harness.get_by_label("Highest temperature in the middle").focus();
+    steps(harness, 2);
+    harness.get_by_label("Highest temperature in the middle").type_text("61.5");
+    steps(harness, 3);
+    harness.get_by_role_and_label(Role::Button, "medium").click();
+    steps(harness, 4);
+    click(harness, "Done");
+}
+
+/// Puts the steak in, takes it out, and ends the trial by the button.
+fn second_trial(harness: &mut Harness<'static, SauteApp>) {
+    press(harness, Key::E);
+    press(harness, Key::A);
+    cook(harness, 3.0);
+    press(harness, Key::F);
+    cook(harness, 3.0);
+    press(harness, Key::O);
+    cook(harness, 3.0);
+    save(harness, "study-out");
+    click(harness, "Finish");
+    assert_eq!(stage(harness), Stage::Questionnaire { phase: 3 });
+}
+
+fn check_rows(folder: &Path) {
+    let rows = rows(folder);
+    let kinds: Vec<RowKind> = rows.iter().map(|row| row.kind).collect();
+    use RowKind::{Answer, Consent, Entry, Trial};
+    assert_eq!(kinds, [Consent, Trial, Entry, Entry, Trial, Answer]);
+    assert_eq!((rows[2].value, rows[3].text.as_deref(), rows[5].value), (Some(61.5), Some("medium"), Some(6.0)));
+    assert_eq!((rows[1].put_s, rows[4].flips), (None, Some(1)));
+    assert!(rows[4].put_s < rows[4].out_s && rows[4].trial_wall_s.is_some());
+    assert!(rows.iter().all(|row| !row.simulated && row.started.is_none()));
+    let session = rows[4].session.clone().expect("is kept");
+    let bytes = std::fs::read(folder.join(session)).expect("is there");
+    assert!(saute_recipe::Recording::from_file(&bytes).is_ok());
+    assert!(folder.join("data-dictionary.csv").exists() && folder.join("data-dictionary.md").exists());
+}
+
+#[test]
+fn a_study_that_was_closed_goes_on_after_its_last_row_and_another_protocol_is_refused() {
+    let folder = folder("closed");
+    let mut harness = window_with(vec2(1280.0, 720.0), start(&folder));
+    click(&mut harness, "I agree and begin");
+    drop(harness);
+    let path = folder.join("study-P01.csv");
+    let cut = std::fs::read_to_string(&path).expect("reads") + "tiny,cut o";
+    std::fs::write(&path, cut).expect("writes");
+    let harness = window_with(vec2(1280.0, 720.0), start(&folder));
+    assert_eq!(stage(&harness), Stage::Trial { phase: 0, trial: 1 });
+    drop(harness);
+    let library = Library::embedded().expect("embedded data");
+    let other = PROTOCOL.replace("max_s = 12", "max_s = 20");
+    let protocol = Arc::new(Protocol::parse(&other, "tiny.toml", &library).expect("parses"));
+    let refused = StudyStart::in_folder(protocol, "P01".parse().expect("a code"), &folder).expect_err("is refused");
+    assert!(refused.contains("the protocol was changed"), "{refused}");
+}
+
+#[test]
+fn who_does_not_agree_leaves_no_row() {
+    let folder = folder("declined");
+    let mut harness = window_with(vec2(1280.0, 720.0), start(&folder));
+    click(&mut harness, "I do not take part");
+    harness.get_by_label("Thank you. Nothing was stored.");
+    assert!(rows(&folder).is_empty());
+}
+
+fn lesson(id: &str, is_locked: bool) -> Start {
+    let library = Library::embedded().expect("embedded data");
+    let scenario = Scenario::parse(shipped::text(id).expect("is shipped"), id, &library).expect("parses");
+    let student = Some("S01".parse().expect("a code"));
+    Start { lesson: Some(LessonStart { scenario: Arc::new(scenario), student, is_locked }), ..Start::default() }
+}
+
+#[test]
+fn a_lesson_pauses_and_asks_compares_the_answer_and_gives_a_row() {
+    let pictures = folder("results");
+    std::fs::create_dir_all(&pictures).expect("folder");
+    let start = Start { pictures: Some(pictures.clone()), ..lesson("when-to-flip", true) };
+    let mut harness = window_with(vec2(1280.0, 720.0), start);
+    save(&mut harness, "lesson-intro");
+    assert!(harness.query_by_label("Leave the lesson").is_none(), "it is locked");
+    click(&mut harness, "Begin");
+    press(&mut harness, Key::A);
+    cook(&mut harness, 80.0);
+    assert!(!harness.state().session().paused);
+    cook(&mut harness, 12.0);
+    assert!(harness.state().session().paused, "a question is due");
+    save(&mut harness, "lesson-question");
+    harness.get_by_role_and_label(Role::Slider, "How much of the underside is brown now?").focus();
+    steps(&mut harness, 2);
+    (0..3).for_each(|_| press(&mut harness, Key::ArrowRight));
+    click(&mut harness, "Answer");
+    save(&mut harness, "lesson-truth");
+    click(&mut harness, "Go on");
+    assert!(!harness.state().session().paused);
+    press(&mut harness, Key::O);
+    cook(&mut harness, 3.0);
+    click(&mut harness, "Finish");
+    save(&mut harness, "lesson-result");
+    click(&mut harness, "Save the result");
+    let text = std::fs::read_to_string(pictures.join("when-to-flip-S01.csv")).expect("is written");
+    let rows = saute_plan::class::from_csv("s.csv", &text).expect("a result");
+    assert_eq!((rows[0].student.as_deref(), rows[0].q1_answer), (Some("S01"), Some(3.0)));
+    assert!(rows[0].q1_truth.is_some() && rows[0].q2_answer.is_none());
+}
+
+#[test]
+fn a_locked_lesson_takes_no_file_no_link_and_no_other_recipe_and_a_free_one_can_be_left() {
+    let mut harness = window_with(vec2(1280.0, 720.0), lesson("first-steak", true));
+    click(&mut harness, "Begin");
+    let pieces = harness.state().session().kitchen.pieces().len();
+    harness.state_mut().open_link("#cook=1.damaged");
+    press(&mut harness, Key::R);
+    click(&mut harness, "Learn");
+    assert!(harness.query_by_label("Lessons").is_none(), "the menu stays shut");
+    assert_eq!(harness.state().session().kitchen.pieces().len(), pieces);
+    let mut harness = window_with(vec2(1280.0, 720.0), lesson("first-steak", false));
+    click(&mut harness, "Leave the lesson");
+    assert!(harness.state().guided().is_none());
+    click(&mut harness, "Learn");
+    click(&mut harness, "Lessons");
+    save(&mut harness, "lessons");
+    click(&mut harness, "Carry-over: the steak cooks on");
+    assert!(matches!(harness.state().guided(), Some(Guided::Lesson(desk)) if desk.scenario().id == "carry-over"));
+}
+
+#[test]
+fn lessons_and_studies_fit_a_phone_and_speak_japanese() {
+    let start = Start { language: Some(Language::Japanese), ..lesson("first-steak", false) };
+    let mut harness = window_with(vec2(390.0, 844.0), start);
+    save(&mut harness, "lesson-intro-phone-ja");
+    click(&mut harness, "始める");
+    save(&mut harness, "lesson-ribbon-phone-ja");
+    let folder = folder("phone");
+    let mut harness = window_with(vec2(390.0, 844.0), self::start(&folder));
+    save(&mut harness, "study-consent-phone");
+    click(&mut harness, "I agree and begin");
+    click(&mut harness, "Begin");
+    save(&mut harness, "study-blind-phone");
+    cook(&mut harness, 12.5);
+    save(&mut harness, "study-real-phone");
+}

@@ -1,0 +1,4 @@
+//! What goes from the window to a kitchen at home, and comes back from there.
+
+mod at_home;
+mod plan;

@@ -1,0 +1,123 @@
+//! The result: opens once by itself, says why with numbers that add up, names one thing to do better, and is shared as a picture.
+
+use std::path::PathBuf;
+
+use egui::Key;
+use egui_kittest::kittest::Queryable;
+use saute_plan::goal::{Better, Judgement, Shortfall, Verdict};
+use saute_window::act::{Act, Card, Setting};
+use saute_window::learn::goal_choice::goal_of;
+use saute_window::{Language, SauteApp, Start};
+
+use super::{PHONE, WIDE, act, fry, rested, says, set, small_steak};
+use crate::harness::{press, save, steps, window_with};
+
+fn judged(app: &SauteApp) -> Judgement {
+    let goal = goal_of(app.session(), app.settings()).expect("a goal");
+    app.session().judgement(&goal).expect("there is food")
+}
+
+#[test]
+fn the_result_opens_once_when_the_food_has_rested_and_time_waits_behind_it() {
+    let mut harness = rested(WIDE, 52.0, |_| {});
+    assert!(says(&harness, "One thing to do better") && says(&harness, "Grey band"));
+    let time_s = harness.state().session().kitchen.time_s();
+    steps(&mut harness, 10);
+    assert_eq!(harness.state().session().kitchen.time_s(), time_s, "time waits");
+    press(&mut harness, Key::Escape);
+    steps(&mut harness, 20);
+    assert!(!says(&harness, "One thing to do better"), "it opens once");
+    assert!(harness.state().session().kitchen.time_s() > time_s);
+    harness.get_by_label("Result").click();
+    steps(&mut harness, 3);
+    assert!(says(&harness, "One thing to do better"), "and at any time by its button");
+}
+
+#[test]
+fn the_result_that_is_switched_off_stays_away_and_one_of_rare_medium_and_overcooked_says_which() {
+    let quiet = |harness: &mut egui_kittest::Harness<'static, SauteApp>| set(harness, Setting::ResultOpens(false));
+    let mut better = Vec::new();
+    for (pull_c, name) in [(44.0, "rare"), (54.0, "medium"), (76.0, "overcooked")] {
+        let mut harness = rested(WIDE, pull_c, quiet);
+        assert!(!says(&harness, "One thing to do better"), "{name}: it is switched off");
+        act(&mut harness, Act::Open(Card::Result));
+        steps(&mut harness, 3);
+        save(&mut harness, &format!("result-{name}"));
+        let judgement = judged(harness.state());
+        let points: f64 = judgement.terms.iter().map(|term| term.value * term.weight).sum();
+        let score = format!("Score: {points:.0} of 100 points");
+        assert!(says(&harness, &score), "{name}: {score}");
+        let expected = match name {
+            "rare" => Some(Shortfall::Undercooked),
+            "overcooked" => Some(Shortfall::Overcooked),
+            _ => None,
+        };
+        let is_met = judgement.verdict == Verdict::Met;
+        assert!(says(&harness, if is_met { "Goal met: Medium" } else { "Goal missed: Medium" }), "{name}");
+        if let (Some(shortfall), Verdict::Missed(missed)) = (expected, &judgement.verdict) {
+            assert!(missed.contains(&shortfall), "{name}: {judgement:?}");
+        }
+        assert_eq!(is_met, expected.is_none(), "{name}: {judgement:?}");
+        better.push(judgement.better);
+    }
+    assert!(matches!(better[0], Some(Better::PullLater { .. })), "{better:?}");
+    assert!(matches!(better[2], Some(Better::PullEarlier { .. } | Better::LessPower { .. })), "{better:?}");
+}
+
+#[test]
+fn the_result_is_shared_as_a_picture_of_its_own_and_fits_a_phone_and_japanese() {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("shared-results");
+    let _ = std::fs::remove_dir_all(&folder);
+    std::fs::create_dir_all(&folder).expect("folder");
+    let mut harness = window_with(PHONE, Start { pictures: Some(folder.clone()), ..Start::default() });
+    act(&mut harness, Act::SetOut);
+    let mut small = small_steak(PHONE);
+    fry(&mut small, 54.0);
+    std::mem::swap(harness.state_mut().session_mut(), small.state_mut().session_mut());
+    harness.state_mut().session_mut().set_paused(false);
+    steps(&mut harness, 10);
+    save(&mut harness, "result-phone");
+    harness.get_by_label("Share as picture").click();
+    steps(&mut harness, 3);
+    let shared = image::open(folder.join("saute-1.png")).expect("a picture").to_rgb8();
+    assert!(shared.width() > 1000 && shared.height() > 600, "{:?}", shared.dimensions());
+    let ground = shared.get_pixel(2, 2);
+    let inked = shared.pixels().filter(|pixel| *pixel != ground).count();
+    assert!(inked > 40_000, "{inked} pixels are painted");
+    harness.state_mut().set_language(Language::Japanese);
+    steps(&mut harness, 10);
+    save(&mut harness, "result-phone-ja");
+    harness.get_by_label("画像で共有").click();
+    steps(&mut harness, 3);
+    assert!(folder.join("saute-2.png").exists());
+}
+
+#[test]
+fn a_goal_is_chosen_from_its_card_and_the_advice_leads_there() {
+    let mut harness = small_steak(WIDE);
+    harness.get_by_label("Learn").click();
+    steps(&mut harness, 3);
+    harness.get_by_label("Goals").click();
+    steps(&mut harness, 3);
+    save(&mut harness, "goals");
+    assert!(harness.query_by_label("Goal: Shrimps, just opaque").is_none(), "it fits no steak");
+    harness.get_by_label("Goal: Rare, with a crust").click();
+    steps(&mut harness, 2);
+    let app = harness.state();
+    let scale = app.scale().expect("a scale");
+    let goal = app.settings().goal(&scale);
+    assert_eq!(scale.name_of(scale.of_nodes(goal)), "rare");
+    assert_eq!(goal_of(app.session(), app.settings()).expect("a goal").name, "Rare, with a crust");
+    harness.get_by_label("Goal: More than 40 % medium").click();
+    steps(&mut harness, 2);
+    let app = harness.state();
+    let goal = goal_of(app.session(), app.settings()).expect("a goal");
+    assert_eq!((goal.scale.id.as_str(), goal.least_share_pct), ("paper-2013", 40.0));
+    set(&mut harness, Setting::Goal(51.0));
+    let app = harness.state();
+    assert_eq!(
+        goal_of(app.session(), app.settings()).expect("a goal").name,
+        "Rare, with a crust",
+        "the row holds again"
+    );
+}

@@ -1,0 +1,46 @@
+//! Classes and functions of `saute._core`.
+//!
+//! A kitchen (`kitchen`) shares its state with every array that was taken from it (`array`), and steps without Python's global
+//! lock.
+
+mod array;
+mod batch;
+mod commands;
+mod cook;
+mod errors;
+mod expected;
+mod kitchen;
+mod pan;
+mod piece;
+mod piece_fields;
+mod recipe;
+mod render;
+mod score;
+mod shelf;
+
+use pyo3::prelude::*;
+
+/// Compiled part of the package saute.
+#[pymodule]
+mod _core {
+    #[pymodule_export]
+    use crate::package::array::Memory;
+    #[pymodule_export]
+    use crate::package::batch::PyBatch;
+    #[pymodule_export]
+    use crate::package::cook::{PyCooked, cook};
+    #[pymodule_export]
+    use crate::package::kitchen::PyKitchen;
+    #[pymodule_export]
+    use crate::package::piece::PyPiece;
+    #[pymodule_export]
+    use crate::package::shelf::{foods, oils, pans, recipes};
+
+    use super::{Bound, PyModule, PyModuleMethods, PyResult};
+
+    #[pymodule_init]
+    fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        module.add("__version__", env!("CARGO_PKG_VERSION"))?;
+        module.add("TICK_S", saute_kitchen::TICK_S)
+    }
+}

@@ -1,0 +1,148 @@
+//! A recipe from Python: a dict, the text of a recipe file, the path of one, or the name of a shipped one.
+
+use std::path::{Path, PathBuf};
+
+use pyo3::exceptions::PyTypeError;
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyString};
+use saute_kitchen::Library;
+use saute_recipe::Recipe;
+
+use crate::package::errors;
+use crate::package::expected::type_name;
+use crate::package::shelf::library;
+
+/// Larger files are not read [bytes] (chosen: recipes have a few kB).
+const LARGEST: u64 = 4 << 20;
+
+/// A key of a table and its value.
+pub(crate) type Part<'a, 'py> = (&'a str, Bound<'py, PyAny>);
+
+/// The text of a recipe.
+pub(crate) struct Source {
+    text: String,
+    file: String,
+    /// False for a dict, whose lines nobody has seen.
+    pub(crate) has_lines: bool,
+}
+
+impl Source {
+    /// Finds the text of what stands for a recipe.
+    pub(crate) fn of(recipe: &Bound<'_, PyAny>) -> PyResult<Self> {
+        if let Ok(dict) = recipe.cast::<PyDict>() {
+            return Self::of_dict(dict);
+        }
+        if let Ok(text) = recipe.cast::<PyString>() {
+            return Self::of_words(&text.to_cow()?);
+        }
+        match recipe.extract::<PathBuf>() {
+            Ok(path) => Self::of_path(&path),
+            Err(_) => Err(PyTypeError::new_err(format!(
+                "recipe must be a dict, the text of a recipe in TOML, a path, or one of: {}; not {}",
+                Library::names(&library()?.recipes),
+                type_name(recipe)
+            ))),
+        }
+    }
+
+    fn of_dict(dict: &Bound<'_, PyDict>) -> PyResult<Self> {
+        let arguments = PyDict::new(dict.py());
+        arguments.set_item("default", dict.py().import("saute._plain")?.getattr("plain")?)?;
+        let json = dict.py().import("json")?.getattr("dumps")?.call((dict,), Some(&arguments))?;
+        let remedy = || "write what a recipe file has: text, numbers, true or false, lists and dicts".to_owned();
+        let value: serde_json::Value = serde_json::from_str(&json.extract::<String>()?)
+            .map_err(|error| errors::argument(format!("the dict is no recipe: {error}"), remedy()))?;
+        let text = toml::to_string(&value)
+            .map_err(|error| errors::argument(format!("the dict is no recipe: {error}"), remedy()))?;
+        Ok(Self { text, file: "<dict>".to_owned(), has_lines: false })
+    }
+
+    /// A recipe without steps: a pan, and a food where one is given; a value that is None is left out.
+    pub(crate) fn of_parts(py: Python<'_>, pan: &[Part<'_, '_>], food: Option<&[Part<'_, '_>]>) -> PyResult<Self> {
+        let table = |parts: &[Part<'_, '_>]| {
+            let table = PyDict::new(py);
+            let mut given = parts.iter().filter(|(_, value)| !value.is_none());
+            given.try_for_each(|(key, value)| table.set_item(key, value))?;
+            Ok::<_, PyErr>(table)
+        };
+        let recipe = PyDict::new(py);
+        recipe.set_item("pan", table(pan)?)?;
+        if let Some(food) = food {
+            recipe.set_item("food", [table(food)?])?;
+        }
+        Self::of_dict(&recipe)
+    }
+
+    /// Text with a line end or an equals sign is a recipe; else a file goes before a name of the library, as in the command.
+    fn of_words(words: &str) -> PyResult<Self> {
+        if words.contains(['\n', '=']) {
+            return Ok(Self { text: words.to_owned(), file: "<text>".to_owned(), has_lines: true });
+        }
+        let (path, shipped) = (Path::new(words), library()?.recipes.get(words));
+        match shipped {
+            Some(text) if !path.is_file() => {
+                Ok(Self { text: text.clone(), file: format!("recipes/{words}.toml"), has_lines: true })
+            }
+            _ => Self::of_path(path),
+        }
+    }
+
+    fn of_path(path: &Path) -> PyResult<Self> {
+        let file = path.display().to_string();
+        let known = || Library::names(&library().map(|l| l.recipes.clone()).unwrap_or_default());
+        if !path.exists() {
+            let remedy = format!("name a .toml file or one of the shipped recipes: {}", known());
+            return Err(errors::argument(
+                format!("{file}: there is no such file and no recipe with this name"),
+                remedy,
+            ));
+        }
+        let unreadable = |why: String| {
+            errors::argument(format!("{file}: cannot be read: {why}"), "name a recipe file, which is text".to_owned())
+        };
+        let size = std::fs::metadata(path).map_err(|e| unreadable(e.to_string()))?.len();
+        if size > LARGEST {
+            return Err(unreadable(format!("it has {size} bytes of at most {LARGEST}")));
+        }
+        let text = std::fs::read_to_string(path).map_err(|e| unreadable(e.to_string()))?;
+        Ok(Self { text, file, has_lines: true })
+    }
+
+    /// Reads and checks the recipe.
+    pub(crate) fn recipe(&self) -> PyResult<Recipe> {
+        Recipe::parse(&self.text, &self.file, library()?).map_err(|error| errors::input(error, self))
+    }
+
+    /// The recipe with an end, where it has no step: a kitchen needs none.
+    pub(crate) fn with_end(mut self) -> Self {
+        let lacks_steps = toml::from_str::<toml::Table>(&self.text).is_ok_and(|table| !table.contains_key("step"));
+        if lacks_steps {
+            self.text.push_str("\n[[step]]\nend = true\n");
+        }
+        self
+    }
+
+    /// The key on a line, with the tables that it is in, as `food[0].size_mm`; none on a line without one.
+    pub(crate) fn key_at(&self, line: usize) -> Option<String> {
+        let lines: Vec<&str> = self.text.lines().take(line).map(str::trim).collect();
+        let last = lines.last()?;
+        let table = lines.iter().rposition(|l| l.starts_with('[') && l.trim_end_matches('#').contains(']'));
+        let path = table.map(|at| table_name(&lines, at));
+        let key = last.split_once('=').map(|(key, _)| key.trim().to_owned()).filter(|_| !last.starts_with(['[', '#']));
+        match (path, key) {
+            (Some(path), Some(key)) => Some(format!("{path}.{key}")),
+            (path, key) => key.or(path),
+        }
+    }
+}
+
+/// The name of the table whose header stands on a line; entries of a list have their index.
+fn table_name(lines: &[&str], at: usize) -> String {
+    let name = |line: &str| line.trim_start_matches('[').split(']').next().unwrap_or_default().trim().to_owned();
+    let own = name(lines[at]);
+    if !lines[at].starts_with("[[") {
+        return own;
+    }
+    let before = lines[..at].iter().filter(|l| l.starts_with("[[") && name(l) == own).count();
+    format!("{own}[{before}]")
+}
