@@ -8,6 +8,8 @@ use saute_kitchen::food::{FoodDescription, Kinetics};
 use saute_kitchen::liquids::oil::OilDescription;
 use saute_kitchen::pan::pan_description::PanDescription;
 use saute_lab::CaseFile;
+use saute_plan::class::scenario_file::ScenarioFile;
+use saute_plan::study::protocol_file::ProtocolFile;
 use saute_recipe::recipe_file::RecipeFile;
 use saute_window::mirror::rig_file::RigFile;
 use serde_json::Value;
@@ -68,6 +70,8 @@ fn schema(name: &str) -> Option<FormatSchema> {
         "oil" => FormatSchema::of::<OilDescription>(),
         "kinetics" => FormatSchema::of::<Kinetics>(),
         "lab" => FormatSchema::of::<CaseFile>(),
+        "protocol" => FormatSchema::of::<ProtocolFile>(),
+        "scenario" => FormatSchema::of::<ScenarioFile>(),
         "rig" => FormatSchema::of::<RigFile>(),
         _ => return None,
     })

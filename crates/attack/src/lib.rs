@@ -4,6 +4,7 @@
 //! only its reader; the tests of this crate replay the kept inputs on the stable compiler. A target reads, checks, builds and, where it can be cooked, advances ten
 //! ticks. Refusals are expected; a broken promise, as an energy balance that does not close, panics.
 
+pub mod class_files;
 pub mod device_messages;
 pub mod dictionary;
 mod kept_inputs;
@@ -83,6 +84,34 @@ pub const TARGETS: &[Target] = &[
         work: Work::Builds,
         sources: &["crates/lab/src/case/", "crates/lab/src/solve/work.rs"],
         run: lab_case::lab,
+    },
+    Target {
+        name: "protocol",
+        work: Work::Reads,
+        sources: &[
+            "crates/plan/src/study/protocol.rs",
+            "crates/plan/src/study/protocol_file.rs",
+            "crates/plan/src/study/check.rs",
+        ],
+        run: class_files::protocol,
+    },
+    Target {
+        name: "scenario",
+        work: Work::Reads,
+        sources: &["crates/plan/src/class/scenario.rs", "crates/plan/src/class/scenario_file.rs"],
+        run: class_files::scenario,
+    },
+    Target {
+        name: "goals",
+        work: Work::Builds,
+        sources: &["crates/kitchen/src/data/goals.rs", "crates/plan/src/aimed.rs"],
+        run: class_files::goals,
+    },
+    Target {
+        name: "study_log",
+        work: Work::Reads,
+        sources: &["crates/plan/src/study/log_row.rs"],
+        run: class_files::study_log,
     },
     Target {
         name: "stl",

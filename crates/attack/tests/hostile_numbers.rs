@@ -5,7 +5,7 @@
 
 use std::time::{Duration, Instant};
 
-use saute_attack::Target;
+use saute_attack::{Target, kept};
 use saute_kitchen::{Library, OwnFiles};
 
 /// Numbers that replace each number of a file.
@@ -45,8 +45,12 @@ fn numbers(text: &str) -> Vec<core::ops::Range<usize>> {
 
 /// Replaces every number of a shipped file by hostile numbers, one at a time.
 fn attack(target: &str, path: &str) {
+    attack_text(target, path, &Library::embedded_files()[path]);
+}
+
+/// Replaces every number of a text by hostile numbers, one at a time.
+fn attack_text(target: &str, path: &str, text: &str) {
     let target = Target::named(target).expect("a target");
-    let text = &Library::embedded_files()[path];
     let places = numbers(text);
     assert!(places.len() > 5, "{path}: {}", places.len());
     let count = if std::env::var_os(CAMPAIGN).is_some() { HOSTILE.len() } else { 2 };
@@ -71,6 +75,17 @@ fn kinetics_with_any_number_are_refused_or_cook() {
 fn foods_with_any_number_are_refused_or_cook() {
     attack("food", "foods/beef-marbled.toml");
     attack("food", "foods/shrimp.toml");
+}
+
+#[test]
+fn protocols_scenarios_goals_and_logs_of_studies_with_any_number_are_refused_or_read() {
+    attack("goals", "goals.toml");
+    for name in ["protocol", "scenario", "study_log"] {
+        for seed in kept("seeds", Target::named(name).expect("a target")) {
+            let text = String::from_utf8(seed.bytes).expect("a text");
+            attack_text(name, &seed.path.display().to_string(), &text);
+        }
+    }
 }
 
 #[test]

@@ -46,6 +46,7 @@ pub mod strings;
 mod template;
 pub mod wrench;
 
+pub use control::double_pulse::DoublePulse;
 pub use control::feel::Feel;
 pub use control::rumble::{Rumble, RumbleRule};
 pub use kitchen::contact_model::ContactModel;

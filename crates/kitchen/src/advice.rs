@@ -17,7 +17,7 @@ pub use self::situation::Situation;
 pub const WARM_ENOUGH_C: f64 = 160.0;
 /// Temperature at which the pan is called hot [°C] (chosen: a drop of water dances, oil does not smoke yet).
 pub const HOT_C: f64 = 180.0;
-/// Temperature above which every cooking oil smokes [°C] (refined oils smoke from 200 to 270 °C).
+/// Temperature of the hottest place of the pan above which every cooking oil smokes [°C] (refined oils smoke from 200 to 270 °C).
 pub const TOO_HOT_C: f64 = 270.0;
 /// Mean temperature of the pan's floor below food at which it fries no longer [°C] (chosen: a few kelvins above the
 /// boiling point no wet face dries).
@@ -31,8 +31,24 @@ pub const WET_BELOW_C: f64 = 106.0;
 /// Share of the way of the core to its goal after which the food is turned for the first time [-] (chosen: both sides
 /// get the same heat).
 pub const HALF_WAY: f64 = 0.5;
-/// Browning index of a face from which it is turned up before it chars [-] (chosen: a dark crust has 1).
+/// Browning index from which a side is brown and the other one has its turn [-] (chosen: a dark crust has 1).
+pub const BROWN: f64 = 0.6;
+/// Browning index of both sides from which the hob is turned down to finish the core [-] (chosen: they brown on by themselves).
+pub const BROWN_BOTH: f64 = 0.7;
+/// Browning index of a face from which it is said to darken [-] (chosen: a dark crust has 1).
 pub const BROWN_ENOUGH: f64 = 0.9;
+/// Time after which both sides, once brown, change places [s] (chosen: evens out the heat with few flips).
+pub const TURNS_S: f64 = 180.0;
+/// Setting of the hob that browns food in a hot pan [W], and the one that lets its core warm on (chosen: the lowest of 400 to 700 W
+/// with which steaks of 15 mm get a crust, and one at which steaks of 35 mm do not char; a test of the goals follows them).
+pub const FRYING_W: f64 = 600.0;
+/// See [`FRYING_W`] [W].
+pub const GENTLE_W: f64 = 400.0;
+/// Temperature of the hottest place of the pan from which it has the heat to fry on with less power [°C] (chosen: 20 K
+/// below [`TOO_HOT_C`]), and the one from which food that has begun to brown browns on [°C] (chosen).
+pub const HOT_TO_FRY_C: f64 = 250.0;
+/// See [`HOT_TO_FRY_C`] [°C].
+pub const BROWNS_AT_C: f64 = 220.0;
 /// How much the forecast of the core's peak is too high [K] (tests/advice.rs: 1.1 to 2.4 K for steaks of 18 to 40 mm, as
 /// losses through the edges are neglected).
 pub const FORECAST_HIGH_K: f64 = 2.0;
@@ -57,12 +73,26 @@ pub enum Advice {
         /// Temperature to wait for [°C].
         until_c: f64,
     },
-    /// Turn the hob down: the oil smokes, or every oil would, or both sides of the food are brown.
+    /// Turn the hob down: the oil smokes, or every oil would.
     TooHot {
-        /// Temperature of the pan's floor [°C].
-        pan_c: f64,
+        /// Temperature of the hottest place of the pan's floor [°C].
+        hottest_c: f64,
         /// True if oil smokes visibly.
         smokes: bool,
+        /// Setting of the hob that lets the pan cool enough [W].
+        to_w: f64,
+    },
+    /// Turn the hob down: both sides of the food are brown, and only its core is to warm on.
+    BothBrown {
+        /// Setting of the hob that browns them little further [W].
+        to_w: f64,
+    },
+    /// Turn the hob down to fry: the pan has the heat that it browns with.
+    TurnDown {
+        /// Temperature of the hottest place of the pan's floor [°C].
+        hottest_c: f64,
+        /// Setting of the hob that keeps the pan so hot [W].
+        to_w: f64,
     },
     /// Turn the hob up: the pan is too cold to fry.
     TooCold {
@@ -86,7 +116,7 @@ pub enum Advice {
         /// Temperature of the underside [°C].
         underside_c: f64,
     },
-    /// Flip the food: half of the heat that it needs is in, or its underside is brown.
+    /// Flip the food: half of the heat that it needs is in, its underside is brown, or both sides take turns.
     Flip,
     /// Take the food out: its core will reach the goal while it rests.
     TakeOut {
@@ -130,12 +160,24 @@ impl Advice {
         matches!(self, Self::TakeOut { .. } | Self::Ready { .. })
     }
 
+    /// Returns the power that the hob should be set to [W]; none of advice that is not about the hob.
+    pub fn hob_w(self) -> Option<f64> {
+        match self {
+            Self::TurnOn { power_w } | Self::TooCold { power_w } => Some(power_w),
+            Self::TooHot { to_w, .. } | Self::BothBrown { to_w } | Self::TurnDown { to_w, .. } => Some(to_w),
+            Self::TurnOff => Some(0.0),
+            _ => None,
+        }
+    }
+
     /// Returns true if a cook should act now.
     pub fn is_due(self) -> bool {
         matches!(
             self,
             Self::TurnOn { .. }
                 | Self::TooHot { .. }
+                | Self::BothBrown { .. }
+                | Self::TurnDown { .. }
                 | Self::TooCold { .. }
                 | Self::TurnOff
                 | Self::PutIn { .. }

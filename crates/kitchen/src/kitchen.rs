@@ -357,6 +357,11 @@ impl Kitchen {
         self.fixed.pan.floor_temperature(&self.pan)
     }
 
+    /// Temperature of the hottest place of the pan's floor [K].
+    pub fn hottest_temperature(&self) -> f64 {
+        self.pan.temperature.iter().take(self.fixed.pan.floor_nodes).copied().fold(0.0, f64::max)
+    }
+
     /// The pan's immutable model.
     pub fn pan_model(&self) -> &PanModel {
         &self.fixed.pan

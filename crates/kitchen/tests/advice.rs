@@ -32,17 +32,15 @@ fn food() -> String {
 
 /// Does what an advice says; returns true if nothing is left to do.
 fn follow(kitchen: &mut Kitchen, advice: Advice) -> bool {
-    let settings = kitchen.hob().coil.settings_w.clone();
-    let lower = settings.iter().rev().copied().find(|w| *w < kitchen.hob_w()).unwrap_or(0.0);
     let command = match advice {
-        Advice::TurnOn { power_w } | Advice::TooCold { power_w } => Command::Hob(power_w),
-        Advice::TooHot { .. } => Command::Hob(lower),
-        Advice::TurnOff => Command::Hob(0.0),
         Advice::PutIn { .. } => Command::Put { food: food(), at: [0.0; 2], heap: false },
         Advice::Flip => Command::Flip { food: food() },
         Advice::TakeOut { .. } => Command::Rest { food: food(), on: RestOn::Board },
         Advice::Rested { .. } => return true,
-        _ => return false,
+        other => match other.hob_w() {
+            Some(watts) => Command::Hob(watts),
+            None => return false,
+        },
     };
     kitchen.apply(&command).expect("advice can be followed");
     false

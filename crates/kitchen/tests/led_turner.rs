@@ -113,6 +113,25 @@ fn a_roll_of_the_turner_turns_a_lifted_steak_over() {
     println!("up {up:.2} -> {:.2}", kitchen.pieces()[0].up()[2]);
     assert!(kitchen.pieces()[0].up()[2] * up < -0.8);
     assert!(kitchen.pieces()[0].in_pan() && !kitchen.hand().is_active());
+    assert!(kitchen.pieces()[0].flipped_at().is_some(), "it was turned over");
+}
+
+#[test]
+fn a_steak_that_is_turned_slowly_counts_as_turned_also_with_an_edge_on_the_pan() {
+    for (height, frames_of_step) in [(0.02, 16), (0.04, 30), (0.06, 30)] {
+        let mut kitchen = steak();
+        let up = kitchen.pieces()[0].up()[2];
+        slide_under(&mut kitchen);
+        for step in 1..=16u8 {
+            let to = held(&kitchen, -0.02, height, [0.2 * f64::from(step), 0.0]);
+            lead(&mut kitchen, to, frames_of_step);
+        }
+        kitchen.apply(&Command::LetGo).expect("put away");
+        frames(&mut kitchen, 120);
+        let piece = &kitchen.pieces()[0];
+        println!("{height} m: up {up:.2} -> {:.2}, turned at {:?}", piece.up()[2], piece.flipped_at());
+        assert!(piece.up()[2] * up < -0.8 && piece.flipped_at().is_some(), "{height} m: {:?}", piece.up());
+    }
 }
 
 #[test]

@@ -62,6 +62,37 @@ pub fn controls(update: &TreeUpdate) -> Vec<Control> {
     found
 }
 
+/// What a control is by, when the panels have numbered their controls anew: they do when what stands above them changes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Identity {
+    id: String,
+    kind: Kind,
+    name: String,
+    /// How many of its kind and name stand before it.
+    number: usize,
+}
+
+impl Identity {
+    /// Of the control that has an id.
+    pub fn of(id: &str, controls: &[Control]) -> Option<Self> {
+        let place = controls.iter().position(|control| control.id == id)?;
+        let Control { id, kind, name, .. } = controls[place].clone();
+        let mut identity = Self { id, kind, name, number: 0 };
+        identity.number = controls[..place].iter().filter(|control| identity.is_alike(control)).count();
+        Some(identity)
+    }
+
+    /// Finds it: by its id if it is still its own, else by kind, name and order.
+    pub fn find<'a>(&self, controls: &'a [Control]) -> Option<&'a Control> {
+        let mut alike = controls.iter().filter(|control| self.is_alike(control));
+        alike.clone().find(|control| control.id == self.id).or_else(|| alike.nth(self.number))
+    }
+
+    fn is_alike(&self, control: &Control) -> bool {
+        control.kind == self.kind && control.name == self.name
+    }
+}
+
 fn control(id: NodeId, node: &Node) -> Option<Control> {
     let kind = kind(node)?;
     let range = (kind == Kind::Slider).then(|| range(node)).flatten();
@@ -102,6 +133,27 @@ mod tests {
         let mut node = Node::new(role);
         node.set_label(label);
         node
+    }
+
+    #[test]
+    fn a_control_is_found_again_when_the_panels_have_numbered_anew() {
+        let list = |controls: &[(u64, Role, &str)]| -> Vec<Control> {
+            controls.iter().filter_map(|(id, role, name)| control(NodeId(*id), &node(*role, name))).collect()
+        };
+        let before = list(&[(1, Role::Label, "Save"), (2, Role::Button, "Save"), (3, Role::Button, "Save")]);
+        let found = |now: &[(u64, Role, &str)], id| Some(Identity::of(id, &before)?.find(&list(now))?.id.clone());
+        let anew = [
+            (5, Role::Button, "Recent"),
+            (6, Role::Label, "Save"),
+            (7, Role::Button, "Save"),
+            (8, Role::Button, "Save"),
+        ];
+        assert_eq!(found(&anew, "2").as_deref(), Some("7"));
+        assert_eq!(found(&anew, "3").as_deref(), Some("8"), "the second of a name");
+        let partly = [(2, Role::Button, "Recent"), (3, Role::Button, "Save")];
+        assert_eq!(found(&partly, "3").as_deref(), Some("3"), "what keeps its number is itself");
+        assert_eq!(found(&partly, "2").as_deref(), Some("3"), "a number that another one has is not it");
+        assert_eq!(found(&[(2, Role::Button, "Recent")], "2"), None, "it is gone");
     }
 
     #[test]

@@ -66,6 +66,8 @@ impl SauteApp {
         self.settings.panels_hidden = !pose.panels;
         self.set_quality(QualityChoice::Always(pose.quality));
         self.card = None;
+        // They come when they are ready; pictures that are compared do not wait for them.
+        self.settings.forecasts = false;
         self.camera_preset = (pose.camera + 2) % 3;
         self.next_camera();
         self.slice = None;

@@ -154,9 +154,9 @@ impl Settings {
         self.less_motion.unwrap_or_else(crate::ui::system::wants_less_motion)
     }
 
-    /// Returns true if forecasts are wanted.
+    /// Returns true if forecasts are wanted: in skill mode nothing is read out.
     pub fn foresees(&self) -> bool {
-        self.forecasts
+        self.forecasts && !self.skill_mode
     }
 
     /// Returns the goal for the core by a scale, in its unit [°C or %].

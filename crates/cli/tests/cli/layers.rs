@@ -43,6 +43,7 @@ const ARROWS: [(&str, &[&str]); 21] = [
             "saute-haptics",
             "saute-kitchen",
             "saute-lab",
+            "saute-plan",
             "saute-recipe",
             "saute-spidar-sim",
             "saute-surface",

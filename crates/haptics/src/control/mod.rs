@@ -13,6 +13,7 @@ pub mod control_loop;
 pub mod coupled_payload;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod degrade;
+pub mod double_pulse;
 #[cfg(not(target_arch = "wasm32"))]
 mod end_signals;
 pub mod feel;

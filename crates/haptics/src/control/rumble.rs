@@ -20,6 +20,14 @@ pub struct Rumble {
     pub weak: f64,
 }
 
+impl Rumble {
+    /// Returns the stronger of two for each motor [-].
+    #[must_use]
+    pub fn or(self, other: Self) -> Self {
+        Self { strong: self.strong.max(other.strong), weak: self.weak.max(other.weak) }
+    }
+}
+
 /// Maps the contact model to rumble intensities [-].
 ///
 /// strong = Σ J/J_full, decaying with a time constant of 80 ms; weak is the amplitude of the vibration over its maximum.

@@ -50,6 +50,13 @@ struct RelativeFood {
     force: DVec3,
 }
 
+impl RelativeFood {
+    /// Its weight [N].
+    fn weight(&self) -> DVec3 {
+        DVec3::new(0.0, 0.0, -self.mass * GRAVITY)
+    }
+}
+
 impl KitchenWatch {
     /// Returns the contact model of the present frame; `dt` is the time since the last one [s].
     pub fn look(&mut self, kitchen: &Kitchen, dt: f64) -> ContactModel {
@@ -89,37 +96,36 @@ impl KitchenWatch {
             return;
         }
         let contacts = kitchen.world().contacts(piece.key);
-        let touches = contacts.iter().any(|c| c.force > 0.0 && c.against != Against::Blade);
+        let [touches, on_blade] =
+            [false, true].map(|blade| contacts.iter().any(|c| c.force > 0.0 && (c.against == Against::Blade) == blade));
         sum.vapour += piece.vapour_flow;
-        if !touches {
+        if on_blade && !touches {
             return;
         }
         let (mass, pan) = (piece.mass(), kitchen.world().motion.pose);
         let arm = piece.pose.position - pan.position;
         let force = (before - velocity) * (mass / dt.max(1e-6)) - DVec3::Z * (mass * GRAVITY);
         let food = RelativeFood { mass, arm, past_pan: velocity - twist.at(arm), force };
+        // A blow may be over when the frame ends: food that bounced off touches nothing by then.
+        let struck = self.strikes(&food, &pan, dt);
+        if !touches {
+            return;
+        }
         if food.past_pan.length() < STILL {
             sum.payload = sum.payload.with(&at_rest(kitchen, piece, &pan, mass));
         } else {
-            self.add_moving(&food, &pan, dt, sum);
+            add_moving(&food, struck, &pan, sum);
         }
     }
 
-    /// Adds food that slides or lands.
-    fn add_moving(&mut self, food: &RelativeFood, pan: &Pose, dt: f64, sum: &mut Sum) {
-        let weight = DVec3::new(0.0, 0.0, -food.mass * GRAVITY);
-        let impulse = (food.force - weight) * dt;
-        if impulse.length() > COLLISION * food.mass * GRAVITY * dt {
+    /// Notes a collision of food with the pan, soft food that stays where it lands included; returns true if there was one.
+    fn strikes(&mut self, food: &RelativeFood, pan: &Pose, dt: f64) -> bool {
+        let impulse = (food.force - food.weight()) * dt;
+        let struck = impulse.length() > COLLISION * food.mass * GRAVITY * dt;
+        if struck {
             self.add_collision(food, pan, impulse);
-        } else {
-            sum.loose += Wrench::at(food.force - weight, food.arm);
         }
-        sum.loose_weight += Wrench::at(weight, food.arm);
-        let up = pan.rotation * DVec3::Z;
-        let normal = -food.force.dot(up);
-        let speed = (food.past_pan - up * food.past_pan.dot(up)).length();
-        sum.sliding.speed = sum.sliding.speed.max(speed);
-        sum.sliding.force += normal.clamp(0.0, 4.0 * food.mass * GRAVITY);
+        struck
     }
 
     fn add_collision(&mut self, food: &RelativeFood, pan: &Pose, impulse: DVec3) {
@@ -144,6 +150,19 @@ impl KitchenWatch {
         let speed = ((tip - before) / dt - twist.at(tip - pan.position)).length();
         Rubbing { speed, force: TURNER_FORCE + world.blade_force() }
     }
+}
+
+/// Adds food that slides or has just struck the pan.
+fn add_moving(food: &RelativeFood, struck: bool, pan: &Pose, sum: &mut Sum) {
+    if !struck {
+        sum.loose += Wrench::at(food.force - food.weight(), food.arm);
+    }
+    sum.loose_weight += Wrench::at(food.weight(), food.arm);
+    let up = pan.rotation * DVec3::Z;
+    let normal = -food.force.dot(up);
+    let speed = (food.past_pan - up * food.past_pan.dot(up)).length();
+    sum.sliding.speed = sum.sliding.speed.max(speed);
+    sum.sliding.force += normal.clamp(0.0, 4.0 * food.mass * GRAVITY);
 }
 
 /// Returns food at rest as a mass that moves with the pan.

@@ -168,8 +168,7 @@ impl Coaching {
     /// Reads a kitchen and one of its pieces, given what is advised; none while the piece is held or has fallen.
     pub fn of(kitchen: &Kitchen, piece: &Piece, advice: &[Advice]) -> Option<Self> {
         let (now, raw) = (piece.state.fat.iter().sum::<f64>(), piece.model.initial_fat().iter().sum::<f64>());
-        let about_food =
-            |one: &&Advice| !matches!(one, Advice::TooHot { .. } | Advice::TooCold { .. } | Advice::TurnOff);
+        let about_food = |one: &&Advice| one.hob_w().is_none();
         let readings = Readings {
             situation: Situation::of(kitchen, piece),
             oiled: kitchen.pan_state().oil_mass() > 0.0,
@@ -208,7 +207,8 @@ impl Readings {
     }
 
     fn in_pan(&self) -> (Happening, Option<Cue>) {
-        let Situation { underside_c, core_c, browning: [below, _], flipped, .. } = self.situation;
+        let Situation { underside_c, core_c, browning: [below, _], since_flip_s, .. } = self.situation;
+        let flipped = since_flip_s.is_some();
         if self.smokes() {
             return (Happening::OilSmokes, Some(Cue::SmokeStops));
         }
@@ -237,7 +237,7 @@ impl Readings {
     }
 
     fn while_browning(&self) -> Cue {
-        if self.situation.flipped { self.of_the_inside() } else { Cue::EdgeBrowns }
+        if self.situation.since_flip_s.is_some() { self.of_the_inside() } else { Cue::EdgeBrowns }
     }
 
     /// What tells of the inside: the further it is, the nearer to the goal.
@@ -265,26 +265,8 @@ mod tests {
     use super::*;
     use crate::RestOn;
 
-    const WAITING: Readings = Readings {
-        situation: Situation {
-            place: Place::Waiting,
-            pan_c: 20.0,
-            pan_is_used: false,
-            hob_w: 0.0,
-            heating_w: 1100.0,
-            smoke_mg_s: 0.0,
-            underside_c: 5.0,
-            browning: [0.0; 2],
-            flipped: false,
-            room_c: 20.0,
-            core_c: 5.0,
-            core_peak_c: 5.0,
-        },
-        oiled: false,
-        renders: false,
-        curls: false,
-        advice: None,
-    };
+    const WAITING: Readings =
+        Readings { situation: Situation::RAW, oiled: false, renders: false, curls: false, advice: None };
 
     fn at(change: impl Fn(&mut Readings)) -> (Happening, Option<Cue>) {
         let mut readings = WAITING;
@@ -324,7 +306,8 @@ mod tests {
     fn the_inside_is_told_by_steam_then_by_juice_then_by_touch() {
         let core = |c, advice| {
             in_pan(|r| {
-                (r.situation.flipped, r.situation.underside_c, r.situation.browning) = (true, 160.0, [0.6, 0.8]);
+                (r.situation.since_flip_s, r.situation.underside_c, r.situation.browning) =
+                    (Some(60.0), 160.0, [0.6, 0.8]);
                 (r.situation.core_c, r.advice) = (c, Some(advice));
             })
         };

@@ -1,8 +1,8 @@
 //! Readings of the kitchen and of one piece, and the advice that follows from them.
 
 use super::{
-    Advice, BROWN_ENOUGH, FORECAST_HIGH_K, Goal, HALF_WAY, HOT_C, SMOKE_SEEN_MG_S, TOO_COLD_C, TOO_HOT_C,
-    WARM_ENOUGH_C, WET_BELOW_C,
+    Advice, BROWN, BROWN_BOTH, BROWNS_AT_C, FORECAST_HIGH_K, FRYING_W, GENTLE_W, Goal, HALF_WAY, HOT_C, HOT_TO_FRY_C,
+    SMOKE_SEEN_MG_S, TOO_COLD_C, TOO_HOT_C, TURNS_S, WARM_ENOUGH_C, WET_BELOW_C,
 };
 use crate::{Kitchen, Piece, Place, celsius};
 
@@ -13,6 +13,8 @@ pub struct Situation {
     pub place: Place,
     /// Temperature of the pan's floor [°C].
     pub pan_c: f64,
+    /// Temperature of the hottest place of the pan's floor [°C].
+    pub hottest_c: f64,
     /// True if food is in the pan.
     pub pan_is_used: bool,
     /// Power to which the hob is set [W].
@@ -25,8 +27,8 @@ pub struct Situation {
     pub underside_c: f64,
     /// Mean browning index of its underside and of its upper side [-].
     pub browning: [f64; 2],
-    /// True once it was flipped.
-    pub flipped: bool,
+    /// Time since it was last flipped [s]; none if it never was.
+    pub since_flip_s: Option<f64>,
     /// Temperature of the room [°C].
     pub room_c: f64,
     /// Temperature of its core now [°C].
@@ -34,6 +36,14 @@ pub struct Situation {
     /// Highest temperature that its core has reached [°C].
     pub core_peak_c: f64,
 }
+
+/// Excess of the hottest place of a pan over the room's temperature for each watt of the hob's setting, with food in the pan and in
+/// the long run [K/W] (0.42 to 0.51 with a steak of 35 mm in aluminium, cast iron and carbon steel at 500 W).
+const KELVIN_PER_W: f64 = 0.45;
+/// How far a pan that is too hot should cool [K] (chosen: the flow of smoke falls to a fraction).
+const COOLER_K: f64 = 30.0;
+/// Step in which powers are named [W] (chosen: easily set with a slider).
+const STEP_W: f64 = 100.0;
 
 /// How far the core cools below its peak before the food counts as rested [K] (chosen: far above rounding, soon after the
 /// peak).
@@ -47,13 +57,14 @@ impl Situation {
         Self {
             place: piece.place,
             pan_c: celsius(kitchen.pan_temperature()),
+            hottest_c: celsius(kitchen.hottest_temperature()),
             pan_is_used: kitchen.pieces().iter().any(Piece::in_pan),
             hob_w: kitchen.hob_w(),
             heating_w: heating_w(&kitchen.hob().coil.settings_w),
             smoke_mg_s: kitchen.pan_state().smoke_mg_s(),
             underside_c: celsius(piece.face(true)),
             browning: [browning(up), browning(up.map(|u| -u))],
-            flipped: piece.flipped_at().is_some(),
+            since_flip_s: piece.flipped_at().map(|at| kitchen.time_s() - at),
             room_c: celsius(kitchen.room().temperature()),
             core_c: celsius(piece.core()),
             core_peak_c: celsius(piece.core_peak.0),
@@ -81,15 +92,34 @@ impl Situation {
     }
 
     fn too_hot(&self) -> Option<Advice> {
-        let smokes = self.smoke_mg_s >= SMOKE_SEEN_MG_S;
-        let hot = smokes || self.pan_c > TOO_HOT_C || self.chars_on();
-        hot.then_some(Advice::TooHot { pan_c: self.pan_c, smokes })
+        let (hottest_c, smokes) = (self.hottest_c, self.smoke_mg_s >= SMOKE_SEEN_MG_S);
+        let to_w = self.power_for(hottest_c - COOLER_K).min(FRYING_W);
+        // With the hob at that setting the pan cools by itself.
+        let is_due = (smokes || hottest_c > TOO_HOT_C) && self.is_above(to_w);
+        is_due.then_some(Advice::TooHot { hottest_c, smokes, to_w })
     }
 
-    /// True if both sides are brown and the hob still heats as for browning.
-    fn chars_on(&self) -> bool {
-        let brown = self.browning.iter().all(|b| *b >= BROWN_ENOUGH);
-        brown && self.pan_c > HOT_C && self.hob_w >= self.heating_w
+    /// Both sides are as brown as they should be, and the pan would brown them on.
+    fn both_brown(&self) -> Option<Advice> {
+        let brown = self.browning.iter().all(|b| *b >= BROWN_BOTH) && self.hottest_c > HOT_C;
+        (brown && self.is_above(GENTLE_W)).then_some(Advice::BothBrown { to_w: GENTLE_W })
+    }
+
+    /// True if the hob is set to more than a power, by a step at least.
+    fn is_above(&self, watts: f64) -> bool {
+        self.hob_w >= watts + STEP_W
+    }
+
+    /// A hob that was turned up to heat the pan is turned down once the food browns, or the pan is hotter than it needs.
+    fn turn_down(&self) -> Option<Advice> {
+        let browns = self.browning.iter().any(|b| *b >= BROWN) && self.hottest_c >= BROWNS_AT_C;
+        let is_due = (browns || self.hottest_c >= HOT_TO_FRY_C) && self.is_above(FRYING_W);
+        is_due.then_some(Advice::TurnDown { hottest_c: self.hottest_c, to_w: FRYING_W })
+    }
+
+    /// Setting of the hob that keeps the hottest place of a pan with food in it at a temperature [W], in steps that a cook sets.
+    fn power_for(&self, hottest_c: f64) -> f64 {
+        STEP_W * libm::floor((hottest_c - self.room_c).max(0.0) / KELVIN_PER_W / STEP_W)
     }
 
     fn too_cold(&self) -> Option<Advice> {
@@ -99,7 +129,8 @@ impl Situation {
 
     fn in_pan(&self, goal: Option<Goal>) -> Vec<Advice> {
         let food = self.of_food(goal);
-        let hob = self.too_hot().or(self.too_cold());
+        let cooler = self.too_hot().or_else(|| self.both_brown()).or_else(|| self.turn_down());
+        let hob = cooler.or_else(|| self.too_cold());
         let mut advice: Vec<Advice> = [Some(food), hob].into_iter().flatten().collect();
         // What is due comes before what is waited for; food before the hob.
         advice.sort_by_key(|one| !one.is_due());
@@ -124,12 +155,15 @@ impl Situation {
         }
     }
 
-    /// Once half of the heat is in; later only so that no side chars.
+    /// The first time once half of the heat is in or the underside is brown; then the other side browns, and from then on both take
+    /// turns.
     fn wants_flip(&self, goal_c: f64, foreseen_c: f64) -> bool {
-        let [below, above] = self.browning;
-        let chars = below >= BROWN_ENOUGH && above < BROWN_ENOUGH;
+        let [is_brown, was_brown] = self.browning.map(|b| b >= BROWN);
         let half = self.room_c + HALF_WAY * (goal_c - self.room_c);
-        chars || (!self.flipped && foreseen_c >= half)
+        match self.since_flip_s {
+            None => is_brown || foreseen_c >= half,
+            Some(since_s) => is_brown && (!was_brown || since_s >= TURNS_S),
+        }
     }
 
     fn off_the_pan(&self) -> Vec<Advice> {
@@ -157,33 +191,40 @@ fn heating_w(settings: &[f64]) -> f64 {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::RestOn;
-
-    const RAW: Situation = Situation {
+impl Situation {
+    /// A raw steak before a cold pan.
+    pub(super) const RAW: Self = Self {
         place: Place::Waiting,
         pan_c: 20.0,
+        hottest_c: 20.0,
         pan_is_used: false,
         hob_w: 0.0,
         heating_w: 1100.0,
         smoke_mg_s: 0.0,
         underside_c: 5.0,
         browning: [0.0; 2],
-        flipped: false,
+        since_flip_s: None,
         room_c: 20.0,
         core_c: 5.0,
         core_peak_c: 5.0,
     };
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::RestOn;
+
     const FRYING: Situation = Situation {
         place: Place::Pan([0.0; 2]),
         pan_c: 200.0,
+        hottest_c: 215.0,
         pan_is_used: true,
         hob_w: 1100.0,
         underside_c: 140.0,
         core_c: 40.0,
         core_peak_c: 40.0,
-        ..RAW
+        ..Situation::RAW
     };
 
     /// A goal of 60 °C, and the peak to expect.
@@ -193,50 +234,75 @@ mod tests {
 
     #[test]
     fn food_waits_until_the_pan_is_hot() {
-        let at = |pan_c, hob_w| Situation { pan_c, hob_w, ..RAW }.advice(None);
+        let at = |pan_c, hob_w| Situation { pan_c, hob_w, ..Situation::RAW }.advice(None);
         assert_eq!(at(20.0, 0.0), [Advice::TurnOn { power_w: 1100.0 }]);
         assert_eq!(at(159.0, 400.0), [Advice::Heating { pan_c: 159.0, until_c: 180.0 }]);
         assert_eq!(at(161.0, 0.0), [Advice::PutIn { pan_c: 161.0 }]);
-        assert_eq!(at(271.0, 1100.0), [Advice::TooHot { pan_c: 271.0, smokes: false }]);
+        let hot = Situation { pan_c: 240.0, hottest_c: 271.0, hob_w: 1100.0, ..Situation::RAW };
+        assert_eq!(hot.advice(None), [Advice::TooHot { hottest_c: 271.0, smokes: false, to_w: 400.0 }]);
     }
 
     #[test]
     fn food_that_is_ready_comes_before_a_pan_that_is_too_hot_and_both_are_said() {
-        let hot = Situation { pan_c: 275.0, ..FRYING };
-        let too_hot = Advice::TooHot { pan_c: 275.0, smokes: false };
+        let hot = Situation { hottest_c: 275.0, ..FRYING };
+        let too_hot = Advice::TooHot { hottest_c: 275.0, smokes: false, to_w: 500.0 };
         assert_eq!(hot.advice(peak(60.0)), [Advice::TakeOut { peak_c: 60.0 }, too_hot]);
         assert_eq!(hot.advice(peak(30.0)), [too_hot, Advice::WouldPeak { peak_c: 30.0, wet: false }]);
+    }
+
+    #[test]
+    fn a_hob_that_was_turned_down_for_heat_is_not_turned_down_again_while_the_pan_cools() {
+        let at = |hottest_c, hob_w| Situation { hottest_c, hob_w, smoke_mg_s: 2.0, ..FRYING }.advice(None)[0];
+        assert_eq!(at(275.0, 1100.0), Advice::TooHot { hottest_c: 275.0, smokes: true, to_w: 500.0 });
+        assert!(!at(275.0, 500.0).is_due() && !at(240.0, 400.0).is_due());
+        assert_eq!(at(200.0, 500.0), Advice::TooHot { hottest_c: 200.0, smokes: true, to_w: 300.0 });
+        assert_eq!(at(330.0, 1100.0), Advice::TooHot { hottest_c: 330.0, smokes: true, to_w: FRYING_W });
+    }
+
+    #[test]
+    fn a_pan_that_is_hot_enough_to_fry_gets_less_power_once() {
+        let down = |hottest_c| Advice::TurnDown { hottest_c, to_w: FRYING_W };
+        let at = |hottest_c, hob_w, below| {
+            Situation { hottest_c, hob_w, browning: [below, 0.0], since_flip_s: Some(5.0), ..FRYING }.advice(None)[0]
+        };
+        assert_eq!(at(250.0, 1100.0, 0.0), down(250.0));
+        assert!(!at(249.0, 1100.0, 0.0).is_due() && !at(260.0, FRYING_W, 0.0).is_due());
+        assert_eq!(at(225.0, 1100.0, BROWN), down(225.0), "what browns needs no more");
+        assert!(!at(215.0, 1100.0, BROWN).is_due(), "it would not brown on");
     }
 
     #[test]
     fn smoke_that_nobody_sees_is_not_spoken_of() {
         let at = |smoke_mg_s| Situation { smoke_mg_s, ..FRYING }.advice(None);
         assert_eq!(at(0.04), [Advice::Browns { underside_c: 140.0 }]);
-        assert_eq!(at(0.5)[0], Advice::TooHot { pan_c: 200.0, smokes: true });
+        assert_eq!(at(0.5)[0], Advice::TooHot { hottest_c: 215.0, smokes: true, to_w: 300.0 });
     }
 
     #[test]
     fn food_comes_out_when_resting_would_bring_it_to_the_goal() {
-        let at = |foreseen_c| Situation { flipped: true, ..FRYING }.advice(peak(foreseen_c));
+        let at = |foreseen_c| Situation { since_flip_s: Some(60.0), ..FRYING }.advice(peak(foreseen_c));
         assert_eq!(at(59.9), [Advice::WouldPeak { peak_c: 59.9, wet: false }]);
         assert_eq!(at(60.0), [Advice::TakeOut { peak_c: 60.0 }]);
     }
 
     #[test]
-    fn food_is_flipped_half_way_and_before_a_side_chars() {
-        let at = |flipped, browning, foreseen_c| {
-            Situation { flipped, browning, ..FRYING }.advice(peak(foreseen_c))[0] == Advice::Flip
+    fn food_is_flipped_half_way_or_brown_then_sides_take_turns() {
+        let at = |since_flip_s, browning, foreseen_c| {
+            Situation { since_flip_s, browning, ..FRYING }.advice(peak(foreseen_c))[0] == Advice::Flip
         };
-        assert!(!at(false, [0.3, 0.0], 39.9) && at(false, [0.3, 0.0], 40.0));
-        assert!(!at(true, [0.3, 0.5], 50.0), "once is enough");
-        assert!(at(true, [0.9, 0.5], 50.0) && !at(true, [0.9, 0.9], 50.0));
+        assert!(!at(None, [0.3, 0.0], 39.9) && at(None, [0.3, 0.0], 40.0) && at(None, [BROWN, 0.0], 30.0));
+        assert!(!at(Some(300.0), [0.3, 0.5], 50.0), "the second side browns");
+        assert!(at(Some(20.0), [BROWN, 0.5], 50.0), "it is brown, the other one is not");
+        assert!(!at(Some(179.0), [0.7, 0.7], 50.0) && at(Some(180.0), [0.7, 0.7], 50.0));
     }
 
     #[test]
     fn the_hob_is_turned_down_once_when_both_sides_are_brown() {
-        let at = |hob_w, browning| Situation { hob_w, browning, flipped: true, ..FRYING }.advice(peak(50.0))[0];
-        assert_eq!(at(1100.0, [0.9, 0.9]), Advice::TooHot { pan_c: 200.0, smokes: false });
-        assert!(!at(400.0, [0.9, 0.9]).is_due() && !at(1100.0, [0.8, 0.9]).is_due());
+        let at =
+            |hob_w, browning| Situation { hob_w, browning, since_flip_s: Some(5.0), ..FRYING }.advice(peak(50.0))[0];
+        let gentle = Advice::BothBrown { to_w: GENTLE_W };
+        assert_eq!(at(FRYING_W, [BROWN_BOTH; 2]), gentle);
+        assert!(!at(GENTLE_W, [0.9; 2]).is_due() && !at(FRYING_W, [0.5, 0.9]).is_due());
     }
 
     #[test]

@@ -9,18 +9,30 @@ const MAGIC: &[u8; 8] = b"sautekit";
 const FORMAT: u16 = 2;
 /// Version of the program: another one may compute something else.
 const PROGRAM: &str = env!("CARGO_PKG_VERSION");
+/// Room for a header [bytes].
+const LONGEST: usize = 64;
 
 /// Returns a body with its header.
 pub fn sealed(body: &[u8]) -> Vec<u8> {
-    let mut bytes = Vec::with_capacity(body.len() + 64);
+    let mut bytes = Vec::new();
+    append_sealed(&mut bytes, body.len(), |place| place.copy_from_slice(body));
+    bytes
+}
+
+/// Appends a body of a known length with its header, in memory that is taken once; `write` fills in the body.
+pub(super) fn append_sealed(bytes: &mut Vec<u8>, length: usize, write: impl FnOnce(&mut [u8])) {
+    bytes.reserve_exact(length + LONGEST);
     bytes.extend_from_slice(MAGIC);
     bytes.extend_from_slice(&FORMAT.to_le_bytes());
     bytes.push(PROGRAM.len() as u8);
     bytes.extend_from_slice(PROGRAM.as_bytes());
-    bytes.extend_from_slice(&(body.len() as u64).to_le_bytes());
-    bytes.extend_from_slice(&hash_of([body]).to_le_bytes());
-    bytes.extend_from_slice(body);
-    bytes
+    bytes.extend_from_slice(&(length as u64).to_le_bytes());
+    let checksum = bytes.len();
+    let body = checksum + size_of::<u64>();
+    bytes.resize(body + length, 0);
+    write(&mut bytes[body..]);
+    let hash = hash_of([&bytes[body..]]);
+    bytes[checksum..body].copy_from_slice(&hash.to_le_bytes());
 }
 
 /// Returns the body after a header that holds.

@@ -3,11 +3,12 @@
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 
+use postcard::ser_flavors::Size;
 use serde::{Deserialize, Serialize};
 
 use crate::bytes::bytes_error::BytesError;
 use crate::bytes::hashing::hash_of_value;
-use crate::bytes::header::{opened, sealed};
+use crate::bytes::header::{append_sealed, opened};
 use crate::bytes::models::Models;
 use crate::bytes::saved_pan;
 use crate::bytes::saved_piece::SavedPiece;
@@ -48,11 +49,24 @@ struct SavedKitchen<'a> {
     events: Cow<'a, EventLog>,
 }
 
+/// Why a state is always stored.
+const LACKS_NONE: &str = "a state has no kind that postcard lacks";
+
 impl Kitchen {
     /// Returns everything that its next step reads, as bytes ([`crate::bytes`]).
     pub fn to_bytes(&self) -> Vec<u8> {
-        let body = postcard::to_allocvec(&(Sources::of(self), self.fixed.home.as_deref(), self.saved()));
-        sealed(&body.expect("a state has no kind that postcard lacks"))
+        let mut bytes = Vec::new();
+        self.append_bytes(&mut bytes);
+        bytes
+    }
+
+    /// Appends what [`Self::to_bytes`] returns; it is measured first, so that memory is taken once: a page's never shrinks.
+    pub fn append_bytes(&self, bytes: &mut Vec<u8>) {
+        let stored = (Sources::of(self), self.fixed.home.as_deref(), self.saved());
+        let length = postcard::serialize_with_flavor(&stored, Size::default());
+        append_sealed(bytes, length.expect(LACKS_NONE), |body| {
+            postcard::to_slice(&stored, body).expect(LACKS_NONE);
+        });
     }
 
     /// Returns the kitchen that was stored as bytes; it goes on exactly as the one that was stored.

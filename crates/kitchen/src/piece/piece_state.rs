@@ -251,6 +251,11 @@ impl Piece {
         self.on_pan.flipped_at
     }
 
+    /// Returns true if some of its surface is on the pan or close enough to be heated by it.
+    pub fn is_near_pan(&self) -> bool {
+        !self.on_pan.near.patches.is_empty()
+    }
+
     /// Returns the patches near the pan, in their order.
     pub(crate) fn near_patches(&self) -> &[NearPatch] {
         &self.on_pan.near.patches

@@ -60,7 +60,11 @@ impl Reductions {
 
     /// Returns a piece with its present state on its coarse mesh.
     pub(super) fn reduced(&self, piece: &Piece) -> Piece {
-        let Some(coarse) = self.of(piece).and_then(|known| known.coarse.as_ref()) else { return piece.clone() };
+        let Some(coarse) = self.of(piece).and_then(|known| known.coarse.as_ref()) else {
+            // Its mesh stays; that of the pan, on which its places were found, does not.
+            let (on_pan, media) = (piece.on_pan.on_other_mesh(), piece.media.on_other_mesh());
+            return Piece { on_pan, media, ..piece.clone() };
+        };
         let model = Arc::clone(coarse.reduction.model());
         let state = coarse.reduction.restricted(&piece.model, &piece.state);
         Piece {

@@ -116,7 +116,7 @@ pub enum Eye {
     Front,
     /// From straight above.
     Above,
-    /// Near the first food.
+    /// Near the first food; where it is cut open, on the side to which the cut looks.
     CloseUp,
     /// From a direction and a distance.
     From {
@@ -137,6 +137,9 @@ impl ShotOptions {
             None => working_view(kitchen),
         };
         camera.field_of_view = self.field_of_view;
+        if self.slice && self.eye == Some(Eye::CloseUp) {
+            camera.yaw = CLOSE_CUT_YAW;
+        }
         if self.slice && self.eye.is_none() {
             let in_pan = kitchen.pieces().iter().any(Piece::in_pan);
             camera.zoom(CUT_DISTANCE);
@@ -194,6 +197,8 @@ impl Eye {
     }
 }
 
+/// Angle of the eye about the vertical axis from near a cut [rad] (chosen: the face is seen from in front, one edge of it in depth).
+const CLOSE_CUT_YAW: f32 = 1.1;
 /// Factor on the distance from which food on the board is seen [-] (chosen: the board fills the picture).
 const REST_DISTANCE: f32 = 0.7;
 /// Factor on the distance from which a cut is seen [-] (chosen: the pan fills the picture).
@@ -245,4 +250,35 @@ fn pair(gpu: &Gpu, input: SceneInput, [width, height]: [u32; 2], quality: Qualit
         }
     }
     Picture { width: width as usize, height: height as usize, rgba }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_close_up_of_a_cut_looks_at_its_face_and_one_of_whole_food_from_the_cooks_side() {
+        let library = Library::embedded().unwrap();
+        let kitchen = Kitchen::new(&library, "carbon-steel-26", saute_kitchen::kelvin(20.0)).unwrap();
+        let yaw = |slice, eye| {
+            let options = ShotOptions {
+                view: View::Look,
+                split: false,
+                slice,
+                white_balance: WhiteBalance::default(),
+                light: RoomLight::default(),
+                photo: Photo::default(),
+                quality: Quality::Quick,
+                flat: false,
+                scales: ScaleChoice::default(),
+                eye: Some(eye),
+                field_of_view: 0.6,
+            };
+            options.stage(&kitchen).camera.yaw
+        };
+        assert_eq!(yaw(true, Eye::CloseUp), CLOSE_CUT_YAW);
+        assert_eq!(yaw(false, Eye::CloseUp), Camera::close_up().yaw);
+        assert_eq!(yaw(true, Eye::Front), Camera::three_quarter().yaw, "who says from where is obeyed");
+    }
 }

@@ -6,7 +6,7 @@ mod course;
 mod grey_band;
 mod judgement;
 mod outcome;
-mod score;
+pub(crate) mod score;
 mod target;
 
 pub use better::Better;

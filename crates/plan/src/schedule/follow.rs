@@ -1,7 +1,8 @@
 //! A plan that a person cooks: which steps are done, which is next, and how late each was.
 //!
 //! Steps keep their times whatever happens: a late one moves no other. Foods are counted, since each can go into the pan, be turned and
-//! come out only once a step; a power counts for the first open step that wants about that power and is not far ahead.
+//! come out only once a step; a power counts for the first open step that wants about that power and is not far ahead. The step that takes
+//! the food out also switches the hob off: it is done when both are.
 
 use crate::schedule::{Deed, Plan, Step};
 
@@ -19,6 +20,8 @@ pub struct Done {
 pub enum Hand {
     /// Set the hob to a power [W].
     Hob(f64),
+    /// Let the hob hold a temperature.
+    Hold,
     /// Put a piece into the pan.
     Put,
     /// Turned a piece over.
@@ -38,6 +41,17 @@ pub enum Standing {
     Open(f64),
 }
 
+/// What is left of an open step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Left {
+    /// All of it.
+    All,
+    /// Food that is in the pan yet; the hob is off.
+    Food,
+    /// The hob, which is on yet; the food is out.
+    Hob,
+}
+
 /// A step with how it stands.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Followed {
@@ -45,23 +59,30 @@ pub struct Followed {
     pub step: Step,
     /// How it stands.
     pub standing: Standing,
+    /// What is left of it while it is open.
+    pub left: Left,
 }
 
 /// Powers closer than this to what a step wants count, as a share and at least [W] (chosen: a slider is set by eye).
 const NEAR_SHARE: f64 = 0.05;
 const NEAR_W: f64 = 25.0;
 /// A power counts for a step from this time before it on [s] (chosen: who turns the knob early means the next step, not the one after).
-const EARLY_S: f64 = 30.0;
+pub(super) const EARLY_S: f64 = 30.0;
 /// From this much after its time a step is late, and before it early [s] (chosen: a hand needs a moment).
 pub const LATE_S: f64 = 3.0;
 
 /// Returns the steps of a plan with how they stand at a time [s], given what was done for a number of pieces, in order.
 pub fn follow(plan: &Plan, done: &[Done], pieces: usize, now_s: f64) -> Vec<Followed> {
-    let steps = plan.steps();
-    let times = done_times(&steps, done, pieces.max(1), now_s);
+    let (steps, pieces) = (plan.steps(), pieces.max(1));
+    let times = done_times(&steps, done, pieces, now_s);
+    let is_out = nth(done, Hand::Out, pieces).is_some();
     let standing = |(index, step): (usize, &Step)| {
         let at_s = f64::from(step.at_s);
-        let is_later = |later: usize| times[later].is_some() && same_kind(&steps[later].deed, &step.deed);
+        let is_later = |later: usize| match steps[later].deed {
+            // The food decides, whatever the hob does.
+            Deed::Pull => is_out && makes_needless(&Deed::Pull, &step.deed),
+            deed => times[later].is_some() && makes_needless(&deed, &step.deed),
+        };
         match times[index] {
             Some(done_s) => Standing::Done(done_s - at_s),
             None if (index + 1..steps.len()).any(is_later) => Standing::LeftOut,
@@ -69,12 +90,42 @@ pub fn follow(plan: &Plan, done: &[Done], pieces: usize, now_s: f64) -> Vec<Foll
         }
     };
     let standings: Vec<Standing> = steps.iter().enumerate().map(standing).collect();
-    steps.into_iter().zip(standings).map(|(step, standing)| Followed { step, standing }).collect()
+    let left = |step: &Step| match step.deed {
+        Deed::Pull if is_out => Left::Hob,
+        Deed::Pull if !is_heating(done) => Left::Food,
+        _ => Left::All,
+    };
+    let followed = |(step, standing): (Step, Standing)| Followed { step, standing, left: left(&step) };
+    steps.into_iter().zip(standings).map(followed).collect()
+}
+
+/// When something was done for the nth time [s].
+fn nth(done: &[Done], what: Hand, count: usize) -> Option<f64> {
+    done.iter().filter(|d| d.what == what).nth(count - 1).map(|d| d.at_s)
+}
+
+/// True if the hob is on after all that was done.
+fn is_heating(done: &[Done]) -> bool {
+    done.iter().rev().find_map(|d| heats(d.what)).unwrap_or(false)
+}
+
+/// Whether a deed leaves the hob on; none if it has nothing to do with the hob.
+fn heats(what: Hand) -> Option<bool> {
+    match what {
+        Hand::Hob(w) => Some(w > 0.0),
+        Hand::Hold => Some(true),
+        Hand::Put | Hand::Flip | Hand::Out => None,
+    }
+}
+
+/// When all pieces were out and the hob was off for the first time [s].
+fn ended_s(done: &[Done], pieces: usize) -> Option<f64> {
+    let is_end = |count: &usize| nth(&done[..*count], Hand::Out, pieces).is_some() && !is_heating(&done[..*count]);
+    (1..=done.len()).find(is_end).map(|count| done[count - 1].at_s)
 }
 
 /// When each step was done [s].
 fn done_times(steps: &[Step], done: &[Done], pieces: usize, now_s: f64) -> Vec<Option<f64>> {
-    let nth = |what: Hand, count: usize| done.iter().filter(|d| d.what == what).nth(count - 1).map(|d| d.at_s);
     let mut powers = done.iter().filter_map(|d| if let Hand::Hob(w) = d.what { Some((d.at_s, w)) } else { None });
     let mut power = |step: &Step, wanted: f64| {
         let from_s = f64::from(step.at_s) - EARLY_S;
@@ -85,20 +136,20 @@ fn done_times(steps: &[Step], done: &[Done], pieces: usize, now_s: f64) -> Vec<O
     };
     let time = |step: &Step| match step.deed {
         Deed::Power(wanted) => power(step, wanted),
-        Deed::Put => nth(Hand::Put, pieces),
-        Deed::Flip(number) => nth(Hand::Flip, number * pieces),
-        Deed::Pull => nth(Hand::Out, pieces),
+        Deed::Put => nth(done, Hand::Put, pieces),
+        Deed::Flip(number) => nth(done, Hand::Flip, number * pieces),
+        Deed::Pull => ended_s(done, pieces),
         Deed::Serve => Some(f64::from(step.at_s)).filter(|at_s| now_s >= *at_s),
     };
     steps.iter().map(time).collect()
 }
 
-fn is_near(watt: f64, wanted: f64) -> bool {
+pub(super) fn is_near(watt: f64, wanted: f64) -> bool {
     (watt - wanted).abs() <= (NEAR_SHARE * wanted).max(NEAR_W)
 }
 
 /// Powers follow each other, and what comes out is not turned over any more.
-fn same_kind(later: &Deed, earlier: &Deed) -> bool {
+fn makes_needless(later: &Deed, earlier: &Deed) -> bool {
     match earlier {
         Deed::Power(_) => matches!(later, Deed::Power(_) | Deed::Pull),
         Deed::Flip(_) => matches!(later, Deed::Flip(_) | Deed::Pull),
@@ -108,14 +159,14 @@ fn same_kind(later: &Deed, earlier: &Deed) -> bool {
 
 #[cfg(test)]
 #[allow(clippy::unwrap_used)]
-mod tests {
+pub(super) mod tests {
     use saute_kitchen::Library;
 
     use super::*;
     use crate::goal::{Goal, Outcome, Score};
     use crate::schedule::{Order, Schedule, Setting};
 
-    fn plan() -> Plan {
+    pub fn plan() -> Plan {
         let library = Library::embedded().unwrap();
         let power = |at_s, hob_w| Setting { at_s, hob_w };
         Plan {
@@ -144,7 +195,7 @@ mod tests {
         }
     }
 
-    fn done(list: &[(f64, Hand)]) -> Vec<Done> {
+    pub fn done(list: &[(f64, Hand)]) -> Vec<Done> {
         list.iter().map(|(at_s, what)| Done { at_s: *at_s, what: *what }).collect()
     }
 
@@ -185,5 +236,21 @@ mod tests {
         let flips = [(60.0, Hand::Put), (62.0, Hand::Put), (160.0, Hand::Flip), (163.0, Hand::Flip)];
         assert_eq!(standings(&flips, 2, 170.0)[4], Standing::Done(3.0));
         assert_eq!(standings(&flips[..3], 2, 170.0)[4], Standing::Open(-10.0));
+    }
+
+    #[test]
+    fn the_end_is_done_when_the_food_is_out_and_the_hob_is_off_and_says_what_is_left() {
+        let on = (100.0, Hand::Hob(400.0));
+        let of = |list: &[(f64, Hand)]| {
+            let followed = follow(&plan(), &done(list), 1, 420.0)[6];
+            (followed.standing, followed.left)
+        };
+        assert_eq!(of(&[on]), (Standing::Open(-20.0), Left::All));
+        assert_eq!(of(&[on, (400.0, Hand::Out)]), (Standing::Open(-20.0), Left::Hob));
+        assert_eq!(of(&[on, (390.0, Hand::Hob(0.0))]), (Standing::Open(-20.0), Left::Food));
+        let both = [on, (400.0, Hand::Out), (405.0, Hand::Hob(0.0)), (410.0, Hand::Hob(400.0))];
+        assert_eq!(of(&both).0, Standing::Done(5.0), "what is done stays done");
+        let early = [on, (300.0, Hand::Out)];
+        assert_eq!(standings(&early, 1, 310.0)[4..6], [Standing::LeftOut; 2], "nothing is left to flip");
     }
 }

@@ -11,6 +11,7 @@ pub mod follow;
 mod fork;
 mod heating;
 mod job;
+pub mod kept;
 mod moves;
 mod order;
 mod plan;
@@ -21,6 +22,7 @@ pub mod senses;
 mod sensitivity;
 mod steps;
 mod times;
+pub mod voice;
 
 pub use cooking::Cooking;
 pub use draft::Draft;

@@ -1,8 +1,8 @@
 //! What came of a trial, in the numbers of a log.
 
 use saute_kitchen::Kitchen;
-use saute_recipe::Recording;
 use saute_recipe::session::Deed;
+use saute_recipe::{Recorder, Recording};
 
 use super::log_row::LogRow;
 use crate::aimed::Aimed;
@@ -59,14 +59,14 @@ pub struct Times {
 }
 
 impl Times {
-    /// Reads them of a recording, up to its present instant.
-    pub fn of(recording: &Recording) -> Self {
-        let mut times = Self { end_s: recording.moment().time_s(), ..Self::default() };
+    /// Reads them of a recording up to its present instant, and the flips of what was seen: those of a tool in the hand are no commands.
+    pub fn of(recording: &Recording, seen: &Recorder) -> Self {
+        let flips = u32::try_from(seen.turns().count()).unwrap_or(u32::MAX);
+        let mut times = Self { end_s: recording.moment().time_s(), flips, ..Self::default() };
         for entry in recording.entries() {
             let Deed::Command(command) = &entry.deed else { continue };
             match command {
                 saute_kitchen::Command::Put { .. } => times.put_s = times.put_s.or(Some(entry.time_s())),
-                saute_kitchen::Command::Flip { .. } => times.flips += 1,
                 saute_kitchen::Command::Rest { .. } => times.out_s = Some(entry.time_s()),
                 _ => {}
             }

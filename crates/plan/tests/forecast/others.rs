@@ -64,3 +64,13 @@ fn ridges_and_a_lid_do_not_stop_a_forecast() {
     let flipped = Ahead::begin(&kitchen, &ask, &mut Reductions::default()).unwrap();
     assert!(flipped.is_none());
 }
+
+#[test]
+fn shrimps_in_much_oil_are_forecast() {
+    let library = Library::embedded().unwrap();
+    let mut kitchen = kitchen(&library, "carbon-steel-26", &["shrimp", "shrimp"]);
+    kitchen.apply(&Command::Oil { kind: Some("canola".into()), mass: 0.2 }).unwrap();
+    (0..100).for_each(|_| kitchen.step());
+    let [foreseen, happened] = both(&kitchen, Question::AsItIs).map(|outlook| outlook.core_at(60.0));
+    assert!((foreseen - happened).abs() < 3.0, "{foreseen} {happened}");
+}

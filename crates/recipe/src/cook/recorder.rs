@@ -7,8 +7,8 @@ use serde::{Deserialize, Serialize};
 use crate::action::ActionKind;
 use crate::cook::step_record::{StepRecord, rounded};
 use crate::recipe::Group;
-use saute_kitchen::celsius;
 use saute_kitchen::kitchen::Kitchen;
+use saute_kitchen::{Piece, Place, celsius};
 
 /// One row of the time series.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
@@ -31,7 +31,20 @@ impl Row {
     }
 }
 
-/// Time series and extremes of a cook.
+/// A piece that came to lie on a face in the pan, or left the pan: by a command, a recipe, a toss or a tool in a hand.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+pub struct Laid {
+    /// The piece.
+    pub food: String,
+    /// When this was seen [s].
+    pub at_s: f64,
+    /// True if its upper face is below; none once it is not in the pan.
+    pub upside_down: Option<bool>,
+    /// True if it lay in the pan on its other face before: it was turned over.
+    pub is_turn: bool,
+}
+
+/// Time series, turns and extremes of a cook.
 ///
 /// ```
 /// use saute_kitchen::Library;
@@ -54,6 +67,8 @@ impl Row {
 pub struct Recorder {
     /// Rows, one for each second and for each step; of a long cook fewer, evenly spaced.
     pub rows: Vec<Row>,
+    /// How the pieces were laid, in order.
+    laid: Vec<Laid>,
     /// Highest pan temperature [°C].
     pub pan_peak_c: f64,
     /// Pan temperature at the first `put` [°C].
@@ -72,8 +87,36 @@ impl Recorder {
         if let Some(lowest) = &mut self.pan_lowest_after_c {
             *lowest = lowest.min(pan);
         }
+        self.note_faces(kitchen);
         if kitchen.tick().is_multiple_of(TICKS_PER_ROW << self.halvings) {
             self.write_row(kitchen);
+        }
+    }
+
+    /// Turns of the pieces, in order.
+    pub fn turns(&self) -> impl DoubleEndedIterator<Item = &Laid> + Clone {
+        self.laid.iter().filter(|laid| laid.is_turn)
+    }
+
+    /// How often a piece was turned over [-].
+    pub fn turns_of(&self, food: &str) -> usize {
+        self.turns().filter(|turn| turn.food == food).count()
+    }
+
+    /// Returns the series, turns included, as it was at a time [s]; the extremes stay.
+    #[must_use]
+    pub fn until(mut self, time_s: f64) -> Self {
+        self.rows.retain(|row| row.time_s < time_s);
+        self.laid.retain(|laid| laid.at_s < time_s);
+        self
+    }
+
+    fn note_faces(&mut self, kitchen: &Kitchen) {
+        for piece in kitchen.pieces() {
+            let before = self.laid.iter().rfind(|laid| laid.food == piece.id).and_then(|laid| laid.upside_down);
+            let Some(upside_down) = face_below(piece, before) else { continue };
+            let is_turn = before.is_some() && upside_down.is_some();
+            self.laid.push(Laid { food: piece.id.clone(), at_s: kitchen.time_s(), upside_down, is_turn });
         }
     }
 
@@ -147,6 +190,22 @@ impl Recorder {
         let bytes = writer.into_inner().map_err(|e| e.into_error())?;
         Ok(String::from_utf8_lossy(&bytes).into_owned())
     }
+}
+
+/// Least share of a piece's thickness that points up where it lies on a face [-] (chosen: within 60° of flat).
+const FLAT: f64 = 0.5;
+
+/// Which face of a piece is below, if that is another than before; in a hand, in the air or on an edge it is as before.
+fn face_below(piece: &Piece, before: Option<bool>) -> Option<Option<bool>> {
+    if matches!(piece.place, Place::Held) {
+        return None;
+    }
+    if !piece.in_pan() {
+        return before.is_some().then_some(None);
+    }
+    let now = Some(piece.upside_down());
+    let is_other = now != before && piece.up()[2].abs() > FLAT;
+    (is_other && piece.is_near_pan()).then_some(now)
 }
 
 /// Columns of the pan and the hob.

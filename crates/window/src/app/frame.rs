@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use egui::Ui;
 use saute_kitchen::advice::coaching::Coaching;
+use saute_plan::schedule::voice::Keeping;
 use saute_recipe::session::session_file::is_session;
 use web_time::{Duration, Instant};
 
@@ -71,7 +72,10 @@ impl SauteApp {
     /// Shows the panels and cards; returns what they ask for.
     fn show_panels(&mut self, ui: &mut Ui, layout: &Layout) -> Acts {
         let goal = self.scale().map(|scale| (Arc::clone(&scale), self.settings.goal(&scale)));
-        let (advice, quality) = (self.session.advice(goal), self.quality());
+        let (advised, quality) = (self.session.advice(goal), self.quality());
+        let keeping = self.keeping();
+        // While a plan is kept to, its guide gives the orders.
+        let advice = keeping.map_or_else(|| advised.clone(), |keeping| keeping.leaves(&advised));
         if self.card == Some(Card::Mirror) {
             // The card shows the error of a rig that cannot be read.
             let _ = self.mirror.rig(&self.settings.mirror.rig);
@@ -81,10 +85,9 @@ impl SauteApp {
         let l = self.settings.language;
         let coach = self.settings.coach && !self.settings.skill_mode;
         let piece = self.session.steak().filter(|_| coach);
-        let coaching = piece.and_then(|piece| Coaching::of(&self.session.kitchen, piece, &advice));
+        let coaching = piece.and_then(|piece| Coaching::of(&self.session.kitchen, piece, &advised));
         let alarm = coach && advice.iter().any(|one| one.is_goal());
         let result = if self.card == Some(Card::Result) { self.result_words() } else { None };
-        let taught = advice.clone();
         let state = WindowState {
             session: &self.session,
             settings: &self.settings,
@@ -108,6 +111,7 @@ impl SauteApp {
             japanese_font: self.japanese_font,
             quality,
             advice,
+            guide_leads: keeping == Some(Keeping::Kept),
             coaching,
             alarm,
             result,
@@ -119,8 +123,9 @@ impl SauteApp {
         };
         let mut acts = Acts::new();
         panels::show_all(&state, &mut self.memory, ui, &mut acts, layout);
-        self.tutor(&taught);
-        self.watch_result(&taught);
+        self.pulse_at_goal(alarm);
+        self.tutor(&advised);
+        self.watch_result(&advised);
         acts
     }
 
@@ -168,7 +173,9 @@ impl SauteApp {
             self.governor.frame(wall, begun.elapsed().as_secs_f64());
         }
         self.do_what_waited(ctx);
-        self.session.foresee(now, self.settings.foresees(), &self.settings.scale);
+        // Studies and lessons ask what will come.
+        let foresees = self.settings.foresees() && self.guided.is_none();
+        self.session.foresee(now, foresees, &self.settings.scale);
         self.keep_ways_beside(wall);
         self.keep_up(passes);
         if let Err(error) = passed {

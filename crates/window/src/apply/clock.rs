@@ -19,5 +19,8 @@ impl SauteApp {
     pub(crate) fn set_speed(&mut self, speed: f64) {
         self.session.set_speed(speed);
         self.settings.speed = speed;
+        if let Some(live) = &mut self.live {
+            live.keeps_speed();
+        }
     }
 }

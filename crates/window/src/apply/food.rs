@@ -80,8 +80,18 @@ impl SauteApp {
     pub(crate) fn set_out(&mut self) {
         self.learn.shown_for = None;
         match self.session.set_out(&self.settings.choice) {
-            Ok(()) => self.motions.clear(),
+            Ok(()) => {
+                self.motions.clear();
+                self.say_new_beginning();
+            }
             Err(error) => self.say_trouble(&error),
+        }
+    }
+
+    /// Says that another cook begins, and how the one before comes back, if there is one.
+    pub(crate) fn say_new_beginning(&self) {
+        if self.session.can_undo() && self.guided.is_none() {
+            self.say("notice.begun_anew");
         }
     }
 
@@ -116,8 +126,9 @@ impl SauteApp {
             return self.lesson_again();
         }
         self.learn.shown_for = None;
-        if let Err(error) = self.session.restart() {
-            self.say_trouble(&error);
+        match self.session.restart() {
+            Ok(()) => self.say_new_beginning(),
+            Err(error) => self.say_trouble(&error),
         }
         self.motions.clear();
     }

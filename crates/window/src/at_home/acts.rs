@@ -3,9 +3,9 @@
 use std::sync::Arc;
 
 use super::AtHomeAct;
-use super::entered::EnteredError;
 use super::fitting::Standing;
 use super::kept::KeptKitchen;
+use super::why_not::WhyNot;
 use crate::act::Card;
 use crate::app::SauteApp;
 use crate::export::Export;
@@ -43,7 +43,7 @@ impl SauteApp {
     pub(crate) fn open_log(&mut self, name: &str, text: &str) {
         self.card = Some(Card::AtHome);
         if let Err(error) = self.at_home.entered.take_log(name, text) {
-            self.say_trouble(&error);
+            self.notice.say(WhyNot::from(error).words(self.settings.language));
         }
     }
 
@@ -68,7 +68,7 @@ impl SauteApp {
         let (observed, recipe) = match made {
             Ok(made) => made,
             Err(error) => {
-                self.at_home.standing = Standing::Refused(self.words_for(&error));
+                self.at_home.standing = Standing::Refused(error.into());
                 return;
             }
         };
@@ -80,16 +80,6 @@ impl SauteApp {
     /// The kitchen at home with which the program was started, if any; the fit begins there.
     fn typical_home(&self) -> Option<String> {
         self.library.home().map(str::to_owned)
-    }
-
-    fn words_for(&self, error: &EnteredError) -> String {
-        let l = self.settings.language;
-        match error {
-            EnteredError::Row(number) => l.fill("athome.wrong_row", &[("row", number)]),
-            EnteredError::NoRecipe => l.text("athome.no_recipe").to_owned(),
-            EnteredError::Log(error) => error.to_string(),
-            EnteredError::Recipe(error) => error.to_string(),
-        }
     }
 
     fn keep_kitchen(&mut self) {

@@ -10,6 +10,7 @@ use saute_recipe::Recipe;
 use serde::{Deserialize, Serialize};
 use web_time::{Duration, Instant};
 
+use super::why_not::WhyNot;
 use crate::work::bench::Craft;
 
 /// Cooks at once [-] (chosen: two where there are threads; the picture needs the rest of the machine).
@@ -47,7 +48,7 @@ pub enum Told {
     /// It is over.
     Fitted(Box<Fitted>),
     /// It cannot be done, and why.
-    Refused(String),
+    Refused(WhyNot),
 }
 
 /// The fitting of kitchens.
@@ -55,7 +56,7 @@ pub struct Fitting {
     library: Arc<Library>,
     work: Option<(u64, Box<FitRun>)>,
     /// Why the order that came last cannot be done.
-    refused: Option<(u64, String)>,
+    refused: Option<(u64, WhyNot)>,
     computed: Duration,
 }
 
@@ -65,10 +66,10 @@ impl Fitting {
         Self { library, work: None, refused: None, computed: Duration::ZERO }
     }
 
-    fn begin(&self, order: &FitOrder) -> Result<FitRun, String> {
-        let library = self.library.in_kitchen(order.home.as_deref()).map_err(|e| e.to_string())?.into_owned();
-        let recipe = Recipe::parse(&order.recipe, "recipe.toml", &library).map_err(|e| e.to_string())?;
-        FitRun::new(recipe, Arc::new(library), &order.observed).map_err(|e| e.to_string())
+    fn begin(&self, order: &FitOrder) -> Result<FitRun, WhyNot> {
+        let library = self.library.in_kitchen(order.home.as_deref()).map_err(|_| WhyNot::NoKitchen)?.into_owned();
+        let recipe = Recipe::parse(&order.recipe, "recipe.toml", &library)?;
+        FitRun::new(recipe, Arc::new(library), &order.observed).map_err(WhyNot::from)
     }
 
     /// Works on; returns how far it is where that is to be told.
@@ -78,7 +79,7 @@ impl Fitting {
         let done = run.go_on(AT_ONCE, |cooks| cook_until(cooks, begun + budget));
         self.computed += begun.elapsed();
         let told = match (done, run.fitted()) {
-            (Err(error), _) => Told::Refused(error.to_string()),
+            (Err(error), _) => Told::Refused(error.into()),
             (Ok(()), Some(fitted)) => Told::Fitted(Box::new(fitted.clone())),
             (Ok(()), None) if self.computed < COMPUTED_PER_ANSWER => return None,
             (Ok(()), None) => Told::Progress(run.share()),

@@ -5,6 +5,7 @@ use saute_plan::fit::run::Fitted;
 
 use super::craft::{FitAnswer, FitOrder, Told};
 use super::entered::Entered;
+use super::why_not::WhyNot;
 use crate::work::Helper;
 
 /// How a fit stands.
@@ -18,7 +19,7 @@ pub enum Standing {
     /// It is over.
     Found(Box<Fitted>),
     /// It could not be done, and why.
-    Refused(String),
+    Refused(WhyNot),
 }
 
 /// What was entered, and the fit to it.

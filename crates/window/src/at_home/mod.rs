@@ -5,6 +5,7 @@ pub mod craft;
 pub mod entered;
 pub mod fitting;
 pub mod kept;
+pub mod why_not;
 
 use self::entered::{Columns, Cooked, Row};
 

@@ -3,12 +3,12 @@
 
 use std::sync::{Arc, Mutex};
 
-use egui::accesskit::{Action, ActionData, ActionRequest, NodeId, TreeId, TreeUpdate};
+use egui::accesskit::{Action, ActionData, ActionRequest, NodeId, TreeId};
 use egui::{Context, Event, FullOutput, RawInput};
 use web_time::{Duration, Instant};
 
 use crate::app::SauteApp;
-use crate::controls::controls;
+use crate::controls::{Control, Identity, controls};
 use crate::words::told::told;
 
 /// Time between two looks at the panels (chosen: a screen reader speaks no faster, and looks cost time).
@@ -16,20 +16,57 @@ const LOOK_EVERY: Duration = Duration::from_millis(250);
 /// Time between two descriptions of the cook (chosen: one is heard to its end before the next begins).
 const TELL_EVERY: Duration = Duration::from_secs(5);
 
+/// What was done to a control of the page.
+struct Asked {
+    control: Identity,
+    action: Action,
+    data: Option<ActionData>,
+}
+
+impl Asked {
+    fn request(&self, id: &str) -> Option<ActionRequest> {
+        let target_node = NodeId(id.parse().ok()?);
+        Some(ActionRequest { action: self.action, target_tree: TreeId::ROOT, target_node, data: self.data.clone() })
+    }
+}
+
 /// What goes between the plugin, which egui owns, and the window.
 #[derive(Default)]
 struct Passed {
-    tree: Option<TreeUpdate>,
-    asked: Vec<ActionRequest>,
+    /// What the panels show, since it was last looked at.
+    seen: Option<Vec<Control>>,
+    /// What the page shows.
+    shown: Vec<Control>,
+    /// What was done to that, until the panels are looked at anew.
+    asked: Vec<Asked>,
+    /// Where to do it in the panels: the ids that the controls had when they were looked at.
+    found: Vec<(String, Asked)>,
     looked: Option<Instant>,
     ctx: Option<Context>,
+}
+
+impl Passed {
+    /// What is under way to a control needs the panels of each frame.
+    fn is_under_way(&self) -> bool {
+        !self.asked.is_empty() || !self.found.is_empty()
+    }
+
+    /// Finds the controls that were pressed in the present panels; what is gone by now is not pressed.
+    fn find(&mut self, now: &[Control]) {
+        let (done, missed): (Vec<_>, Vec<_>) = std::mem::take(&mut self.found)
+            .into_iter()
+            .partition(|(id, asked)| asked.control.find(now).is_none_or(|control| control.id == *id));
+        drop(done);
+        // The panels had numbered anew in the very frame in which it was done.
+        let asked = missed.into_iter().map(|(_, asked)| asked).chain(self.asked.drain(..));
+        self.found = asked.filter_map(|asked| Some((asked.control.find(now)?.id.clone(), asked))).collect();
+    }
 }
 
 /// The window's side.
 #[derive(Clone, Default)]
 pub(crate) struct Mirrored {
     passed: Arc<Mutex<Passed>>,
-    shown: String,
     told: Option<Instant>,
 }
 
@@ -42,9 +79,11 @@ impl Mirrored {
         }
     }
 
-    fn ask(&self, request: ActionRequest) {
+    fn ask(&self, id: &str, action: Action, data: Option<ActionData>) {
         let Ok(mut passed) = self.passed.lock() else { return };
-        passed.asked.push(request);
+        // Now, while the page shows what it was pressed in.
+        let Some(control) = Identity::of(id, &passed.shown) else { return };
+        passed.asked.push(Asked { control, action, data });
         drop(passed);
         self.wake();
     }
@@ -58,8 +97,13 @@ impl Mirrored {
         }
     }
 
-    fn take_tree(&self) -> Option<TreeUpdate> {
-        self.passed.lock().ok()?.tree.take()
+    /// What the page is to show, if that is new.
+    fn news(&self) -> Option<String> {
+        let mut passed = self.passed.lock().ok()?;
+        let seen = passed.seen.take().filter(|seen| *seen != passed.shown)?;
+        let text = serde_json::to_string(&seen).ok()?;
+        passed.shown = seen;
+        Some(text)
     }
 }
 
@@ -73,9 +117,10 @@ impl egui::Plugin for Listener {
 
     fn input_hook(&mut self, ctx: &Context, input: &mut RawInput) {
         let Ok(mut passed) = self.0.lock() else { return };
-        input.events.extend(passed.asked.drain(..).map(Event::AccessKitActionRequest));
+        let requests = passed.found.iter().filter_map(|(id, asked)| asked.request(id));
+        input.events.extend(requests.map(Event::AccessKitActionRequest));
         // The tree costs time; few frames make one.
-        if passed.looked.is_none_or(|at| at.elapsed() >= LOOK_EVERY) {
+        if passed.is_under_way() || passed.looked.is_none_or(|at| at.elapsed() >= LOOK_EVERY) {
             passed.looked = Some(Instant::now());
             ctx.enable_accesskit();
         } else {
@@ -83,10 +128,14 @@ impl egui::Plugin for Listener {
         }
     }
 
-    fn output_hook(&mut self, _: &Context, output: &mut FullOutput) {
+    fn output_hook(&mut self, ctx: &Context, output: &mut FullOutput) {
         let Some(tree) = output.platform_output.accesskit_update.take() else { return };
-        if let Ok(mut passed) = self.0.lock() {
-            passed.tree = Some(tree);
+        let Ok(mut passed) = self.0.lock() else { return };
+        let seen = controls(&tree);
+        passed.find(&seen);
+        passed.seen = Some(seen);
+        if passed.is_under_way() {
+            ctx.request_repaint();
         }
     }
 }
@@ -95,12 +144,8 @@ impl SauteApp {
     /// Shows the page what the panels show, if that is new, and tells it now and then how the cook stands.
     pub(crate) fn show_mirrored(&mut self) {
         let Some(host) = &self.host else { return };
-        if let Some(tree) = self.mirrored.take_tree()
-            && let Ok(text) = serde_json::to_string(&controls(&tree))
-            && text != self.mirrored.shown
-        {
+        if let Some(text) = self.mirrored.news() {
             host.show_controls(&text);
-            self.mirrored.shown = text;
         }
         if self.mirrored.told.is_none_or(|at| at.elapsed() >= TELL_EVERY) {
             self.mirrored.told = Some(Instant::now());
@@ -127,8 +172,6 @@ impl SauteApp {
     }
 
     fn ask_control(&self, id: &str, action: Action, data: Option<ActionData>) {
-        let Ok(number) = id.parse() else { return };
-        let target_node = NodeId(number);
-        self.mirrored.ask(ActionRequest { action, target_tree: TreeId::ROOT, target_node, data });
+        self.mirrored.ask(id, action, data);
     }
 }

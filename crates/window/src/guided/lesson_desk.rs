@@ -119,7 +119,7 @@ impl LessonDesk {
 
     /// Ends it.
     pub(super) fn end(&mut self, session: &mut Session) {
-        let times = Times::of(session.recording());
+        let times = Times::of(session.recording(), &session.recorder);
         let measures = Measures::read(&session.kitchen, &self.masses, &self.start.scenario.goal, &times);
         if let Some(lesson) = &mut session.lesson {
             self.result = Some((lesson.end(&measures), measures));

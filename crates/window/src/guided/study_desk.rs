@@ -164,7 +164,12 @@ impl StudyDesk {
     /// Ends the trial, and keeps its row.
     pub(super) fn end_trial(&mut self, session: &Session) {
         let (Some(trial), Some(simulate)) = (self.trial.take(), self.study.simulate()) else { return };
-        let measures = Measures::read(&session.kitchen, &trial.masses, &simulate.goal, &Times::of(session.recording()));
+        let measures = Measures::read(
+            &session.kitchen,
+            &trial.masses,
+            &simulate.goal,
+            &Times::of(session.recording(), &session.recorder),
+        );
         let told = simulate.feedback.then_some(measures);
         let session_name = self.keep_session(session);
         let wall_s = Some(trial.begun.elapsed().as_secs_f64());

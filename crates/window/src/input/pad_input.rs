@@ -1,7 +1,7 @@
 //! The gamepad in the window: its state from frame to frame.
 
 use egui::Context;
-use saute_haptics::Rumble;
+use saute_haptics::{DoublePulse, Rumble};
 
 use crate::app::SauteApp;
 use crate::input::gamepad::{PadMotion, PadState, acts, motion};
@@ -17,6 +17,10 @@ pub(crate) struct Pad {
     plugged: bool,
     now: PadState,
     before: PadState,
+    /// What is felt when the goal is reached.
+    pulse: DoublePulse,
+    /// True while the coach says that the food is to be taken out.
+    at_goal: bool,
 }
 
 impl Pad {
@@ -58,12 +62,30 @@ impl SauteApp {
         }
     }
 
-    /// Lets a gamepad that is plugged in shake as it feels in the pan.
+    /// Lets a gamepad that is plugged in shake as it feels in the pan, and pulse at the goal.
     pub(crate) fn shake_pad(&mut self, ctx: &Context) {
+        let wall = ctx.input(|i| f64::from(i.stable_dt));
+        let pulse = self.pad.pulse.step(wall);
         if self.pad.plugged {
-            let rumble = self.session.hands.rumble(ctx.input(|i| f64::from(i.stable_dt)));
+            let rumble = self.session.hands.rumble(wall).or(pulse);
             self.turn_motors(&rumble);
         }
+        if self.pad.pulse.is_on() {
+            ctx.request_repaint();
+        }
+    }
+
+    /// Begins the double pulse of a gamepad when the coach begins to say that the food is to be taken out.
+    pub(crate) fn pulse_at_goal(&mut self, at_goal: bool) {
+        if at_goal && !self.pad.at_goal {
+            self.pad.pulse.begin();
+        }
+        self.pad.at_goal = at_goal;
+    }
+
+    /// Returns true while a gamepad pulses because the goal is reached.
+    pub fn pad_pulses(&self) -> bool {
+        self.pad.pulse.is_on()
     }
 
     fn listen(&mut self) {

@@ -2,6 +2,7 @@
 
 use saute_kitchen::advice::class_goal;
 use saute_kitchen::data::goals::GoalDescription;
+use saute_kitchen::food::Scale;
 use saute_plan::goal::{Goal, Wish};
 
 use crate::app::SauteApp;
@@ -41,6 +42,12 @@ pub fn goals_for(session: &Session) -> Vec<&GoalDescription> {
     session.library.goals_for(piece.model.description()).map(AsRef::as_ref).collect()
 }
 
+/// Goal for the core in a class: the one that its scale states, if that lies in it.
+fn usual_goal(scale: &Scale, class: usize) -> f64 {
+    let own = scale.goal.filter(|own| scale.class_of(scale.of_nodes(*own)) == class);
+    own.unwrap_or_else(|| class_goal(scale, class))
+}
+
 impl SauteApp {
     /// Chooses a goal by its id: its scale and the goal of the core follow, so that the advice leads there.
     pub(crate) fn choose_goal(&mut self, id: String) {
@@ -52,10 +59,21 @@ impl SauteApp {
         let Some(scale) = self.scale() else { return };
         let class = goal.class.as_ref().and_then(|name| scale.class.iter().position(|class| class.name == *name));
         let Some(class) = class else { return };
-        let is_inside = |value: f64| scale.class_of(scale.of_nodes(value)) == class;
-        if !is_inside(self.settings.goal(&scale)) {
-            let own = scale.goal.filter(|own| is_inside(*own));
-            self.settings.set_goal(&scale, own.unwrap_or_else(|| class_goal(&scale, class)));
+        if scale.class_of(scale.of_nodes(self.settings.goal(&scale))) != class {
+            self.settings.set_goal(&scale, usual_goal(&scale, class));
+        }
+    }
+
+    /// Takes over the goal of a plan: the panels speak of the same scale and of the same class, or of the same core.
+    pub(crate) fn aim_at(&mut self, goal: &Goal) {
+        self.settings.goal_id = None;
+        if let Some(scale) = self.session.library.scale(&goal.scale.id).cloned() {
+            if self.scale().is_none_or(|shown| shown.id != scale.id) {
+                self.choose_scale(&scale);
+            }
+            self.settings.set_goal(&scale, usual_goal(&scale, goal.class));
+        } else if let Some(scale) = self.scale().filter(|scale| scale.measure() == goal.scale.measure()) {
+            self.settings.set_goal(&scale, goal.aim);
         }
     }
 }

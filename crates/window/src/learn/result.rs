@@ -16,24 +16,40 @@ impl SauteApp {
     pub(crate) fn watch_result(&mut self, advice: &[Advice]) {
         let has_rested = advice.iter().any(|one| matches!(one, Advice::Rested { .. }));
         let is_free = self.card.is_none() && !self.card_is_open() && !self.shows_ways() && !self.session.paused;
-        let is_alone = self.session.runner.is_none() && self.learn.tutorial.is_none() && self.guided.is_none();
+        let is_led = self.learn.tutorial.is_some() || self.guided.is_some() || self.follows_plan();
+        let is_alone = self.session.runner.is_none() && !is_led;
         if !(self.settings.result_opens && has_rested && is_free && is_alone && self.session.is_out()) {
             return;
         }
-        let came_out = self.session.came_out_s();
+        let moved = self.session.last_moved_s();
         let same = |a: f64, b: f64| (a - b).abs() < SAME_OUT_S;
-        let is_new = came_out.is_some_and(|now| self.learn.shown_for.is_none_or(|before| !same(now, before)));
+        let is_new = self.learn.shown_for.is_none_or(|before| !same(moved, before));
         if is_new {
-            self.learn.shown_for = came_out;
+            self.learn.shown_for = Some(moved);
             self.card = Some(Card::Result);
         }
     }
 
     /// The result in words; none without food that a scale knows.
     pub(crate) fn result_words(&self) -> Option<ResultWords> {
-        let goal = goal_of(&self.session, &self.settings)?;
+        let live = self.live.as_ref().filter(|live| live.judges(&self.session));
+        // A plan is judged by what it was made for.
+        let goal = live.map(|live| live.goal().clone()).or_else(|| goal_of(&self.session, &self.settings))?;
         let judgement = self.session.judgement(&goal)?;
-        Some(ResultWords::of(&judgement, &goal, &self.session, &self.settings))
+        let words = ResultWords::of(&judgement, &goal, &self.session, &self.settings);
+        Some(match live {
+            Some(live) => words.of_plan(live.plan(), &live.kept(&self.session, &judgement), &self.settings),
+            None => words,
+        })
+    }
+
+    /// Opens the result of a plan once its rest is over, unless it is switched off: time stands still then.
+    pub(crate) fn open_result_of_plan(&mut self) {
+        let is_free = self.card.is_none() && !self.card_is_open() && !self.shows_ways();
+        if self.settings.result_opens && is_free && self.guided.is_none() && self.session.is_out() {
+            self.learn.shown_for = Some(self.session.last_moved_s());
+            self.card = Some(Card::Result);
+        }
     }
 
     /// Saves the result as a picture: into the folder of pictures, or as a download of the browser.

@@ -31,6 +31,8 @@ pub struct Inside {
 
 /// Height of the picture of the cut at most [points].
 const CUT_HEIGHT: f32 = 42.0;
+/// Difference of the hottest place of the pan from the mean from which it is shown [K] (chosen: less makes no other crust).
+const UNEVEN_K: f64 = 5.0;
 /// Room for a line of advice [points], and for how many of them there is room in this panel.
 const ADVICE_LINE: f32 = 16.5;
 const ADVICE_LINES: u8 = 4;
@@ -165,7 +167,7 @@ fn readings(state: &WindowState, inside: &Inside, piece: &Piece, ui: &mut Ui) {
     let juiciness = inside.bite[1];
     let temperature = |kelvin: f64| settings.temperature(celsius(kelvin));
     let rows = [
-        [("inside.core", temperature(piece.core())), ("inside.pan", temperature(kitchen.pan_temperature()))],
+        [("inside.core", temperature(piece.core())), ("inside.pan", pan(state))],
         [("inside.underside", temperature(piece.face(true))), ("inside.upper_side", temperature(piece.face(false)))],
         [("inside.mass", grams(mass)), ("inside.lost", format!("{:.1} %", tidy(lost)))],
         [
@@ -189,6 +191,18 @@ fn readings(state: &WindowState, inside: &Inside, piece: &Piece, ui: &mut Ui) {
     });
 }
 
+/// The mean temperature of the pan's floor, and of its hottest place where that is another.
+fn pan(state: &WindowState) -> String {
+    let kitchen = &state.session.kitchen;
+    let [mean, hottest] = [kitchen.pan_temperature(), kitchen.hottest_temperature()].map(celsius);
+    let l = state.settings.language;
+    if hottest - mean < UNEVEN_K {
+        return state.settings.temperature(mean);
+    }
+    let mean = format!("{:.0}", state.settings.degrees(mean));
+    l.fill("inside.pan_uneven", &[("mean", &mean), ("hottest", &state.settings.temperature(hottest))])
+}
+
 /// A mass with as many places as it takes to see it change.
 fn grams(mass: f64) -> String {
     if mass < 50.0 { format!("{mass:.1} g") } else { format!("{mass:.0} g") }
@@ -207,7 +221,7 @@ pub fn clock(seconds: f64) -> String {
 
 fn goal(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let Some(scale) = state.scale() else {
-        show_advice(state, ui, ADVICE_LINES);
+        show_advice(state, ui, ADVICE_LINES, acts);
         return;
     };
     let l = state.settings.language;
@@ -239,7 +253,7 @@ fn goal(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
             acts.push(Act::Set(Setting::Goal(if share { shown } else { state.settings.celsius(shown) })));
         }
     });
-    show_advice(state, ui, ADVICE_LINES);
+    show_advice(state, ui, ADVICE_LINES, acts);
 }
 
 /// The goal that the cook is judged by.
@@ -269,30 +283,64 @@ fn goals(settings: &Settings, scale: &Scale, ui: &mut Ui, acts: &mut Acts) {
 }
 
 /// Shows what to do next: what is due in the accent, then what to wait for.
-pub fn show_advice(state: &WindowState, ui: &mut Ui, lines: u8) {
+pub fn show_advice(state: &WindowState, ui: &mut Ui, lines: u8, acts: &mut Acts) {
     // Always the same height, so that what is below stays where it is.
     let (rect, _) =
         ui.allocate_exact_size(vec2(ui.available_width(), ADVICE_LINE * f32::from(lines)), egui::Sense::hover());
     let mut child = ui.new_child(egui::UiBuilder::new().max_rect(rect));
     child.set_clip_rect(rect.expand(2.0).intersect(ui.clip_rect()));
     child.spacing_mut().item_spacing.y = 1.0;
+    // Text that can be selected would take the clicks.
+    child.style_mut().interaction.selectable_labels = false;
     if !state.reads_out() {
         return;
     }
     let coached = state.coaching.is_some();
+    if state.guide_leads && !state.advice.iter().any(|one| one.is_due()) {
+        let words = state.settings.language.text("plan.leads");
+        child.add(egui::Label::new(RichText::new(words).size(13.0)).truncate()).on_hover_text(words);
+        return coach::show(state, &mut child, lines < ADVICE_LINES);
+    }
     // Below one line of advice the coach speaks; what is due is not left out for that.
     let due = state.advice.iter().filter(|one| one.is_due()).count();
     let told = if coached { due.clamp(1, 2) } else { 2 };
+    if let Some(watts) = state.advice.first().and_then(|one| one.hob_w()) {
+        do_it(state, &mut child, watts, rect, acts);
+    }
     for (place, advice) in state.advice.iter().take(told).enumerate() {
-        let words = advice_words(*advice, state);
-        let text = RichText::new(&words).size(13.5);
-        let text = if advice.is_due() { text.color(theme::of(&child).accent).strong() } else { text };
-        let label = egui::Label::new(text);
         // The second one has one line.
-        let whole = place == 0 && (!coached || told == 1);
-        child.add(if whole { label } else { label.truncate() }).on_hover_text(words);
+        one_advice(state, &mut child, *advice, place == 0 && (!coached || told == 1));
     }
     coach::show(state, &mut child, lines < ADVICE_LINES);
+}
+
+/// One advice, whole or in one line.
+fn one_advice(state: &WindowState, ui: &mut Ui, advice: Advice, whole: bool) {
+    let words = advice_words(advice, state);
+    let text = RichText::new(&words).size(13.5);
+    let text = if advice.is_due() { text.color(theme::of(ui).accent).strong() } else { text };
+    let label = egui::Label::new(if advice.hob_w().is_some() { text.underline() } else { text });
+    ui.add(if whole { label } else { label.truncate() }).on_hover_text(words);
+}
+
+/// A click on the place of the advice sets the hob as it says; a finger may miss by a line's distance.
+fn do_it(state: &WindowState, ui: &mut Ui, watts: f64, place: egui::Rect, acts: &mut Acts) {
+    let place = place.expand2(vec2(0.0, (0.5 * (fingers::height(ui, 0.0) - place.height())).max(0.0)));
+    let response = ui.interact(place, ui.scope_id().with("do it"), egui::Sense::click());
+    let name = do_it_words(watts, state);
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Button, true, &name));
+    if response.has_focus() {
+        let line = egui::Stroke::new(2.0, theme::of(ui).text);
+        ui.painter().rect_stroke(place, 4.0, line, egui::StrokeKind::Inside);
+    }
+    if response.on_hover_cursor(egui::CursorIcon::PointingHand).on_hover_text(name).clicked() {
+        acts.push(Act::HobSet(watts));
+    }
+}
+
+/// What a button says that sets the hob as advised [W].
+pub(crate) fn do_it_words(watts: f64, state: &WindowState) -> String {
+    state.settings.language.fill("advice.do_it", &[("power", &format!("{watts:.0} W"))])
 }
 
 /// Advice in the cook's words.
@@ -300,13 +348,19 @@ pub(crate) fn advice_words(advice: Advice, state: &WindowState) -> String {
     let l = state.settings.language;
     let at = |key, celsius: f64| l.fill(key, &[("temperature", &state.settings.temperature(celsius))]);
     let hob = |key, watts: f64| l.fill(key, &[("power", &format!("{watts:.0} W"))]);
+    let hotter = |key, watts: f64, hottest_c: f64| {
+        let hottest = state.settings.temperature(hottest_c);
+        l.fill(key, &[("power", &format!("{watts:.0} W")), ("temperature", &hottest)])
+    };
     match advice {
         Advice::TurnOn { power_w } => hob("advice.turn_on", power_w),
         Advice::TooCold { power_w } => hob("advice.too_cold", power_w),
         Advice::TurnOff => l.text("advice.turn_off").to_owned(),
         Advice::Heating { until_c, .. } => at("advice.heating", until_c),
-        Advice::TooHot { smokes: true, .. } => l.text("advice.smokes").to_owned(),
-        Advice::TooHot { smokes: false, .. } => l.text("advice.too_hot").to_owned(),
+        Advice::TooHot { smokes: true, to_w, .. } => hob("advice.smokes", to_w),
+        Advice::TooHot { smokes: false, to_w, hottest_c } => hotter("advice.too_hot", to_w, hottest_c),
+        Advice::BothBrown { to_w } => hob("advice.both_brown", to_w),
+        Advice::TurnDown { to_w, hottest_c } => hotter("advice.turn_down", to_w, hottest_c),
         Advice::PutIn { .. } => l.fill("advice.put_in", &[("food", &l.called("noun", &state.session.noun()))]),
         Advice::Wet { .. } => l.text("advice.wet").to_owned(),
         Advice::Browns { .. } => l.text("advice.browns").to_owned(),

@@ -167,13 +167,14 @@ fn turner_strip(state: &WindowState, ui: &Ui, acts: &mut Acts, layout: &Layout) 
 
 fn drawer(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut Acts) {
     ui.horizontal(|ui| {
-        (ui.spacing_mut().item_spacing.x, ui.spacing_mut().button_padding.x) = (5.0, 7.0);
+        // Narrow enough for all of them and what there is to learn, in one row of a phone.
+        (ui.spacing_mut().item_spacing.x, ui.spacing_mut().button_padding.x) = (4.0, 5.0);
         for part in Drawer::ALL {
             if ui.add(theme::of(ui).button(part.name(state), memory.drawer == part)).clicked() {
                 memory.drawer = part;
             }
         }
-        top::help_and_settings(state, ui, acts);
+        top::learn_and_settings(state, ui, acts);
     });
     ui.horizontal(|ui| {
         (ui.spacing_mut().item_spacing.x, ui.spacing_mut().button_padding.x) = (5.0, 7.0);

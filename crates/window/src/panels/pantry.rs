@@ -25,18 +25,29 @@ pub fn show(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &m
     let noun = noun(library, &state.settings.choice.kind);
     let food = l.called("noun", &noun);
     ui.heading(l.fill("pantry.mine", &[("food", &food)]));
-    set_out(state, memory.count, ui, acts);
-    how_many(&mut memory.count, ui, l);
+    let is_free = !state.forbids(&Act::SetOut) && !state.forbids(&Act::Add(1));
+    free(state, is_free, ui, |ui| {
+        set_out(state, memory.count, ui, acts);
+        how_many(&mut memory.count, ui, l);
+    });
     crate::panels::pieces::all_at_once(state, ui, acts);
     let starts = l.fill("pantry.starts", &[("food", &food)]);
     ui.label(RichText::new(starts).size(12.5).color(theme::of(ui).quiet));
     let mut choice = state.settings.choice.clone();
-    food_and_pan(state, &mut choice, &mut memory.stills, ui, acts);
+    free(state, is_free, ui, |ui| food_and_pan(state, &mut choice, &mut memory.stills, ui, acts));
     if choice != state.settings.choice {
         acts.push(Act::Set(Setting::Choice(choice)));
     }
     ui.separator();
-    recipes(state, ui, acts);
+    free(state, !state.forbids(&Act::ChooseFile), ui, |ui| recipes(state, ui, acts));
+}
+
+/// Shows controls; those that a study or a lesson locks look so, and say why.
+fn free(state: &WindowState, is_free: bool, ui: &mut Ui, content: impl FnOnce(&mut Ui)) {
+    let shown = ui.add_enabled_ui(is_free, content).response;
+    if !is_free {
+        shown.on_hover_text(state.settings.language.text("guided.locked"));
+    }
 }
 
 /// The kind of food, its size and temperature, and the pan.
@@ -85,7 +96,8 @@ fn kinds(ui: &mut Ui, library: &Library, choice: &mut SteakChoice, stills: &mut 
 fn kind(ui: &mut Ui, still: Option<egui::TextureHandle>, name: &str, on: bool) -> bool {
     let palette = theme::of(ui);
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width() - 4.0, KIND), egui::Sense::click());
-    response.widget_info(|| egui::WidgetInfo::selected(egui::accesskit::Role::RadioButton, true, on, name));
+    response
+        .widget_info(|| egui::WidgetInfo::selected(egui::accesskit::Role::RadioButton, response.enabled(), on, name));
     let ground = if on || response.hovered() { palette.raised } else { egui::Color32::TRANSPARENT };
     let edge = match (response.has_focus(), on) {
         (true, _) => palette.text,

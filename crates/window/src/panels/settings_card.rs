@@ -93,7 +93,6 @@ fn choices(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mu
     } else {
         ui.horizontal(size_and_motion).inner
     }
-    forecasts(state, ui, acts, narrow);
     #[cfg(target_arch = "wasm32")]
     {
         let _ = memory;
@@ -101,16 +100,6 @@ fn choices(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mu
     }
     #[cfg(not(target_arch = "wasm32"))]
     crate::hand::section(state, &mut memory.hand_choice, ui, acts, narrow);
-}
-
-/// Whether forecasts are made.
-fn forecasts(state: &WindowState, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
-    let (l, on) = (state.settings.language, state.settings.forecasts);
-    let choices = [(l.text("settings.forecasts_on"), on), (l.text("settings.forecasts_off"), !on)];
-    if let Some(chosen) = row(ui, narrow, l.text("settings.forecasts"), &choices) {
-        acts.push(Act::Set(Setting::Forecasts(chosen == 0)));
-    }
-    explained(ui, narrow, l.text("settings.forecasts_hint"));
 }
 
 /// A name and its choices, of which one is on; returns the one that was clicked.

@@ -28,6 +28,31 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
     });
 }
 
+/// Shows what there is to learn, the help among it, the settings and, where there is room, what was said, from the right.
+pub fn learn_and_settings(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+    ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+        // A study leads: what there is to learn is locked, the help is not.
+        if state.guided.is_some_and(|guided| guided.locks().leaving) {
+            help(state, ui, acts);
+        } else {
+            learn(state, ui, acts);
+        }
+        gear(state, ui, acts);
+        if ui.available_width() >= BUBBLE {
+            messages(state, ui, acts);
+        }
+    });
+}
+
+fn learn(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+    let name = state.settings.language.text("learn.title");
+    chip(state, ui, acts, name, state.card == Some(Card::Learn), Act::Open(Card::Learn));
+}
+
+fn help(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+    chip(state, ui, acts, "?", state.card == Some(Card::Help), Act::Help);
+}
+
 fn views(state: &WindowState, ui: &mut Ui, acts: &mut Acts, padding: f32) {
     ui.spacing_mut().item_spacing = egui::vec2(4.0, 5.0);
     ui.spacing_mut().button_padding.x = padding;
@@ -40,13 +65,13 @@ fn views(state: &WindowState, ui: &mut Ui, acts: &mut Acts, padding: f32) {
 }
 
 /// Shows the help, the settings and, where there is room, the switches of the panels at the left, from the right.
-pub fn help_and_settings(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+fn help_and_settings(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let l = state.settings.language;
     ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-        chip(state, ui, acts, "?", state.card == Some(Card::Help), Act::Help);
+        help(state, ui, acts);
         gear(state, ui, acts);
         if ui.available_width() >= LEARN {
-            chip(state, ui, acts, l.text("learn.title"), state.card == Some(Card::Learn), Act::Open(Card::Learn));
+            learn(state, ui, acts);
         }
         if ui.available_width() >= BUBBLE {
             messages(state, ui, acts);
@@ -133,7 +158,7 @@ fn chip(state: &WindowState, ui: &mut Ui, acts: &mut Acts, text: &str, on: bool,
     let words = egui::RichText::new(text).size(15.0).strikethrough().color(palette.quiet);
     // What skill mode hides can still be clicked: it says why it is off.
     let button = if is_off(state, &act) { egui::Button::new(words) } else { palette.button(text, on) };
-    let response = ui.add(button.min_size(size));
+    let response = ui.add_enabled(!state.forbids(&act), button.min_size(size));
     note_control(ui, &act, response.rect);
     let response = response.on_hover_text(explained(state, &act));
     if response.clicked() {

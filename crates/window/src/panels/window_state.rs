@@ -10,7 +10,7 @@ use saute_kitchen::dynamics::Tool;
 use saute_kitchen::food::Scale;
 use saute_scene::quality::Quality;
 
-use crate::act::Card;
+use crate::act::{Act, Card};
 use crate::at_home::fitting::AtHome;
 use crate::guided::Guided;
 use crate::input::pouring::Portion;
@@ -75,6 +75,8 @@ pub struct WindowState<'a> {
     pub quality: Quality,
     /// What to do next with the piece that the panels are about, the most urgent first.
     pub advice: Vec<Advice>,
+    /// True while a plan is kept to: its guide alone says what to do.
+    pub guide_leads: bool,
     /// What a coach says of that piece; none where the coach is off.
     pub coaching: Option<Coaching>,
     /// True if the goal is reached, the food is still in the pan and the coach is on.
@@ -108,6 +110,11 @@ impl WindowState<'_> {
     /// Returns true if a study or a lesson hides what cannot be seen in a kitchen.
     pub fn is_blind(&self) -> bool {
         self.guided.is_some_and(Guided::hides_read_outs)
+    }
+
+    /// Returns true if a study or a lesson does not let a person do something.
+    pub fn forbids(&self, act: &Act) -> bool {
+        self.guided.is_some_and(|guided| guided.locks().forbid(act))
     }
 
     /// What a way is called.

@@ -2,14 +2,17 @@
 
 use std::sync::Arc;
 
+use saute_kitchen::Command;
 use saute_plan::schedule::Plan;
+use saute_plan::schedule::voice::Keeping;
 
 use super::PlanFile;
-use super::live::Live;
+use super::live::{Live, News};
 use super::{PlanAct, kitchen_card};
 use crate::act::Card;
 use crate::app::SauteApp;
 use crate::session::SPEEDS;
+use crate::words::cue_words;
 use crate::work::Kind;
 use crate::work::in_frames::InFrames;
 
@@ -24,8 +27,8 @@ impl SauteApp {
             PlanAct::CookItself => self.let_plan_cook(),
             PlanAct::Save(file) => self.save_plan(file, ctx),
             PlanAct::DoStep => self.do_step(),
-            PlanAct::Hurry => self.session.set_speed(SPEEDS[SPEEDS.len() - 1]),
-            PlanAct::Leave => self.live = None,
+            PlanAct::Hurry => self.hurry(),
+            PlanAct::Leave => drop(self.live.take_if(|live| !live.close())),
         }
     }
 
@@ -53,14 +56,52 @@ impl SauteApp {
             let soon = std::time::Duration::from_millis(if self.planning.needs_frames() { 0 } else { 200 });
             ctx.request_repaint_after(soon);
         }
-        if let Some(live) = self.live.as_mut().filter(|live| live.is_of(&self.session)) {
-            live.look_after(&mut self.session);
+        let live = self.live.as_mut().filter(|live| live.is_of(&self.session));
+        let news = live.and_then(|live| live.look_after(&mut self.session));
+        if let Some(news) = news {
+            self.tell(&news);
         }
+    }
+
+    /// Says why time slows down; opens the result once the rest is over.
+    fn tell(&mut self, news: &News) {
+        let l = self.settings.language;
+        match news {
+            News::Slowed(next, from) => {
+                let deeds = cue_words::deeds(next, l);
+                let (key, speed) = (if *from > 1.0 { "plan.slowed" } else { "plan.slowed_here" }, format!("{from:.0}"));
+                self.notice.say(l.fill(key, &[("deed", &deeds), ("speed", &speed)]));
+            }
+            News::Over => self.open_result_of_plan(),
+        }
+    }
+
+    fn hurry(&mut self) {
+        if let Some(live) = &mut self.live {
+            live.hurries(&self.session);
+        }
+        self.session.set_speed(SPEEDS[SPEEDS.len() - 1]);
+    }
+
+    /// The plan that the shown cook follows, until it is over: its rest is as long as planned.
+    fn followed(&self) -> Option<&Live> {
+        self.live.as_ref().filter(|live| live.is_of(&self.session) && live.gave().is_none())
+    }
+
+    /// Returns true while a plan is followed.
+    pub(crate) fn follows_plan(&self) -> bool {
+        self.followed().is_some()
+    }
+
+    /// How the person stands to the plan that is followed.
+    pub(crate) fn keeping(&self) -> Option<Keeping> {
+        self.followed().map(|live| live.keeping(&self.session))
     }
 
     fn cook_live(&mut self) {
         let Some(plan) = self.planning.plan().cloned() else { return };
         if self.begin_plan(&plan, false) {
+            self.aim_at(&plan.order.goal);
             self.live = Some(Live::new(plan, &self.session));
             self.session.set_paused(true);
         }
@@ -69,7 +110,8 @@ impl SauteApp {
     fn let_plan_cook(&mut self) {
         let Some(plan) = self.planning.plan().cloned() else { return };
         if self.begin_plan(&plan, true) {
-            self.live = None;
+            self.aim_at(&plan.order.goal);
+            self.live = Some(Live::new(plan, &self.session));
         }
     }
 
@@ -85,8 +127,10 @@ impl SauteApp {
             self.say_trouble(error);
             return false;
         }
+        self.learn.shown_for = None;
         self.motions.clear();
         self.card = None;
+        self.say_new_beginning();
         true
     }
 
@@ -94,7 +138,13 @@ impl SauteApp {
     fn do_step(&mut self) {
         let Some(live) = self.live.as_ref().filter(|live| live.is_of(&self.session)) else { return };
         for command in live.commands(&self.session) {
-            self.give(&command);
+            let is_given = self.give(&command);
+            // The eye follows what comes out, as when it is taken out by its own button.
+            if let Command::Rest { food, .. } = command
+                && is_given
+            {
+                self.taken_out = Some(food);
+            }
         }
         self.session.set_paused(false);
     }

@@ -9,6 +9,7 @@ use saute_plan::schedule::{Cooking, JobError, JobResult};
 use serde::{Deserialize, Serialize};
 use web_time::{Duration, Instant};
 
+use super::why_not::WhyNot;
 use crate::work::bench::Craft;
 
 /// Jobs that are carried out at once [-] (chosen: two where there are threads; the picture needs the rest of the machine).
@@ -44,7 +45,7 @@ pub enum Told {
     /// It is over.
     Found(Box<PlanData>),
     /// It cannot be done, and why.
-    Refused(String),
+    Refused(WhyNot),
 }
 
 /// The search for plans.
@@ -52,7 +53,7 @@ pub struct Planning {
     library: Arc<Library>,
     work: Option<(u64, Box<Search>)>,
     /// Why the order that came last cannot be done.
-    refused: Option<(u64, String)>,
+    refused: Option<(u64, WhyNot)>,
     computed: Duration,
 }
 
@@ -62,9 +63,9 @@ impl Planning {
         Self { library, work: None, refused: None, computed: Duration::ZERO }
     }
 
-    fn begin(&self, PlanOrder { home, asked, .. }: &PlanOrder) -> Result<Search, String> {
-        let library = self.library.in_kitchen(home.as_deref()).map_err(|error| error.to_string())?;
-        Search::new(asked, Arc::new(library.into_owned())).map_err(|error| error.to_string())
+    fn begin(&self, PlanOrder { home, asked, .. }: &PlanOrder) -> Result<Search, WhyNot> {
+        let library = self.library.in_kitchen(home.as_deref()).map_err(|_| WhyNot::NoKitchen)?;
+        Search::new(asked, Arc::new(library.into_owned())).map_err(WhyNot::from)
     }
 
     /// Works on; returns how far it is where that is to be told.
@@ -74,7 +75,7 @@ impl Planning {
         let done = search.go_on(AT_ONCE, |cookings| cook_until(cookings, begun + budget));
         self.computed += begun.elapsed();
         let told = match (done, search.plan()) {
-            (Err(error), _) => Told::Refused(error.to_string()),
+            (Err(error), _) => Told::Refused(error.into()),
             (Ok(()), Some(plan)) => Told::Found(Box::new(PlanData::from(&plan))),
             (Ok(()), None) if self.computed < COMPUTED_PER_ANSWER => return None,
             (Ok(()), None) => Told::Progress(search.progress()),

@@ -1,14 +1,17 @@
 //! A cook that follows a plan, with a person who does the steps.
 
 use saute_kitchen::{Command, Place};
-use saute_plan::goal::Outcome;
+use saute_plan::goal::{Goal, Judgement, Outcome};
 use saute_plan::schedule::follow::{Done, Followed, Hand, Standing, follow};
+use saute_plan::schedule::kept::Kept;
+use saute_plan::schedule::voice::Keeping;
 use saute_plan::schedule::{Deed, Plan};
-use saute_recipe::session::Deed as Recorded;
+use saute_recipe::recorder::Laid;
+use saute_recipe::session::{Deed as Recorded, Entry};
 
 use crate::session::Session;
 
-/// From this time before it on a step can be done by the button [s] (chosen: a hand that is ready needs no more).
+/// From this time before a step on time does not run fast any more [s] (chosen: it takes a moment to look up).
 pub const READY_S: f64 = 10.0;
 /// Time before a step at which the clock falls back to real time [s] (chosen: time to look up).
 const LEAD_S: f64 = 6.0;
@@ -23,6 +26,34 @@ pub struct Live {
     masses: Vec<f64>,
     /// What the cook gave, at the time at which that was read [s].
     gave: Option<(f64, Outcome)>,
+    /// True if the plan cooks itself.
+    plays: bool,
+    /// The speed before time was let run fast up to a step [-].
+    before_hurry: Option<f64>,
+    /// The step that is waited for at real time.
+    slowed: Option<Slowed>,
+    /// True once the person has closed what was said at the end.
+    is_closed: bool,
+    /// True once it was said that time slows down.
+    slowing_is_said: bool,
+}
+
+/// A step near which the clock fell back to real time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Slowed {
+    /// Its time [s].
+    at_s: u32,
+    /// The speed to return to after it [-].
+    from: f64,
+}
+
+/// What a look after the cook makes worth saying.
+#[derive(Clone, Debug, PartialEq)]
+pub enum News {
+    /// Time runs at real time now since these steps are near; after them it runs at a speed again [-].
+    Slowed(Vec<Followed>, f64),
+    /// The rest is over.
+    Over,
 }
 
 /// What the guide says at an instant.
@@ -55,7 +86,19 @@ impl Live {
     /// Follows a plan in a session whose food was just set out for it.
     pub fn new(plan: Plan, session: &Session) -> Self {
         let masses = session.kitchen.pieces().iter().map(saute_kitchen::Piece::mass).collect();
-        Self { text: plan.recipe_text(), plan, masses, gave: None }
+        let plays = session.recording().beginning().plays;
+        let text = plan.recipe_text();
+        Self {
+            text,
+            plan,
+            masses,
+            gave: None,
+            plays,
+            before_hurry: None,
+            slowed: None,
+            is_closed: false,
+            slowing_is_said: false,
+        }
     }
 
     /// The plan.
@@ -63,10 +106,59 @@ impl Live {
         &self.plan
     }
 
-    /// Returns true if the session's cook is the one that follows the plan.
+    /// Returns true if the session's cook is the one of the plan, with a person who follows it.
     pub fn is_of(&self, session: &Session) -> bool {
+        !self.plays && self.judges(session)
+    }
+
+    /// Returns true if the session's cook is the one of the plan, whoever cooks.
+    pub fn judges(&self, session: &Session) -> bool {
         let beginning = session.recording().beginning();
-        !beginning.plays && beginning.text == self.text
+        beginning.plays == self.plays && beginning.text == self.text
+    }
+
+    /// Closes what is said at the end; returns false if the cook is not over: then the guide ends.
+    pub fn close(&mut self) -> bool {
+        self.is_closed = self.gave.is_some();
+        self.is_closed
+    }
+
+    /// Returns true once what was said at the end is closed. The plan still judges the cook.
+    pub fn is_closed(&self) -> bool {
+        self.is_closed
+    }
+
+    /// The goal of the plan.
+    pub fn goal(&self) -> &Goal {
+        &self.plan.order.goal
+    }
+
+    /// Returns how well the plan was kept to, given what it gave.
+    pub fn kept(&self, session: &Session, judgement: &Judgement) -> Kept {
+        let steps = (!self.plays).then(|| self.guidance(session).steps);
+        Kept::of(&self.plan, steps.as_deref(), &judgement.outcome)
+    }
+
+    /// Returns how the person stands to the plan now.
+    pub fn keeping(&self, session: &Session) -> Keeping {
+        let (done, now_s) = (done_in(session), session.shown_s());
+        let steps = follow(&self.plan, &done, self.masses.len(), now_s);
+        Keeping::of(&self.plan, &steps, &done, now_s)
+    }
+
+    /// The speed to which time returns after the step that it waits for at real time [-]; none if it does not.
+    pub fn returns_to(&self) -> Option<f64> {
+        self.slowed.map(|slowed| slowed.from)
+    }
+
+    /// Time is to run fast up to the next step.
+    pub fn hurries(&mut self, session: &Session) {
+        self.before_hurry = Some(session.speed);
+    }
+
+    /// The person has chosen a speed: it stays.
+    pub fn keeps_speed(&mut self) {
+        (self.before_hurry, self.slowed) = (None, None);
     }
 
     /// Returns what the guide says now.
@@ -88,19 +180,46 @@ impl Live {
         self.gave.as_ref().map(|(_, outcome)| outcome)
     }
 
-    /// Looks after the clock: near a step it runs at real time, and at the end it stops; reads what the cook gave.
-    pub fn look_after(&mut self, session: &mut Session) {
+    /// Looks after the clock: near a step it runs at real time, after it as before, and at the end it stops; reads what the cook gave.
+    pub fn look_after(&mut self, session: &mut Session) -> Option<News> {
         let guidance = self.guidance(session);
-        if session.speed > 1.0 && guidance.due_in_s().is_some_and(|in_s| in_s < LEAD_S) {
-            session.set_speed(1.0);
-        }
         let (now_s, is_over) = (session.shown_s(), guidance.next.is_empty());
         if !is_over {
-            self.gave = None;
-        } else if self.gave.is_none() {
-            self.gave = Some((now_s, Outcome::read(&session.kitchen, &self.masses, &self.plan.order.goal)));
-            session.set_paused(true);
+            (self.gave, self.is_closed) = (None, false);
+            return self.keep_time(&guidance, session);
         }
+        if self.gave.is_some() {
+            return None;
+        }
+        self.gave = Some((now_s, Outcome::read(&session.kitchen, &self.masses, self.goal())));
+        session.set_paused(true);
+        if let Some(slowed) = self.slowed.take().filter(|_| session.speed == 1.0) {
+            session.set_speed(slowed.from);
+        }
+        Some(News::Over)
+    }
+
+    /// Real time near a step, and the former speed after it unless another one was chosen.
+    fn keep_time(&mut self, guidance: &Guidance, session: &mut Session) -> Option<News> {
+        let (next, in_s) = (guidance.next.first()?.step.at_s, guidance.due_in_s()?);
+        let is_near = in_s < LEAD_S;
+        if is_near && session.speed > 1.0 {
+            let from = self.before_hurry.take().unwrap_or(session.speed);
+            session.set_speed(1.0);
+            self.slowed = (from > 1.0).then_some(Slowed { at_s: next, from });
+            let is_said = std::mem::replace(&mut self.slowing_is_said, true);
+            return (!is_said).then(|| News::Slowed(guidance.next.clone(), from));
+        }
+        let slowed = self.slowed.as_mut()?;
+        if session.speed != 1.0 {
+            self.slowed = None;
+        } else if is_near {
+            slowed.at_s = next;
+        } else if slowed.at_s != next {
+            session.set_speed(slowed.from);
+            self.slowed = None;
+        }
+        None
     }
 
     /// Returns the commands of the steps that come next, for the pieces that are there.
@@ -114,10 +233,37 @@ fn is_open(followed: &Followed) -> bool {
     matches!(followed.standing, Standing::Open(_))
 }
 
-/// What was done in the cook up to the shown instant.
+/// What was done in the cook up to the shown instant, in order.
 fn done_in(session: &Session) -> Vec<Done> {
+    let mut done = done_by_commands(session);
+    let turned = turned_by_hand(session);
+    done.extend(turned.into_iter().map(|at_s| Done { at_s, what: Hand::Flip }));
+    done.sort_by(|a, b| a.at_s.total_cmp(&b.at_s));
+    done
+}
+
+/// When food was turned over without a command [s]: no flip of it was asked for since it was last turned.
+fn turned_by_hand(session: &Session) -> Vec<f64> {
+    let turns = session.recorder.turns();
+    let entries = session.recording().entries();
+    let by_hand = |turn: &Laid| {
+        let earlier = turns.clone().rfind(|other| other.food == turn.food && other.at_s < turn.at_s);
+        let before_s = earlier.map_or(0.0, |earlier| earlier.at_s);
+        let asks = |entry: &Entry| match &entry.deed {
+            Recorded::Command(Command::Flip { food }) => {
+                *food == turn.food && (before_s..=turn.at_s).contains(&entry.time_s())
+            }
+            _ => false,
+        };
+        (!entries.iter().any(asks)).then_some(turn.at_s)
+    };
+    turns.clone().filter_map(by_hand).collect()
+}
+
+fn done_by_commands(session: &Session) -> Vec<Done> {
     let hand = |command: &Command| match command {
         Command::Hob(w) => Some(Hand::Hob(*w)),
+        Command::HobHold { .. } => Some(Hand::Hold),
         Command::Put { .. } => Some(Hand::Put),
         Command::Flip { .. } => Some(Hand::Flip),
         Command::Rest { .. } => Some(Hand::Out),
@@ -148,7 +294,8 @@ fn commands_of(deed: &Deed, session: &Session) -> Vec<Command> {
         Deed::Pull => {
             let rests = in_pan().into_iter();
             let on = saute_kitchen::RestOn::Board;
-            rests.map(|food| Command::Rest { food, on }).chain([Command::Hob(0.0)]).collect()
+            let off = (kitchen.hob_w() > 0.0).then_some(Command::Hob(0.0));
+            rests.map(|food| Command::Rest { food, on }).chain(off).collect()
         }
         Deed::Serve => Vec::new(),
     }

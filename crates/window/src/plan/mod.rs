@@ -6,6 +6,7 @@ pub mod craft;
 pub mod kitchen_card;
 pub mod live;
 pub mod planning;
+pub mod why_not;
 
 use saute_kitchen::Library;
 use saute_plan::schedule::Plan;

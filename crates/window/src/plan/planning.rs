@@ -6,6 +6,7 @@ use saute_plan::schedule::asked::Asked;
 use saute_plan::schedule::search::SearchProgress;
 
 use super::craft::{PlanAnswer, PlanOrder, Told};
+use super::why_not::WhyNot;
 use crate::work::Helper;
 
 /// How a search stands.
@@ -19,7 +20,7 @@ pub enum Standing {
     /// A plan was found.
     Found(Box<Plan>),
     /// It could not be searched for, and why.
-    Refused(String),
+    Refused(WhyNot),
 }
 
 /// The search for a plan.
@@ -111,7 +112,7 @@ impl Planning {
             Told::Refused(why) => Standing::Refused(why),
             Told::Found(data) => match asked.order(library) {
                 Ok(order) => Standing::Found(Box::new(data.plan(order))),
-                Err(error) => Standing::Refused(error.to_string()),
+                Err(error) => Standing::Refused(error.into()),
             },
         };
     }

@@ -77,8 +77,8 @@ impl Session {
         if ticked {
             self.recorder.observe(&self.kitchen);
             self.probes.observe(&self.kitchen);
-            self.ask_when_due();
             self.hand_over_present();
+            self.ask_when_due();
         }
         self.rejoin();
         self.keep_keyframes(begun.elapsed());

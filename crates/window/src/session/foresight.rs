@@ -2,19 +2,14 @@
 
 use std::sync::Arc;
 
-use saute_kitchen::advice::{Advice, Goal, Situation};
+use saute_kitchen::advice::{Advice, FORECAST_HIGH_K, Goal, Situation};
 use saute_kitchen::celsius;
 use saute_kitchen::doneness::{ScaleChoice, at_core, fitting};
 use saute_kitchen::food::Scale;
 use saute_kitchen::food::change::doneness::Measure;
 use saute_kitchen::piece::carry_over::foreseen_peak;
-use saute_plan::forecast::Question;
 
 use super::Session;
-
-/// Age up to which an answer is nearer than the estimate [simulated s] (chosen: a core rises by half a kelvin meanwhile; the band of
-/// an answer is 0.2 K, the error of the estimate up to 3 K).
-const FRESH_S: f64 = 5.0;
 
 /// Forecast for food that is taken out now.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -26,21 +21,21 @@ pub struct Forecast {
 }
 
 impl Session {
-    /// Returns the forecast for taking the food out now: that of the coarse kitchen while it is fresh, else an estimate, updated every
-    /// simulated second.
+    /// Returns the forecast for taking the food out now; updated every simulated second.
     pub fn forecast(&mut self) -> Option<Forecast> {
         let piece = self.steak().filter(|p| p.in_pan())?;
-        let foreseen = self.foreseen(Question::TakeOut).filter(|f| f.is_current && f.age_s <= FRESH_S);
-        if let Some(foreseen) = foreseen {
-            let peak = foreseen.answer.outlook.peak;
-            return Some(Forecast { peak_c: celsius(peak.core), in_s: (peak.after_s - foreseen.age_s).max(0.0) });
-        }
         let second = self.kitchen.tick() / 10;
         if self.forecast.as_ref().is_none_or(|(id, at, _)| *at != second || *id != piece.id) {
             let (peak, in_s) = foreseen_peak(&piece.model, &piece.state, self.kitchen.room());
             self.forecast = Some((piece.id.clone(), second, Forecast { peak_c: celsius(peak), in_s }));
         }
         self.forecast.as_ref().map(|(.., f)| *f)
+    }
+
+    /// Returns the core peak that the advice reckons with if the food were taken out now [°C]; none of food that is not in the pan.
+    pub fn expected_peak_c(&self) -> Option<f64> {
+        let piece = self.steak().filter(|piece| piece.in_pan())?;
+        self.forecast.as_ref().filter(|(id, ..)| *id == piece.id).map(|(.., found)| found.peak_c - FORECAST_HIGH_K)
     }
 
     /// Returns advice for the piece that the panels show, the most urgent first, with a goal for its core, in the unit of the scale [°C or %],

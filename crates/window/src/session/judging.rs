@@ -1,8 +1,7 @@
 //! The judgement of the cook that is shown, as far as it went.
 
-use saute_kitchen::{Command, Piece, Place};
+use saute_kitchen::{Piece, Place};
 use saute_plan::goal::{Course, Goal, Judged, Judgement};
-use saute_recipe::session::Deed;
 
 use super::Session;
 
@@ -16,7 +15,7 @@ impl Session {
         let mass = |piece: &&Piece| self.start_mass_g.get(&piece.id).map_or_else(|| piece.mass(), |g| 1e-3 * g);
         let masses_at_start = pieces.iter().map(mass).collect();
         let times = [self.marks.iter().find(|mark| mark.label == "in").map(|mark| mark.time_s), self.came_out_s()];
-        let course = Course::of(&self.recorder, self.steak_index(), times, self.flips_of(first));
+        let course = Course::of(&self.recorder, self.steak_index(), times, self.recorder.turns_of(&first.id));
         Judgement::of(&Judged { kitchen: &self.kitchen, pieces, masses_at_start }, &course, goal)
     }
 
@@ -25,18 +24,17 @@ impl Session {
         self.marks.iter().rev().find(|mark| mark.label == "out").map(|mark| mark.time_s)
     }
 
+    /// When food last went into the pan or came out by a command [s]; 0 before that. What tongs carry out makes no mark: it came out after
+    /// it went in.
+    pub fn last_moved_s(&self) -> f64 {
+        let moves = |label: &str| label == "in" || label == "out";
+        self.marks.iter().rev().find(|mark| moves(&mark.label)).map_or(0.0, |mark| mark.time_s)
+    }
+
     /// Returns true if all of the group that the panels show rests and nothing is in the pan.
     pub fn is_out(&self) -> bool {
         let rests = |id: &String| self.kitchen.piece(id).is_some_and(|piece| matches!(piece.place, Place::Rest(_)));
         let group = self.its_group();
         !group.is_empty() && group.iter().all(rests) && !self.kitchen.pieces().iter().any(Piece::in_pan)
-    }
-
-    /// How often a piece was turned over: by commands, by steps of a recipe, or else by a tool.
-    fn flips_of(&self, piece: &Piece) -> usize {
-        let is_flip = |deed: &Deed| matches!(deed, Deed::Command(Command::Flip { food }) if *food == piece.id);
-        let by_hand = self.recording.entries().iter().filter(|entry| is_flip(&entry.deed)).count();
-        let by_recipe = self.marks.iter().filter(|mark| mark.label == "flip" && !mark.step.is_empty()).count();
-        (by_hand + by_recipe).max(usize::from(piece.flipped_at().is_some()))
     }
 }

@@ -1,6 +1,7 @@
 //! The steps of a plan in words, with what there is to see, hear and feel at each: for the window and for the kitchen card.
 
 use saute_plan::schedule::Deed;
+use saute_plan::schedule::follow::{Followed, Left};
 use saute_plan::schedule::senses::{Colour, Drop, Feel, Hiss, Sense};
 
 use crate::settings::Settings;
@@ -15,6 +16,21 @@ pub fn deed(deed: &Deed, l: Language) -> String {
         Deed::Pull => l.text("sense.pull").to_owned(),
         Deed::Serve => l.text("sense.serve").to_owned(),
     }
+}
+
+/// What is left to do at a step.
+pub fn left(followed: &Followed, l: Language) -> String {
+    match followed.left {
+        Left::All => deed(&followed.step.deed, l),
+        Left::Food => l.text("sense.pull_food").to_owned(),
+        Left::Hob => l.text("sense.pull_hob").to_owned(),
+    }
+}
+
+/// What is left to do at steps that share a time.
+pub fn deeds(next: &[Followed], l: Language) -> String {
+    let deeds: Vec<String> = next.iter().map(|followed| left(followed, l)).collect();
+    deeds.join(l.text("doneness.list_joint"))
 }
 
 /// What there is to see, hear and feel at a step.

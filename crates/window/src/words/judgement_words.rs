@@ -8,6 +8,7 @@ use saute_plan::goal::{Better, Goal, Judgement, Shortfall, Term, TermKind, Verdi
 
 use crate::session::Session;
 use crate::settings::Settings;
+use crate::words::language::Language;
 
 /// Least value of a term that the table names [-] (chosen: it would print as 0.0).
 const NAMED: f64 = 0.05;
@@ -24,7 +25,9 @@ pub struct ResultWords {
     pub verdict: String,
     /// What is missing.
     pub missed: Vec<String>,
-    /// The score.
+    /// The score [points].
+    pub points: f64,
+    /// The score in words.
     pub score: String,
     /// Heads of the table of the score, and its rows.
     pub table: (TermRow, Vec<TermRow>),
@@ -58,6 +61,7 @@ impl ResultWords {
             is_met,
             verdict: l.fill(key, &[("goal", &name)]),
             missed,
+            points: judgement.score.0,
             score: l.fill("result.score", &[("points", &format!("{:.0}", judgement.score.0))]),
             table: teller.table(),
             measures: teller.measures(),
@@ -66,6 +70,19 @@ impl ResultWords {
             grey_mm: judgement.grey_mm,
         }
     }
+}
+
+/// Time from which a span is told in minutes, and to what it is rounded then [s] (chosen: nobody pulls by the second after minutes).
+const MINUTES_S: f64 = 120.0;
+const HALF_MINUTE_S: f64 = 30.0;
+
+/// A span of time in words [s].
+pub(crate) fn span(seconds: f64, l: Language) -> String {
+    if seconds < MINUTES_S {
+        return l.fill("better.span_s", &[("seconds", &format!("{seconds:.0}"))]);
+    }
+    let whole = (HALF_MINUTE_S * (seconds / HALF_MINUTE_S).round()) as u64;
+    l.fill("better.span_min", &[("minutes", &(whole / 60)), ("seconds", &format!("{:02}", whole % 60))])
 }
 
 /// What it is told of.
@@ -99,6 +116,10 @@ impl Teller<'_> {
             Measure::Peak => format!("{by:.0}\u{a0}°C"),
             Measure::Share => format!("{by:.0}\u{a0}%"),
         }
+    }
+
+    fn span(&self, seconds: f64) -> String {
+        span(seconds, self.settings.language)
     }
 
     fn class(&self) -> String {
@@ -209,15 +230,18 @@ impl Teller<'_> {
             None => self.text("better.nothing"),
             Some(Better::RestLonger) => self.text("better.rest_longer"),
             Some(Better::PullEarlier { by, by_s: Some(by_s) }) => {
-                self.fill("better.pull_earlier_by", &[("seconds", &by_s), ("by", &self.distance(by))])
+                self.fill("better.pull_earlier_by", &[("time", &self.span(by_s)), ("by", &self.distance(by))])
             }
             Some(Better::PullEarlier { by, by_s: None }) => {
                 self.fill("better.pull_earlier", &[("by", &self.distance(by))])
             }
             Some(Better::PullLater { by, by_s: Some(by_s) }) => {
-                self.fill("better.pull_later_by", &[("seconds", &by_s), ("by", &self.distance(by))])
+                self.fill("better.pull_later_by", &[("time", &self.span(by_s)), ("by", &self.distance(by))])
             }
             Some(Better::PullLater { by, by_s: None }) => self.fill("better.pull_later", &[("by", &self.distance(by))]),
+            Some(Better::LeaveIn { by, until }) => {
+                self.fill("better.leave_in", &[("by", &self.distance(by)), ("until", &self.core(until))])
+            }
             Some(Better::HotterPan { had_c, until_c }) => {
                 self.fill("better.hotter_pan", &[("had", &degrees(had_c)), ("wanted", &degrees(until_c))])
             }

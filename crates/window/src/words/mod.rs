@@ -9,6 +9,7 @@ pub mod language;
 pub(crate) mod next_step;
 pub(crate) mod piece_words;
 pub mod plan_words;
+pub mod planned_words;
 pub mod refusal;
 pub mod told;
 pub mod view_words;

@@ -5,7 +5,7 @@
 //! on a thread in the native window, in a second instance of the program in a page's worker, or, where there is neither, in the
 //! window's own thread between frames. Nothing is shared: what an order needs is in its bytes, or in the embedded library.
 //!
-//! To add a kind of work: a variant of [`Kind`] with its name, and a [`Craft`](self::bench::Craft) in [`Kind::craft`]. The page's
+//! To add a kind of work: a variant of [`Kind`] with its name, and a [`Craft`] in `Kind::craft`. The page's
 //! scripts take the name as it is. An order replaces the one before and an empty one ends the work, so answers state the number of
 //! their order: some of an earlier one may still be on their way.
 
@@ -29,25 +29,25 @@ use crate::session::forecasts::foreseeing::Foreseeing;
 pub enum Kind {
     /// A recorded cook is played.
     Play,
+    /// Forecasts from the present of a cook.
+    Forecast,
     /// A plan is searched for.
     Plan,
     /// A kitchen at home is fitted.
     Fit,
-    /// Forecasts from the present of a cook.
-    Forecast,
 }
 
 impl Kind {
     /// All kinds.
-    pub const ALL: [Self; 4] = [Self::Play, Self::Plan, Self::Fit, Self::Forecast];
+    pub const ALL: [Self; 4] = [Self::Play, Self::Forecast, Self::Plan, Self::Fit];
 
     /// Its name, by which a page's scripts know it.
     pub fn name(self) -> &'static str {
         match self {
             Self::Play => "play",
+            Self::Forecast => "forecast",
             Self::Plan => "plan",
             Self::Fit => "fit",
-            Self::Forecast => "forecast",
         }
     }
 
@@ -60,18 +60,18 @@ impl Kind {
     fn craft(self, library: Arc<Library>) -> Box<dyn Craft> {
         match self {
             Self::Play => Box::new(Playing::new(library)),
+            Self::Forecast => Box::new(Foreseeing::new(library)),
             Self::Plan => Box::new(Planning::new(library)),
             Self::Fit => Box::new(Fitting::new(library)),
-            Self::Forecast => Box::new(Foreseeing::new(library)),
         }
     }
 
     /// Rest after work, as a share of the time that it took [-].
     fn rest_share(self) -> f64 {
         match self {
-            Self::Play | Self::Plan | Self::Fit => 0.0,
             // Half of one core at most.
             Self::Forecast => 1.0,
+            Self::Play | Self::Plan | Self::Fit => 0.0,
         }
     }
 }

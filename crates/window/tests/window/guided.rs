@@ -6,7 +6,7 @@ use std::sync::Arc;
 use egui::accesskit::Role;
 use egui::{Key, vec2};
 use egui_kittest::Harness;
-use egui_kittest::kittest::Queryable;
+use egui_kittest::kittest::{NodeT, Queryable};
 use saute_kitchen::Library;
 use saute_picture::View;
 use saute_plan::class::{Scenario, shipped};
@@ -126,6 +126,13 @@ fn locks_hold(harness: &mut Harness<'static, SauteApp>) {
     assert!(app.said().iter().any(|said| said == "This is locked here."), "{:?}", app.said());
     assert!(harness.query_by_label_contains("°C").is_none(), "no temperature is read");
     save(harness, "study-blind");
+    press(harness, Key::N);
+    for locked in ["20×", "Pause", "Step", "Start over", "Undo", "Temperature", "Cut", "Set out"] {
+        assert!(harness.get_by_label(locked).accesskit_node().is_disabled(), "{locked} looks as if it could be used");
+    }
+    assert!(!harness.get_by_label("Steak in").accesskit_node().is_disabled(), "it can be used");
+    save(harness, "study-locked-pantry");
+    press(harness, Key::N);
 }
 
 fn enter_real(harness: &mut Harness<'static, SauteApp>) {
@@ -145,6 +152,7 @@ fn second_trial(harness: &mut Harness<'static, SauteApp>) {
     cook(harness, 3.0);
     press(harness, Key::F);
     cook(harness, 3.0);
+    crate::teaching::turned::turn_by_hand(harness);
     press(harness, Key::O);
     cook(harness, 3.0);
     save(harness, "study-out");
@@ -158,7 +166,7 @@ fn check_rows(folder: &Path) {
     use RowKind::{Answer, Consent, Entry, Trial};
     assert_eq!(kinds, [Consent, Trial, Entry, Entry, Trial, Answer]);
     assert_eq!((rows[2].value, rows[3].text.as_deref(), rows[5].value), (Some(61.5), Some("medium"), Some(6.0)));
-    assert_eq!((rows[1].put_s, rows[4].flips), (None, Some(1)));
+    assert_eq!((rows[1].put_s, rows[4].flips), (None, Some(2)), "one by the key and one by the turner in the hand");
     assert!(rows[4].put_s < rows[4].out_s && rows[4].trial_wall_s.is_some());
     assert!(rows.iter().all(|row| !row.simulated && row.started.is_none()));
     let session = rows[4].session.clone().expect("is kept");

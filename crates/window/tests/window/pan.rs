@@ -197,7 +197,7 @@ fn the_list_is_reachable_on_a_phone_and_nothing_overlaps() {
     steps(&mut harness, 4);
     harness.get_by_label_contains("Select steak");
     save(&mut harness, "phone-pieces");
-    let tabs = ["Cook", "Inside", "Food", "Pieces", "Settings", "?"];
+    let tabs = ["Cook", "Inside", "Food", "Pieces", "Settings", "Learn"];
     let rects: Vec<Rect> = tabs.iter().map(|tab| harness.get_by_label(tab).rect()).collect();
     for (i, a) in rects.iter().enumerate() {
         assert!(a.right() <= PHONE.x - 10.0, "{} reaches {}", tabs[i], a.right());

@@ -151,3 +151,30 @@ fn every_control_is_as_high_as_a_thumb_is_wide_once_a_finger_was_seen() {
         assert!(low.is_empty(), "{name}: {low:#?}");
     }
 }
+
+#[test]
+fn what_there_is_to_learn_is_under_the_thumb_on_a_phone_in_every_language() {
+    for language in saute_window::Language::ALL {
+        let mut harness = touched(PHONE);
+        harness.state_mut().set_language(language);
+        steps(&mut harness, 14);
+        let [learn, settings, said] = ["learn.title", "settings.title", "messages.title"].map(|key| language.text(key));
+        let drawer = Layout::used_by(PHONE_RECT, harness.state().settings(), true).bottom;
+        for name in [learn, settings, said] {
+            let rect = harness.get_by_label(name).rect();
+            assert!(drawer.contains_rect(rect) && rect.height() >= TOUCH - 0.01, "{name}: {rect:?} in {drawer:?}");
+        }
+        save(&mut harness, &format!("touch-learn-bar-{language:?}"));
+        harness.get_by_label(learn).click();
+        steps(&mut harness, 20);
+        save(&mut harness, &format!("touch-learn-{language:?}"));
+        let places = ["tutorial.title", "goals.title", "plan.title", "lesson.title", "athome.title", "help.title"];
+        for key in places {
+            let rect = harness.get_by_label(language.text(key)).rect();
+            assert!(PHONE_RECT.contains_rect(rect) && rect.height() >= TOUCH - 0.01, "{key}: {rect:?}");
+        }
+        harness.get_by_label(language.text("help.title")).click();
+        steps(&mut harness, 3);
+        assert!(harness.state().help_is_open(), "{language:?}");
+    }
+}

@@ -1,5 +1,6 @@
 //! Promise: rendering degrades by stated rules: wrench, force, rumble, sound and picture.
 
+use saute_haptics::DoublePulse;
 use saute_haptics::control::degrade::RULES;
 use saute_haptics::control::rumble::{Rumble, RumbleRule};
 use saute_haptics::device::{Capabilities, HapticDevice, Vibration};
@@ -68,6 +69,32 @@ fn a_collision_is_a_decaying_strong_rumble_and_boiling_a_constant_weak_one() {
     model.impulses[0].impulse = glam::DVec3::splat(f64::NAN);
     model.impulses[0].number = 2;
     assert!(rule.step(&model, 1e-3).strong < later.strong, "NaN adds no rumble");
+}
+
+/// Strengths of a double pulse from its beginning, in steps [s].
+fn pulsed(dt: f64) -> Vec<Rumble> {
+    let mut pulse = DoublePulse::default();
+    assert_eq!(pulse.step(dt), Rumble::default(), "nothing before it begins");
+    pulse.begin();
+    let mut steps = Vec::new();
+    while pulse.is_on() {
+        steps.push(pulse.step(dt));
+    }
+    assert_eq!(pulse.step(dt), Rumble::default(), "nothing after it");
+    steps
+}
+
+#[test]
+fn a_double_pulse_is_two_knocks_within_half_a_second_however_long_the_frames_are() {
+    for dt in [1.0 / 144.0, 1.0 / 60.0, 0.05, 0.5] {
+        let steps = pulsed(dt);
+        let is_on: Vec<bool> = steps.iter().map(|rumble| rumble.strong > 0.5 && rumble.weak > 0.5).collect();
+        let changes = is_on.windows(2).filter(|pair| pair[0] != pair[1]).count();
+        assert!(is_on[0] && changes == 2 && is_on[is_on.len() - 1], "{dt} s: {is_on:?}");
+        assert!(dt > 0.1 || (steps.len() as f64 * dt) < 0.5, "{dt} s: {} steps", steps.len());
+    }
+    let felt = Rumble { strong: 0.9, weak: 0.1 };
+    assert_eq!(felt.or(pulsed(0.5)[0]), Rumble { strong: 0.9, weak: 1.0 }, "what is felt in the pan stays");
 }
 
 #[test]

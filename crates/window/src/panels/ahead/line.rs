@@ -31,16 +31,23 @@ fn words(state: &WindowState) -> Option<(String, bool)> {
     let core = shown(as_it_is.core_in(AHEAD_S).0);
     let out = state.session.foreseen(Question::TakeOut);
     let last = out.as_ref().unwrap_or(&as_it_is);
-    let peak = match class(state, &last.answer.outlook) {
-        Some(class) => {
-            l.fill("ahead.peak_class", &[("peak", &shown(last.answer.outlook.peak.core)), ("class", &class)])
-        }
-        None => shown(last.answer.outlook.peak.core),
+    if !(as_it_is.is_current && last.is_current) {
+        // What was foreseen in the pan would frighten once it is out.
+        return Some((l.text("ahead.stale").to_owned(), false));
+    }
+    // One number for one question: the advice above answers it too.
+    let expected = state.session.expected_peak_c();
+    let peak = expected.map_or_else(|| shown(last.answer.outlook.peak.core), |c| settings.temperature(c));
+    let age = age_words(state, &as_it_is);
+    // An age takes the room of the class.
+    let peak = match class(state, &last.answer.outlook).filter(|_| age.is_none()) {
+        Some(class) => l.fill("ahead.peak_class", &[("peak", &peak), ("class", &class)]),
+        None => peak,
     };
     let key = if out.is_some() { "ahead.line" } else { "ahead.line_out" };
     let mut words = l.fill(key, &[("core", &core), ("peak", &peak)]);
-    if let Some(age) = age_words(state, &as_it_is) {
+    if let Some(age) = age {
         words = format!("{words} · {age}");
     }
-    Some((words, as_it_is.is_current && last.is_current))
+    Some((words, true))
 }

@@ -14,7 +14,7 @@ use crate::settings::Settings;
 
 /// Returns true if forecasts are made and wanted: then there is room for them.
 pub fn are_shown(state: &WindowState) -> bool {
-    state.settings.foresees() && state.session.forecasts().are_made()
+    state.settings.foresees() && state.guided.is_none() && state.session.forecasts().are_made()
 }
 
 /// The class in which the core ends, in the cook's words; none where no scale says anything about it.

@@ -24,7 +24,7 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
         Standing::Idle => {}
         Standing::Fitting(share) => fitting(state, ui, acts, *share),
         Standing::Refused(why) => {
-            ui.label(RichText::new(l.fill("athome.refused", &[("why", why)])).color(theme::of(ui).accent));
+            ui.label(RichText::new(l.fill("athome.refused", &[("why", &why.words(l))])).color(theme::of(ui).accent));
         }
         Standing::Found(fitted) => found(state, fitted, ui, acts),
     }

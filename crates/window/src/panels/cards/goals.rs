@@ -72,12 +72,15 @@ fn wants(state: &WindowState, goal: &GoalDescription) -> String {
     parts.join(l.text("doneness.list_joint"))
 }
 
-/// The coach, the result that opens by itself, and skill mode.
+/// The coach, forecasts, the result that opens by itself, and skill mode.
 fn switches(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let (l, now, narrow) = (state.settings.language, state.settings, ui.available_width() < NARROW);
     let on_off = |on: bool| [(l.text("goals.on"), on), (l.text("goals.off"), !on)];
     if let Some(place) = row(ui, narrow, l.text("goals.coach"), &on_off(now.coach)) {
         acts.push(Act::Set(Setting::Coach(place == 0)));
+    }
+    if let Some(place) = row(ui, narrow, l.text("goals.forecasts"), &on_off(now.forecasts)) {
+        acts.push(Act::Set(Setting::Forecasts(place == 0)));
     }
     if let Some(place) = row(ui, narrow, l.text("goals.result_opens"), &on_off(now.result_opens)) {
         acts.push(Act::Set(Setting::ResultOpens(place == 0)));

@@ -30,7 +30,8 @@ const ENTRIES: [Entry; 7] = [
 pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, whole: Rect) {
     let framed = Framed { card: Card::Learn, id: "learn", title: "learn.title", width: WIDTH };
     framed.show(state, ui, acts, whole, |ui, acts| {
-        let list = ScrollArea::vertical().max_height(whole.height() - 140.0);
+        let height = whole.height() - 140.0;
+        let list = ScrollArea::vertical().max_height(height).min_scrolled_height(height);
         list.show(ui, |ui| ENTRIES.iter().for_each(|entry| row(state, ui, acts, entry)));
     });
 }

@@ -24,7 +24,7 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
     if narrow {
         ui.spacing_mut().interact_size.y = theme::TOUCH;
         (ui.spacing_mut().item_spacing, ui.spacing_mut().button_padding.x) = (egui::vec2(6.0, 6.0), 9.0);
-        crate::panels::inside::show_advice(state, ui, 2);
+        crate::panels::inside::show_advice(state, ui, 2, acts);
         ui.horizontal_wrapped(|ui| hands(state, ui, acts));
         ui.horizontal_wrapped(|ui| {
             hob_slider::show(state, ui, acts);
@@ -152,17 +152,29 @@ fn pause_word(state: &WindowState) -> &'static str {
 }
 
 fn speed_button(state: &WindowState, ui: &mut Ui, acts: &mut Acts, speed: f64) {
-    let hint = state.settings.language.text("hob.speed");
-    if pressed(ui, &format!("{speed:.0}×"), state.session.speed == speed, true, hint).clicked() {
-        acts.push(Act::SpeedSet(speed));
+    let (hint, act) = (state.settings.language.text("hob.speed"), Act::SpeedSet(speed));
+    let enabled = !state.forbids(&act);
+    let response = pressed(ui, &format!("{speed:.0}×"), state.session.speed == speed, enabled, hint);
+    if why_off(state, response, &act).clicked() {
+        acts.push(act);
     }
 }
 
 pub(crate) fn button(state: &WindowState, ui: &mut Ui, acts: &mut Acts, text: &str, on: bool, enabled: bool, act: Act) {
+    let enabled = enabled && !state.forbids(&act);
     let response = pressed(ui, text, on, enabled, &hint(&act, state.settings.language));
+    let response = why_off(state, response, &act);
     note_control(ui, &act, response.rect);
     if response.clicked() {
         acts.push(act);
+    }
+}
+
+/// Says why a study or a lesson holds a button back.
+fn why_off(state: &WindowState, response: egui::Response, act: &Act) -> egui::Response {
+    match state.forbids(act) {
+        true => response.on_disabled_hover_text(state.settings.language.text("guided.locked")),
+        false => response,
     }
 }
 

@@ -38,11 +38,20 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     if let Some(watts) = dragged(state, ui, &power, now) {
         acts.push(Act::HobSet(watts));
     }
+    advised(state, ui, &power);
     for watts in settings {
         if mark(state, ui, &power, *watts, !held && (watts - now).abs() < 0.5) {
             acts.push(Act::HobSet(*watts));
         }
     }
+}
+
+/// Marks the power that is advised: a triangle on the track.
+fn advised(state: &WindowState, ui: &Ui, power: &Power) {
+    let Some(watts) = state.advice.iter().find_map(|one| one.hob_w()).filter(|_| state.reads_out()) else { return };
+    let (x, y) = (power.x(watts), power.track.center().y - 3.5);
+    let corners = vec![pos2(x, y), pos2(x - 5.0, y - 8.0), pos2(x + 5.0, y - 8.0)];
+    ui.painter().add(egui::Shape::convex_polygon(corners, theme::of(ui).accent, egui::Stroke::NONE));
 }
 
 /// Where powers lie on the track.

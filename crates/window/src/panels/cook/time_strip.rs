@@ -55,6 +55,7 @@ pub fn undo_and_redo(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let height = ui.spacing().interact_size.y;
     let mut button = |name: &'static str, hint: &'static str, enabled: bool, act: Act| {
         let button = theme::of(ui).button(l.text(name), false).min_size(vec2(height, height));
+        let enabled = enabled && !state.forbids(&act);
         if ui.add_enabled(enabled, button).on_hover_text(l.text(hint)).clicked() {
             acts.push(act);
         }

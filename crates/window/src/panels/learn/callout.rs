@@ -5,7 +5,7 @@ use saute_kitchen::advice::Advice;
 
 use crate::act::{Act, Acts};
 use crate::learn::tutorial::{Step, Tutorial, control};
-use crate::panels::inside::{advice_words, clock};
+use crate::panels::inside::{advice_words, clock, do_it_words};
 use crate::panels::window_state::WindowState;
 use crate::ui::layout::{GAP, Layout};
 use crate::ui::theme;
@@ -36,29 +36,40 @@ pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, layout: &Layout) {
         frame.show(ui, |ui| {
             ui.set_width(width);
             ui.spacing_mut().item_spacing.y = 5.0;
-            ui.label(RichText::new(words(state, tutorial)).size(14.5));
+            let hob = hob_first(state, tutorial);
+            ui.label(RichText::new(words(state, tutorial, hob)).size(14.5));
+            if let Some(watts) = hob.and_then(Advice::hob_w)
+                && ui.button(do_it_words(watts, state)).clicked()
+            {
+                acts.push(Act::HobSet(watts));
+            }
             foot(state, tutorial, ui, acts);
         });
     });
     ring(tutorial, ui);
 }
 
+/// Advice about the hob that is due while a step waits for the food.
+fn hob_first(state: &WindowState, tutorial: &Tutorial) -> Option<Advice> {
+    let about_hob = |one: &&Advice| one.hob_w().is_some() && **one != Advice::TurnOff;
+    state.advice.iter().find(about_hob).filter(|_| tutorial.step().waits()).copied()
+}
+
 /// What to do now; the hob comes first where its advice is due.
-fn words(state: &WindowState, tutorial: &Tutorial) -> String {
+fn words(state: &WindowState, tutorial: &Tutorial, hob: Option<Advice>) -> String {
     let l = state.settings.language;
-    let about_hob = |one: &&Advice| matches!(one, Advice::TooHot { .. } | Advice::TooCold { .. });
-    if let Some(hob) = state.advice.iter().find(about_hob).filter(|_| tutorial.step().waits()) {
-        return l.fill("tutorial.hob_first", &[("advice", &advice_words(*hob, state))]);
+    if let Some(hob) = hob {
+        return l.fill("tutorial.hob_first", &[("advice", &advice_words(hob, state))]);
     }
-    let is_due = state.advice.first().is_some_and(|one| one.is_due());
     l.text(match tutorial.step() {
         Step::HobOn => "tutorial.hob_on",
         Step::Heat => "tutorial.heat",
         Step::PutIn => "tutorial.put_in",
         Step::Inside => "tutorial.inside",
-        Step::Flip if is_due => "tutorial.flip_now",
+        Step::Flip if state.advice.first() == Some(&Advice::Flip) => "tutorial.flip_now",
         Step::Flip => "tutorial.flip_soon",
-        Step::TakeOut if is_due => "tutorial.take_out_now",
+        Step::TakeOut if state.advice.first().is_some_and(|one| one.is_goal()) => "tutorial.take_out_now",
+        Step::TakeOut if state.advice.first() == Some(&Advice::Flip) => "tutorial.flip_again",
         Step::TakeOut => "tutorial.take_out_soon",
         Step::HobOff => "tutorial.hob_off",
         Step::Rest => "tutorial.rest",

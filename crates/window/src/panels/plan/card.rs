@@ -60,7 +60,7 @@ fn found(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
             searching(state, ui, acts, share as f32, &l.fill(stage, &[("count", &count)]));
         }
         Standing::Refused(why) => {
-            ui.label(RichText::new(l.fill("plan.refused", &[("why", why)])).color(theme::of(ui).accent));
+            ui.label(RichText::new(l.fill("plan.refused", &[("why", &why.words(l))])).color(theme::of(ui).accent));
         }
         Standing::Found(plan) => answer::show(state, plan, ui, acts),
     }

@@ -3,15 +3,17 @@
 use egui::{Align2, Area, Color32, Id, Pos2, Rect, RichText, Stroke, Ui, pos2, vec2};
 use saute_plan::goal::Outcome;
 use saute_plan::schedule::Deed;
-use saute_plan::schedule::follow::{Followed, LATE_S};
+use saute_plan::schedule::follow::{Followed, LATE_S, Left};
+use saute_plan::schedule::voice::Keeping;
 
-use crate::act::{Act, Acts};
+use crate::act::{Act, Acts, Card};
 use crate::panels::inside::clock;
 use crate::panels::window_state::WindowState;
 use crate::plan::PlanAct;
 use crate::plan::live::{Guidance, Live, READY_S};
 use crate::ui::layout::{GAP, Layout};
 use crate::ui::{fingers, theme};
+use crate::words::language::Language;
 use crate::words::{cue_words, plan_words};
 
 /// Its width at most, and its height: always the same, so that nothing moves when the words change [points].
@@ -27,7 +29,7 @@ const BUTTON: f32 = 34.0;
 
 /// Shows the strip where a cook follows a plan; returns the layout for messages, which stand below it.
 pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, layout: &Layout) -> Layout {
-    let Some(live) = state.live.filter(|_| layout.ways.is_none()) else { return *layout };
+    let Some(live) = state.live.filter(|live| layout.ways.is_none() && !live.is_closed()) else { return *layout };
     let guidance = live.guidance(state.session);
     let top = layout.free.top() + if layout.narrow { layout.eye.height() + 2.0 * GAP } else { 12.0 + 2.0 * GAP };
     let width = WIDTH.min(layout.free.width() - 2.0 * GAP);
@@ -56,8 +58,7 @@ pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, layout: &Layout) -> L
 fn next(state: &WindowState, live: &Live, guidance: &Guidance, ui: &mut Ui, acts: &mut Acts) {
     let l = state.settings.language;
     let due_in_s = guidance.due_in_s().unwrap_or_default();
-    let deeds: Vec<String> = guidance.next.iter().map(|f| cue_words::deed(&f.step.deed, l)).collect();
-    let deeds = deeds.join(l.text("doneness.list_joint"));
+    let deeds = cue_words::deeds(&guidance.next, l);
     ui.horizontal(|ui| {
         bell(state, ui, due_in_s <= 0.0);
         ui.label(RichText::new(&deeds).size(18.0).strong());
@@ -72,7 +73,8 @@ fn next(state: &WindowState, live: &Live, guidance: &Guidance, ui: &mut Ui, acts
     });
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing.x = 6.0;
-        let can_do = due_in_s <= READY_S && guidance.next.iter().any(|f| f.step.deed != Deed::Serve);
+        // A step that is done early is none of the plan.
+        let can_do = due_in_s <= 0.0 && guidance.next.iter().any(|f| f.step.deed != Deed::Serve);
         let words = l.fill("plan.do_it", &[("deed", &deeds)]);
         button(ui, acts, (l.text("plan.do_it_short"), &words), due_in_s <= 0.0, can_do, PlanAct::DoStep);
         let hurry = l.text("plan.hurry");
@@ -86,7 +88,7 @@ fn next(state: &WindowState, live: &Live, guidance: &Guidance, ui: &mut Ui, acts
         }
         leave(state, ui, acts);
     });
-    said(state, guidance, ui);
+    said(state, live, guidance, ui);
 }
 
 fn size(ui: &Ui) -> egui::Vec2 {
@@ -111,6 +113,8 @@ fn leave(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
 }
 
 fn cue(state: &WindowState, live: &Live, followed: &Followed) -> Option<String> {
+    // Of food that is out there is nothing to feel.
+    let followed = Some(followed).filter(|followed| followed.left != Left::Hob)?;
     let sense = live.plan().sense(&followed.step, &state.session.library)?;
     Some(cue_words::sense(&sense, state.settings))
 }
@@ -127,11 +131,31 @@ fn countdown(state: &WindowState, guidance: &Guidance, ui: &mut Ui) {
     ui.label(RichText::new(text).size(18.0).strong().color(colour));
 }
 
-/// Whether the last step was early or late, and that the others keep their times.
-fn said(state: &WindowState, guidance: &Guidance, ui: &mut Ui) {
+/// That the plan is left or time slowed down, else whether the last step was early or late and that the others keep their times.
+fn said(state: &WindowState, live: &Live, guidance: &Guidance, ui: &mut Ui) {
     let l = state.settings.language;
-    let place = l.fill("plan.step_of", &[("step", &guidance.behind()), ("all", &guidance.steps.len())]);
-    let text = guidance.last.map_or_else(
+    let all = guidance.steps.len();
+    let place = l.fill("plan.step_of", &[("step", &(guidance.behind() + 1).min(all)), ("all", &all)]);
+    let (text, ink) = match (left_words(live.keeping(state.session), l), live.returns_to()) {
+        (Some(left), _) => (left, theme::of(ui).accent),
+        (None, Some(speed)) => (l.fill("plan.returns_to", &[("speed", &format!("{speed:.0}"))]), theme::of(ui).quiet),
+        (None, None) => (last_words(guidance, l), theme::of(ui).quiet),
+    };
+    let text = format!("{place} {text}");
+    ui.add(egui::Label::new(RichText::new(&text).size(13.0).color(ink)).truncate()).on_hover_text(text);
+}
+
+/// How the plan was left, and who speaks then.
+fn left_words(keeping: Keeping, l: Language) -> Option<String> {
+    match keeping {
+        Keeping::Kept => None,
+        Keeping::Missed(deed) => Some(l.fill("plan.missed", &[("deed", &cue_words::deed(&deed, l))])),
+        Keeping::OtherPower(w) => Some(l.fill("plan.other_power", &[("power", &format!("{w:.0}"))])),
+    }
+}
+
+fn last_words(guidance: &Guidance, l: Language) -> String {
+    guidance.last.map_or_else(
         || l.text("plan.begin_how").to_owned(),
         |(deed, late_s)| {
             let seconds = format!("{:.0}", late_s.abs());
@@ -142,9 +166,7 @@ fn said(state: &WindowState, guidance: &Guidance, ui: &mut Ui) {
             };
             l.fill(key, &[("deed", &cue_words::deed(&deed, l)), ("seconds", &seconds)])
         },
-    );
-    let text = RichText::new(format!("{place} {text}")).size(13.0).color(theme::of(ui).quiet);
-    ui.add(egui::Label::new(text).truncate());
+    )
 }
 
 /// What was promised beside what was reached.
@@ -160,7 +182,14 @@ fn verdict(state: &WindowState, live: &Live, gave: &Outcome, ui: &mut Ui, acts: 
     };
     ui.label(RichText::new(line(&plan.promised, "plan.was_promised")).size(14.0).color(theme::of(ui).quiet));
     ui.label(RichText::new(line(gave, "plan.was_reached")).size(14.0));
-    ui.horizontal(|ui| leave(state, ui, acts));
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 6.0;
+        let result = theme::of(ui).button(l.text("result.title"), true).min_size(size(ui));
+        if ui.add(result).on_hover_text(l.text("result.hint")).clicked() {
+            acts.push(Act::Open(Card::Result));
+        }
+        leave(state, ui, acts);
+    });
 }
 
 /// A bell, which swings while a step is due; it stands still where nothing is to move.

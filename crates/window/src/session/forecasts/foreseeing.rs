@@ -39,9 +39,9 @@ impl Foreseeing {
         Self { library, models: Models::default(), desk: Desk::default(), present: None, told: None }
     }
 
-    fn begin(&mut self, present: Present) -> Option<Taken> {
-        let Present { number, cook, done, food, scale, kitchen } = present;
-        let kitchen = Kitchen::from_bytes_with(&kitchen, &self.library, &mut self.models).ok()?;
+    fn begin(&mut self, order: &[u8]) -> Option<Taken> {
+        let (Present { number, cook, done, food, scale }, kitchen) = postcard::take_from_bytes(order).ok()?;
+        let kitchen = Kitchen::from_bytes_with(kitchen, &self.library, &mut self.models).ok()?;
         if self.present.is_none_or(|before| before.cook != cook) {
             self.desk.watch(None, None);
         }
@@ -81,7 +81,7 @@ impl Foreseeing {
 
 impl Craft for Foreseeing {
     fn take(&mut self, order: &[u8]) {
-        let present = postcard::from_bytes(order).ok().and_then(|present| self.begin(present));
+        let present = self.begin(order);
         if present.is_none() {
             self.desk.watch(None, None);
         }

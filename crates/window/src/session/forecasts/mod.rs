@@ -17,7 +17,7 @@ const APART_S: f64 = 0.5;
 /// Age from which an answer says how old it is [simulated s].
 const OLD_S: f64 = 2.0;
 
-/// An order: the present of a cook.
+/// An order: the present of a cook. Behind it come the bytes of the kitchen, which are not copied once more for that.
 #[derive(Debug, Deserialize, Serialize)]
 struct Present {
     number: u64,
@@ -29,7 +29,15 @@ struct Present {
     food: String,
     /// Id of the scale in whose classes its section is shared out.
     scale: Option<String>,
-    kitchen: Vec<u8>,
+}
+
+impl Present {
+    /// The order as bytes.
+    fn order(&self, kitchen: &Kitchen) -> Vec<u8> {
+        let mut bytes = postcard::to_allocvec(self).expect("a present has no kind that postcard lacks");
+        kitchen.append_bytes(&mut bytes);
+        bytes
+    }
 }
 
 /// What comes back: all that is known of the piece.
@@ -172,9 +180,9 @@ impl Forecasts {
         let Some(helper) = &mut self.helper else { return };
         self.number += 1;
         let Watched { cook, food, scale } = watched.clone();
-        let present = Present { number: self.number, cook, done, food, scale, kitchen: kitchen.to_bytes() };
+        let present = Present { number: self.number, cook, done, food, scale };
         self.asked = Some(Asked { watched, at_s: now_s, frame: kitchen.frame(), done, is_over: false });
-        helper.ask(postcard::to_allocvec(&present).expect("a present has no kind that postcard lacks"));
+        helper.ask(present.order(kitchen));
     }
 }
 

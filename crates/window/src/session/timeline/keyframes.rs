@@ -12,7 +12,7 @@ use super::packed::{Packed, Stored};
 use crate::session::errand::Stop;
 
 /// Size of all keyframes at most [bytes] (chosen: a page has little memory, which never shrinks).
-pub const MOST_BYTES: usize = if cfg!(target_arch = "wasm32") { 12 << 20 } else { 256 << 20 };
+pub const MOST_BYTES: usize = if cfg!(target_arch = "wasm32") { 8 << 20 } else { 256 << 20 };
 
 /// Size of all keyframes from which on they are packed [bytes] (chosen: a usual cook of one steak needs no packing).
 const PACKED_FROM: usize = MOST_BYTES / 2;

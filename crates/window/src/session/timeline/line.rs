@@ -31,7 +31,7 @@ impl Traces {
     pub(super) fn until(&self, moment: Moment) -> Self {
         let mut traces = self.clone();
         let time_s = moment.time_s();
-        traces.recorder.rows.retain(|row| row.time_s < time_s + SAME_TIME);
+        traces.recorder = traces.recorder.until(time_s + SAME_TIME);
         traces.probes.cut(time_s + SAME_TIME);
         traces.marks.retain(|mark| mark.at <= moment);
         traces

@@ -7,8 +7,10 @@ use std::sync::Arc;
 
 use egui::{Rect, vec2};
 use egui_kittest::{Harness, kittest::NodeT, kittest::Queryable};
+use saute_kitchen::advice::FORECAST_HIGH_K;
 use saute_kitchen::{Command, Library, celsius};
 use saute_plan::forecast::{EXACT_S, Question, SPANS_S};
+use saute_window::act::{Act, Card, Setting};
 use saute_window::session::Session;
 use saute_window::ui::layout::Layout;
 use saute_window::words::language::Language;
@@ -97,13 +99,20 @@ fn highest(session: &Session, question: Question) -> String {
 
 #[test]
 fn a_line_says_what_comes_and_what_if_it_is_taken_out() {
-    let (mut harness, _) = usual();
+    let (mut harness, agency) = usual();
     save(&mut harness, "forecast-line");
-    let session = harness.state().session();
-    let (core, peak) = (degrees(session, Question::AsItIs, 120.0), highest(session, Question::TakeOut));
-    harness.get_by_label_contains(&format!("In 2 min {core}\u{a0}°C · out now: {peak}\u{a0}°C ("));
-    // The advice says the same.
-    harness.get_by_label_contains(&format!("would peak at {peak}\u{a0}°C"));
+    let core = degrees(harness.state().session(), Question::AsItIs, 120.0);
+    // The line and the advice answer one question with one number.
+    let advised = harness.state_mut().session_mut().forecast().expect("steak is in the pan").peak_c - FORECAST_HIGH_K;
+    harness.get_by_label_contains(&format!("In 2 min {core}\u{a0}°C · out now: {advised:.0}\u{a0}°C ("));
+    // What was foreseen in the pan is not said of a steak that is out of it.
+    *agency.is_away.borrow_mut() = true;
+    harness.get_by_label("Take out").click();
+    cook(&mut harness, 3.0);
+    harness.get_by_label_contains("From before the last thing you did");
+    assert!(
+        harness.query_by_label_contains("In 2 min").is_none() && harness.query_by_label_contains("highest:").is_none()
+    );
 }
 
 #[test]
@@ -183,10 +192,10 @@ fn rounds_are_half_a_second_apart_and_there_is_none_where_nothing_is_ahead() {
     steps(&mut harness, 100);
     let rounds = asked(&agency) - before;
     assert!((8..=10).contains(&rounds), "{rounds} in 5 s");
-    harness.key_press(egui::Key::F2);
-    steps(&mut harness, 2);
-    save(&mut harness, "forecast-settings");
-    harness.get_by_label("Forecasts: Off").click();
+    harness.state_mut().act(Act::Open(Card::Goals), &egui::Context::default());
+    steps(&mut harness, 12);
+    save(&mut harness, "forecast-switch");
+    harness.get_by_label("Forecasts: off").click();
     steps(&mut harness, 2);
     assert!(agency.orders.borrow().last().expect("an order").is_empty(), "the work is ended");
     let before = asked(&agency);
@@ -299,4 +308,14 @@ fn a_phone_shows_forecasts_in_its_drawer_and_japanese_has_room() {
     harness.key_press(egui::Key::G);
     steps(&mut harness, 12);
     save(&mut harness, "forecast-table-ja");
+}
+
+#[test]
+fn in_skill_mode_nothing_is_foreseen() {
+    let (mut harness, agency) = usual();
+    harness.state_mut().act(Act::Set(Setting::SkillMode(true)), &egui::Context::default());
+    steps(&mut harness, 12);
+    assert!(harness.state().session().foreseen(Question::AsItIs).is_none());
+    assert!(agency.orders.borrow().last().expect("an order").is_empty(), "the work is ended");
+    assert!(harness.query_by_label_contains("In 2 min").is_none());
 }

@@ -4,12 +4,13 @@ use std::sync::Arc;
 
 use egui::{accesskit::Role, vec2};
 use egui_kittest::{Harness, kittest::Queryable};
-use saute_kitchen::Library;
+use saute_kitchen::{Command, Library};
 use saute_plan::goal::{Goal, Outcome};
 use saute_plan::schedule::asked::Asked;
 use saute_plan::schedule::search::PlanData;
 use saute_plan::schedule::{Change, Job, Order, Plan, Planner, Pull, Schedule, Sensitivity, Setting as Power};
 use saute_window::act::{Act, Card, Setting};
+use saute_window::plan::choice::PlanChoice;
 use saute_window::plan::craft::{PlanAnswer, PlanOrder, Told};
 use saute_window::plan::planning::Planning;
 use saute_window::plan::{PlanAct, PlanFile};
@@ -20,11 +21,16 @@ use saute_window::{Language, SauteApp};
 
 use crate::harness::{save, steps, window};
 
-const WIDE: egui::Vec2 = vec2(1280.0, 720.0);
-const PHONE: egui::Vec2 = vec2(390.0, 844.0);
+pub(super) const WIDE: egui::Vec2 = vec2(1280.0, 720.0);
+pub(super) const PHONE: egui::Vec2 = vec2(390.0, 844.0);
 
 /// A plan for a small steak: its times are chosen, its promise is what its cook gives.
-fn plan(library: &Library) -> Plan {
+pub(super) fn plan(library: &Library) -> Plan {
+    plan_for(library, "medium", 60.0)
+}
+
+/// As [`plan`], for another target and crust [%].
+pub(super) fn plan_for(library: &Library, target: &str, crust_pct: f64) -> Plan {
     let power = |at_s, hob_w| Power { at_s, hob_w };
     let order = Order {
         food: "beef-lean".into(),
@@ -34,7 +40,7 @@ fn plan(library: &Library) -> Plan {
         pan: "carbon-steel-26".into(),
         hob_w: vec![400.0, 1100.0, 2000.0],
         most_flips: 2,
-        goal: Goal::new(&"medium".parse().expect("a target"), library.scale("chefs").expect("a scale"), 60.0)
+        goal: Goal::new(&target.parse().expect("a target"), library.scale("chefs").expect("a scale"), crust_pct)
             .expect("a class"),
     };
     let schedule = Schedule {
@@ -83,7 +89,7 @@ impl Helper for CannedHelper {
     }
 }
 
-fn act(harness: &mut Harness<'static, SauteApp>, act: Act) {
+pub(super) fn act(harness: &mut Harness<'static, SauteApp>, act: Act) {
     let ctx = harness.ctx.clone();
     harness.state_mut().act(act, &ctx);
     steps(harness, 3);
@@ -93,7 +99,12 @@ fn act(harness: &mut Harness<'static, SauteApp>, act: Act) {
 fn opened(size: egui::Vec2, plan: Plan) -> Harness<'static, SauteApp> {
     let mut harness = window(size);
     harness.state_mut().employ(Box::new(Canned(plan.clone())));
-    let Order { food: kind, size_mm, initial_c, pan, .. } = plan.order;
+    let Order { food: kind, size_mm, initial_c, pan, goal, .. } = plan.order;
+    let by_core = goal.scale.id == "core";
+    let usual = PlanChoice::default();
+    let core_c = if by_core { goal.aim.round() } else { usual.core_c };
+    let asked = PlanChoice { by_core, core_c, crust_pct: Some(goal.crust_pct), ..usual };
+    act(&mut harness, Act::Plan(PlanAct::Choose(asked)));
     let choice = SteakChoice { kind, size_mm, initial_c, pan, ..SteakChoice::default() };
     act(&mut harness, Act::Set(Setting::Choice(choice)));
     act(&mut harness, Act::Open(Card::Learn));
@@ -102,7 +113,7 @@ fn opened(size: egui::Vec2, plan: Plan) -> Harness<'static, SauteApp> {
     harness
 }
 
-fn found(size: egui::Vec2, plan: Plan) -> Harness<'static, SauteApp> {
+pub(super) fn found(size: egui::Vec2, plan: Plan) -> Harness<'static, SauteApp> {
     let mut harness = opened(size, plan);
     harness.get_by_label("Find a plan").scroll_to_me();
     steps(&mut harness, 3);
@@ -195,8 +206,38 @@ fn a_cook_by_the_strip_gives_what_was_promised() {
     harness.get_by_label_contains(&format!("You reached: middle {:.1}", gave.core_peak_c));
 }
 
+/// The turner in a hand and the button count alike, and the button's flip does not count twice.
+#[test]
+fn a_flip_by_the_turner_in_the_hand_is_a_step_of_the_guide() {
+    use saute_plan::schedule::Deed;
+    use saute_plan::schedule::follow::Standing;
+    let library = Library::embedded().expect("embedded data");
+    let mut harness = found(WIDE, plan(&library));
+    harness.get_by_label("Cook it live").click();
+    steps(&mut harness, 3);
+    let flips = |harness: &Harness<'static, SauteApp>| -> Vec<Standing> {
+        let followed = harness.state().guidance().expect("a guide").steps;
+        followed.iter().filter(|f| matches!(f.step.deed, Deed::Flip(_))).map(|f| f.standing).collect()
+    };
+    let session = harness.state_mut().session_mut();
+    let food = session.kitchen.pieces()[0].id.clone();
+    session.command(&Command::Put { food: food.clone(), at: [0.0; 2], heap: false }).expect("puts");
+    (0..30).for_each(|_| session.tick().map(drop).expect("ticks"));
+    crate::teaching::turned::turn_by_hand(&mut harness);
+    assert!(matches!(flips(&harness)[..], [Standing::Done(_), Standing::Open(_)]), "{:?}", flips(&harness));
+    let session = harness.state_mut().session_mut();
+    session.command(&Command::Flip { food }).expect("flips");
+    assert!(matches!(flips(&harness)[..], [_, Standing::Done(_)]), "at once: {:?}", flips(&harness));
+    let session = harness.state_mut().session_mut();
+    let before = session.recorder.turns().count();
+    (0..40).for_each(|_| session.tick().map(drop).expect("ticks"));
+    assert_eq!((before, session.recorder.turns().count()), (1, 2), "it was turned");
+    let [Standing::Done(first_s), Standing::Done(second_s)] = flips(&harness)[..] else { panic!("both are done") };
+    assert!(second_s + 60.0 > first_s + 1.0, "the second is the command, {first_s} s and {second_s} s");
+}
+
 /// True if the next step of the cook is due.
-fn due(harness: &Harness<'static, SauteApp>) -> bool {
+pub(super) fn due(harness: &Harness<'static, SauteApp>) -> bool {
     harness.state().guidance().and_then(|guidance| guidance.due_in_s()).is_some_and(|in_s| in_s <= 1e-6)
 }
 

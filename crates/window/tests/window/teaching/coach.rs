@@ -31,9 +31,12 @@ fn an_alarm_at_the_goal_takes_the_food_out_by_one_click_and_is_gone_then() {
         until(&mut harness, |session| core_c(session) > 30.0);
         command(&mut harness, &Command::Flip { food: "steak".into() });
         steps(&mut harness, 3);
-        assert!(!says(&harness, "Goal reached"));
+        assert!(!says(&harness, "Goal reached") && !harness.state().pad_pulses());
         until(&mut harness, |session| core_c(session) > 60.0);
+        steps(&mut harness, 1);
+        assert!(harness.state().pad_pulses(), "a gamepad says it, too");
         steps(&mut harness, 12);
+        assert!(!harness.state().pad_pulses(), "once");
         assert!(says(&harness, "Goal reached: take it out now"));
         save(&mut harness, if size == WIDE { "coach-alarm" } else { "coach-alarm-phone" });
         harness.get_by_label("Take it out: the goal is reached").click();
@@ -46,4 +49,18 @@ fn an_alarm_at_the_goal_takes_the_food_out_by_one_click_and_is_gone_then() {
         steps(&mut harness, 3);
         assert!(!says(&harness, "Goal reached"));
     }
+}
+
+#[test]
+fn without_the_coach_no_gamepad_pulses_at_the_goal() {
+    let mut harness = small_steak(WIDE);
+    set(&mut harness, Setting::Coach(false));
+    put_in(&mut harness);
+    until(&mut harness, |session| core_c(session) > 30.0);
+    command(&mut harness, &Command::Flip { food: "steak".into() });
+    until(&mut harness, |session| core_c(session) > 60.0);
+    steps(&mut harness, 1);
+    assert!(!harness.state().pad_pulses() && !says(&harness, "Goal reached"));
+    set(&mut harness, Setting::Coach(true));
+    assert!(harness.state().pad_pulses(), "switched on, it says so");
 }

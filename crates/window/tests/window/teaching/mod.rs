@@ -3,6 +3,7 @@
 mod coach;
 mod result;
 mod skill;
+pub mod turned;
 mod tutorial;
 
 use egui::vec2;

@@ -4,17 +4,22 @@ use std::path::PathBuf;
 
 use egui::Key;
 use egui_kittest::kittest::Queryable;
-use saute_plan::goal::{Better, Judgement, Shortfall, Verdict};
+use saute_kitchen::{Command, RestOn};
+use saute_plan::goal::{Better, Goal, Judgement, Shortfall, Verdict};
 use saute_window::act::{Act, Card, Setting};
 use saute_window::learn::goal_choice::goal_of;
+use saute_window::words::judgement_words::ResultWords;
 use saute_window::{Language, SauteApp, Start};
 
-use super::{PHONE, WIDE, act, fry, rested, says, set, small_steak};
+use super::{PHONE, WIDE, act, command, core_c, fry, put_in, rested, says, set, small_steak, until};
 use crate::harness::{press, save, steps, window_with};
 
+fn goal(app: &SauteApp) -> Goal {
+    goal_of(app.session(), app.settings()).expect("a goal")
+}
+
 fn judged(app: &SauteApp) -> Judgement {
-    let goal = goal_of(app.session(), app.settings()).expect("a goal");
-    app.session().judgement(&goal).expect("there is food")
+    app.session().judgement(&goal(app)).expect("there is food")
 }
 
 #[test]
@@ -120,4 +125,29 @@ fn a_goal_is_chosen_from_its_card_and_the_advice_leads_there() {
         "Rare, with a crust",
         "the row holds again"
     );
+}
+
+/// Tongs carry food out without a command that makes a mark.
+#[test]
+fn food_that_no_button_took_out_has_its_result_too_and_nearly_raw_food_is_told_no_seconds() {
+    let mut harness = small_steak(WIDE);
+    put_in(&mut harness);
+    until(&mut harness, |session| core_c(session) > 8.0);
+    let rest = Command::Rest { food: "steak".into(), on: RestOn::Board };
+    harness.state_mut().session_mut().kitchen.apply(&rest).expect("comes out");
+    command(&mut harness, &Command::Hob(0.0));
+    until(&mut harness, |session| session.steak().is_some_and(|steak| steak.core() < steak.core_peak.0 - 0.5));
+    harness.state_mut().session_mut().set_paused(false);
+    steps(&mut harness, 8);
+    assert!(says(&harness, "One thing to do better"), "it opens by itself");
+    save(&mut harness, "result-raw");
+    let better = ResultWords::of(
+        &judged(harness.state()),
+        &goal(harness.state()),
+        harness.state().session(),
+        harness.state().settings(),
+    );
+    println!("{}", better.better[1]);
+    let is_in_words = better.better[1].contains("It was far from done") || better.better[1].contains(" min longer");
+    assert!(is_in_words, "{}", better.better[1]);
 }

@@ -13,18 +13,16 @@ use crate::harness::{save, steps, window};
 
 /// Presses the button that the callout means, where it means one now.
 fn follow(harness: &mut Harness<'static, SauteApp>, step: Step) {
-    let lower = match harness.state().session().kitchen.hob_w() {
-        w if w > 1100.0 => "1100 W",
-        w if w > 400.0 => "400 W",
-        _ => "off",
-    };
     let meant = match step {
-        _ if says(harness, "First the hob.") && says(harness, "hob down") => Some(lower),
-        _ if says(harness, "First the hob.") => Some("1100 W"),
+        _ if says(harness, "First the hob.") => {
+            harness.query_all_by_label_contains("As advised: hob to ").next().expect("a button does it").click();
+            None
+        }
         Step::HobOn => Some("1100 W"),
         Step::PutIn => Some("Steak in"),
         Step::Inside => Some("Cut"),
         Step::Flip => says(harness, "Now: click").then_some("Flip"),
+        Step::TakeOut if says(harness, "once more") => Some("Flip"),
         Step::TakeOut => says(harness, "click “Take out”").then_some("Take out"),
         Step::HobOff => Some("off"),
         Step::Halve => Some("Halve"),
