@@ -11,10 +11,10 @@ ROWS="${1:-10000}"
 KILLS="${2:-10}"
 PROGRAM="${CARGO_TARGET_DIR:-target}/release/saute"
 
-# spec ROWS: a sweep of so many short cooks on a coarse mesh.
+# spec ROWS: a sweep of so many short cooks on a coarse mesh, in a pan that is hot from the start.
 spec() {
     printf 'recipe = "medium"\nfor_s = 30\ncoarseness = 3\n[vary]\n"food.steak.size_mm[2]" = { from = 15, to = 30 }\n'
-    printf '"pan.initial_c" = { from = 20, to = 60 }\n[design]\nkind = "latin-hypercube"\nn = %s\n' "$1"
+    printf '"pan.initial_c" = { from = 220, to = 240 }\n[design]\nkind = "latin-hypercube"\nn = %s\n' "$1"
 }
 
 # watched COMMAND...: runs it; says its highest resident memory [MB].

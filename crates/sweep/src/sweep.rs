@@ -123,7 +123,7 @@ impl Sweep {
             Ok(None) => None,
             Ok(Some((summary, status))) => {
                 let varied = values.iter().map(to_cell).collect();
-                let mut found: BTreeMap<String, Option<Value>> = by_name(cells(&summary));
+                let mut found: BTreeMap<String, Option<Value>> = by_name(numbers(&summary));
                 let number = |h: &Heading| found.remove(&h.name).flatten().and_then(|value| value.to_kind(h.kind));
                 let numbers = self.columns.iter().map(number).collect();
                 Some(RowResult { row, status, message: None, varied, numbers })
@@ -256,7 +256,7 @@ impl Sweep {
         let mut columns = BTreeMap::new();
         let mut add = |(recipe, library): (Recipe, Arc<Library>)| -> Result<(), String> {
             let cook = Cook::new(recipe, &library).map_err(|e| e.to_string())?;
-            let found = cells(&cook.summary(0.0));
+            let found = numbers(&cook.summary(0.0));
             columns.extend(found.into_iter().map(|(heading, _)| (heading.name.clone(), heading)));
             Ok(())
         };
@@ -290,6 +290,13 @@ fn tried(levels: &Levels) -> Vec<toml::Value> {
         samples.truncate(2);
     }
     samples
+}
+
+/// Returns the numbers of a summary; what stopped the cook is in the status of the row.
+fn numbers(summary: &Summary) -> Vec<Cell> {
+    let mut found = cells(summary);
+    found.retain(|(heading, _)| heading.name != "stopped_by");
+    found
 }
 
 fn by_name(cells: Vec<Cell>) -> BTreeMap<String, Option<Value>> {

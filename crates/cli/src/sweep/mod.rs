@@ -104,10 +104,17 @@ fn say(tally: Tally, out: &Path, jobs: usize, wall: Duration, as_json: bool) -> 
 /// Reads a specification with its recipe, which is a file beside it or one of the library.
 fn load(spec: &Path, data: &DataLibrary) -> Result<Sweep, CliError> {
     let (text, place) = (text_file::read(spec)?, spec.display().to_string());
-    let name = SpecFile::parse(&text, &place)?.recipe.into_inner();
+    let recipe = SpecFile::parse(&text, &place)?.recipe;
+    let line = 1 + text[..recipe.span().start].matches('\n').count();
+    let name = recipe.into_inner();
     let beside = spec.with_file_name(&name);
     let name = if beside.is_file() { beside.display().to_string() } else { name };
-    let (recipe, file) = recipe_source::text(&name, data)?;
+    let (recipe, file) = recipe_source::text(&name, data).map_err(|error| match error {
+        CliError::Place { place: named, message, remedy } => {
+            CliError::Place { place: format!("{place}:{line}: {named}"), message, remedy }
+        }
+        other => other,
+    })?;
     Ok(Sweep::new(&text, &place, Base { recipe, file, own: data.own_files().clone() })?)
 }
 

@@ -110,6 +110,10 @@ fn mistakes_are_named_with_file_line_and_the_nearest_name() {
         assert!(!bench.path("out").exists());
     }
     let bench = Bench::new(GRID);
+    std::fs::rename(bench.path("short.toml"), bench.path("other.toml")).unwrap();
+    let ran = bench.sweep("out", &[]);
+    assert!(ran.code == Some(2) && ran.err.contains("spec.toml:1: short.toml"), "{}", ran.err);
+    std::fs::rename(bench.path("other.toml"), bench.path("short.toml")).unwrap();
     assert_eq!(bench.sweep("out", &[]).code, Some(0));
     std::fs::write(bench.path("short.toml"), SHORT.replace("1100", "1200")).unwrap();
     let ran = bench.sweep("out", &[]);
