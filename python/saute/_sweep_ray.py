@@ -23,6 +23,8 @@ TASKS_A_CORE = 2
 MOST_LOSSES = 10
 #: How long the first task may take to answer [s] (chosen: a process starts in seconds, also on a busy machine).
 PATIENCE_S = 120.0
+#: Object store of a cluster that is begun here [bytes] (chosen: room for hundreds of batches).
+STORE = 200 * 2**20
 #: How long an address may take to answer [s].
 KNOCK_S = 5.0
 
@@ -82,8 +84,10 @@ def _connect(ray, address):
     wrong = f"no Ray cluster answers at {address}: start one with ray start --head, or correct address"
     if address not in (None, "auto", "local"):
         _knock(address, wrong)
+    # A cluster of its own holds little: results are small.
+    alone = {} if address else {"include_dashboard": False, "object_store_memory": STORE}
     try:
-        ray.init(address=address, include_dashboard=None if address else False, log_to_driver=False)
+        ray.init(address=address, log_to_driver=False, **alone)
     except (ConnectionError, RuntimeError, ValueError) as error:
         raise ConnectionError(f"{wrong} ({error})") from error
 

@@ -14,12 +14,12 @@ import saute
 
 #: Bytes of an object store: results are small.
 STORE = 80 * 2**20
-ROWS = 120
+ROWS = 72
 SPEC = {
     "recipe": "medium",
-    "for_s": 6.0,
+    "for_s": 4.0,
     "coarseness": 4.0,
-    "rows_per_part": 32,
+    "rows_per_part": 20,
     "vary": {
         "food.steak.size_mm[2]": {"from": 15.0, "to": 30.0},
         "pan.initial_c": {"from": 20.0, "to": 60.0},
