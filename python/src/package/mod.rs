@@ -17,6 +17,7 @@ mod recipe;
 mod render;
 mod score;
 mod shelf;
+mod sweep;
 
 use pyo3::prelude::*;
 
@@ -35,6 +36,8 @@ mod _core {
     use crate::package::piece::PyPiece;
     #[pymodule_export]
     use crate::package::shelf::{foods, oils, pans, recipes};
+    #[pymodule_export]
+    use crate::package::sweep::{PySweep, PySweepFolder};
 
     use super::{Bound, PyModule, PyModuleMethods, PyResult};
 
