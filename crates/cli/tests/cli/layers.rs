@@ -16,7 +16,7 @@ const ARROWS: [(&str, &[&str]); 21] = [
     ("saute-recipe", &["saute-food", "saute-kitchen"]),
     ("saute-lab", &["saute-heat", "saute-food", "saute-kitchen", "saute-recipe"]),
     ("saute-plan", &["saute-kitchen", "saute-recipe"]),
-    ("saute-formats", &["saute-recipe"]),
+    ("saute-formats", &["saute-kitchen", "saute-recipe"]),
     ("saute-sweep", &["saute-formats", "saute-kitchen", "saute-recipe"]),
     ("saute-surface", &["saute-heat"]),
     ("saute-scene", &["wgpu"]),
@@ -77,6 +77,7 @@ const ARROWS: [(&str, &[&str]); 21] = [
     (
         "saute",
         &[
+            "saute-formats",
             "saute-kitchen",
             "saute-recipe",
             "saute-lab",
