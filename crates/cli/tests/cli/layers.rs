@@ -90,6 +90,7 @@ const ARROWS: [(&str, &[&str]); 22] = [
     (
         "saute",
         &[
+            "saute-formats",
             "saute-kitchen",
             "saute-recipe",
             "saute-lab",
