@@ -5,6 +5,7 @@
 
 mod array;
 mod batch;
+mod batch_commands;
 mod commands;
 mod cook;
 mod errors;
@@ -13,9 +14,11 @@ mod kitchen;
 mod pan;
 mod piece;
 mod piece_fields;
+mod readings;
 mod recipe;
 mod render;
 mod score;
+mod seat;
 mod shelf;
 mod sweep;
 
