@@ -7,7 +7,7 @@
 #   the fuzzer on every reader, where a nightly compiler and cargo-fuzz are installed, and the lines that it reached;
 #   a simulated day at the stove, without and with a recorder;
 #   licences, versions and known advisories of all dependencies, where cargo-deny is installed;
-#   the Python package as pip builds it;
+#   the Python package as pip builds it, its meshes for PyVista, and a short training of its example;
 #   the haptic loop against a simulated device for a minute, and every fault;
 #   the speed tables of the 2013 paper with their goals, and the speed of the heat solver.
 #
@@ -95,6 +95,8 @@ step "a day" day
 step "dependencies" judge_dependencies
 step "advisories" judge_advisories
 step "Python wheel" test_wheel
+step "meshes for PyVista" test_viz
+step "training" train_briefly
 step "haptic loop" haptics
 step "tables of 2013" saute bench paper
 step "heat solver" saute bench heat

@@ -68,3 +68,19 @@ test_wheel() {
     folder="$(python_with_package)"
     "$folder/bin/python" -c 'import saute; k = saute.Kitchen("medium"); k.step(10); print(saute.__version__, k.pan_c)'
 }
+
+# test_viz: meshes for PyVista, whose wheel of VTK is large, in an environment of their own.
+test_viz() {
+    local folder="${CARGO_TARGET_DIR:-target}/python-viz"
+    python_environment "$folder" python/requirements-viz.txt
+    lay_package "$folder"
+    "$folder/bin/python" -m pytest --quiet -p no:cacheprovider python/tests/test_arrays.py -k pyvista
+}
+
+# train_briefly: the training example with a third of its updates; it must score what a careful cook does with one turn.
+train_briefly() {
+    local folder="${CARGO_TARGET_DIR:-target}/python-test"
+    python_environment "$folder" python/requirements-test.txt
+    lay_package "$folder"
+    "$folder/bin/python" python/examples/train_steak.py --seed 2 --updates "$CAMPAIGN_TRAINING_UPDATES" --wanted 25
+}

@@ -33,6 +33,12 @@ pub(crate) fn argument(message: String, remedy: String) -> PyErr {
     raised("InputError", (message, Option::<String>::None, Option::<String>::None, remedy, Option::<usize>::None))
 }
 
+/// A file of a user's data that cannot be used.
+pub(crate) fn data(message: &str, file: String, line: usize) -> PyErr {
+    let remedy = "correct the file, or take it out of the folder";
+    raised("InputError", (message.to_owned(), file, Option::<String>::None, remedy, line))
+}
+
 /// A kitchen that cannot be built.
 pub(crate) fn setup(error: &SetupError, file: &str) -> PyErr {
     let remedy = "name a food, a pan and sizes that can be built";

@@ -108,9 +108,18 @@ impl Source {
         Ok(Self { text, file, has_lines: true })
     }
 
-    /// Reads and checks the recipe.
-    pub(crate) fn recipe(&self) -> PyResult<Recipe> {
-        Recipe::parse(&self.text, &self.file, library()?).map_err(|error| errors::input(error, self))
+    /// As [`Self::of`], with the names of a library that has a user's recipes too.
+    pub(crate) fn among(recipe: &Bound<'_, PyAny>, library: &Library) -> PyResult<Self> {
+        let name = recipe.extract::<String>().ok().filter(|name| !Path::new(name).is_file());
+        if let Some((name, text)) = name.and_then(|name| library.recipes.get_key_value(&name)) {
+            return Ok(Self { text: text.clone(), file: format!("recipes/{name}.toml"), has_lines: true });
+        }
+        Self::of(recipe)
+    }
+
+    /// Reads and checks the recipe, with the foods of a library.
+    pub(crate) fn recipe(&self, library: &Library) -> PyResult<Recipe> {
+        Recipe::parse(&self.text, &self.file, library).map_err(|error| errors::input(error, self))
     }
 
     /// The recipe with an end, where it has no step: a kitchen needs none.

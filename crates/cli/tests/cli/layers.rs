@@ -50,7 +50,10 @@ const ARROWS: [(&str, &[&str]); 19] = [
     ),
     ("saute-spidar-sim", &["clap", "thread-priority"]),
     // For Python: kitchens on all cores, pictures without a window.
-    ("saute-python", &["saute-kitchen", "saute-recipe", "saute-plan", "saute-scene", "saute-picture", "rayon"]),
+    (
+        "saute-python",
+        &["saute-kitchen", "saute-recipe", "saute-plan", "saute-surface", "saute-scene", "saute-picture", "rayon"],
+    ),
     // Makes and serves files; has nothing of the simulator in it.
     ("saute-site", &["axum", "clap", "tokio", "tower-http"]),
     // Empty on this machine's platform; for browsers see WEB.
