@@ -62,6 +62,15 @@ test_python() {
         "$folder/bin/python" -m pytest --quiet -p no:cacheprovider python/tests "$@"
 }
 
+# test_python_on_ray: sweeps on a Ray cluster on this machine, in an environment of their own.
+test_python_on_ray() {
+    local target="${CARGO_TARGET_DIR:-target}" folder
+    folder="$target/python-ray"
+    python_environment "$folder" python/requirements-ray.txt
+    lay_package "$folder"
+    RAY_USAGE_STATS_ENABLED=0 "$folder/bin/python" -m pytest --quiet -p no:cacheprovider python/tests_ray "$@"
+}
+
 # test_vtk: VTK reads what the program writes for it, in an environment of its own; the tests of the package have built it.
 test_vtk() {
     local target="${CARGO_TARGET_DIR:-target}" folder

@@ -15,6 +15,7 @@ use crate::picture::bench_frame::BenchFrameArgs;
 use crate::picture::shot::{ShotArgs, every};
 use crate::plan::PlanArgs;
 use crate::study::StudyArgs;
+use crate::sweep::SweepArgs;
 
 /// Simulates a frying pan and the food in it. Without a command the window opens.
 #[derive(Debug, Parser)]
@@ -50,7 +51,7 @@ pub struct HandArgs {
     pub calibration: Option<PathBuf>,
 }
 
-const EXIT_CODES: &str = "Exit codes: 0 done; 1 ran but fell short: max_s stopped the recipe, a replay departed, a fit does not describe its log, a validation case failed, `plan` missed its target, `lab` warned, or `bench paper` or `haptics check` missed a goal; 2 wrong usage or input.";
+const EXIT_CODES: &str = "Exit codes: 0 done; 1 ran but fell short: max_s stopped the recipe, a replay departed, a fit does not describe its log, a validation case failed, `plan` missed its target, a row of a sweep could not be cooked, `lab` warned, or `bench paper` or `haptics check` missed a goal; 2 wrong usage or input.";
 
 /// The commands.
 #[derive(Debug, Subcommand)]
@@ -71,6 +72,9 @@ pub enum Command {
     /// Finds the schedule (preheating, flips, power, pull, rest) that meets a target best. Exit code 1 if the target cannot be
     /// met.
     Plan(PlanArgs),
+    /// Cooks a recipe many times with values that vary, on all cores, into Parquet files; goes on where it was broken off. Exit code
+    /// 1 if a row could not be cooked.
+    Sweep(SweepArgs),
     /// Opens the window in study mode, or analyses the logs of a study.
     Study(StudyArgs),
     /// Collects the results of a class.
@@ -315,4 +319,6 @@ pub enum Schema {
     Study,
     /// JSON Schema of scenarios for lessons.
     Scenario,
+    /// JSON Schema of sweeps.
+    Sweep,
 }

@@ -55,6 +55,14 @@ pub enum CliError {
         /// What is in the output folder now.
         left: String,
     },
+    /// A sweep that was interrupted by a signal.
+    #[error("interrupted: {done} of {rows} rows are there\n  remedy: start it again; it goes on with the others")]
+    SweepInterrupted {
+        /// Rows whose results are in the folder.
+        done: u64,
+        /// Rows of the sweep.
+        rows: u64,
+    },
     /// A device that cannot be opened.
     #[error(transparent)]
     Device(#[from] saute_haptics::OpenError),

@@ -2,10 +2,12 @@
 //!
 //! A column is named as the number is in the summary's JSON, with dots between the keys: `pan_c.peak`, `liquids_g.oil`,
 //! `food.steak.core_c.end`. A food or group stands under its id after `food.`; of a group the means over its pieces are in the
-//! table. Units follow from the names. Wall time and steps are left out, so that the same cook gives the same row.
+//! table. Every kind of event has its count. Units follow from the names. Wall time and steps are left out, so that the same cook
+//! gives the same row.
 
 use std::collections::BTreeMap;
 
+use saute_kitchen::tick::event::EventKind;
 use saute_recipe::Summary;
 use serde::Serialize;
 use serde_json::Value as Json;
@@ -47,11 +49,12 @@ pub fn cells(summary: &Summary) -> Vec<Cell> {
             put(&format!("food.{}.count", entry.food.id), Kind::Integer, Some(Value::Integer(count)), &mut found);
         }
     }
-    for tally in &summary.events {
-        let kind = json(&tally.kind);
-        let kind = kind.as_str().unwrap_or("other");
-        let count = i64::try_from(tally.count).unwrap_or(i64::MAX);
-        put(&format!("events.{kind}.count"), Kind::Integer, Some(Value::Integer(count)), &mut found);
+    for kind in EventKind::ALL {
+        let tally = summary.events.iter().find(|tally| tally.kind == kind);
+        let count = tally.map_or(0, |tally| i64::try_from(tally.count).unwrap_or(i64::MAX));
+        let name = json(&kind);
+        let name = name.as_str().unwrap_or("other");
+        put(&format!("events.{name}.count"), Kind::Integer, Some(Value::Integer(count)), &mut found);
     }
     let warnings = summary.warnings.join("; ");
     put("warnings", Kind::Text, Some(Value::Text(warnings)), &mut found);

@@ -7,9 +7,11 @@
 
 pub mod design;
 mod documents;
+mod identity;
 pub mod manifest;
 mod place;
 pub mod row;
+pub mod sensitivity;
 pub mod spec;
 pub mod sweep;
 

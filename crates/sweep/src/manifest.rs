@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use crate::design::Design;
 
 /// Name of the manifest in the folder of a sweep.
-pub const FILE: &str = "manifest.json";
+pub const FILE: &str = "sweep.json";
 /// Version of the manifest's format.
 const FORMAT: u32 = 1;
 

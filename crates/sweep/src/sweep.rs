@@ -1,7 +1,6 @@
 //! A sweep: a specification joined with its recipe and data. Its rows are numbered and independent.
 
-use std::collections::{BTreeMap, BTreeSet};
-use std::hash::Hasher;
+use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -10,14 +9,14 @@ use saute_formats::summary_table::{Cell, cells, unit_of};
 use saute_formats::{Heading, Kind, Table, Value};
 use saute_kitchen::{InputError, InputText, Library, OwnFiles};
 use saute_recipe::{Cook, Recipe, StoppedBy, Summary};
-use siphasher::sip::SipHasher13;
 use toml::Spanned;
 
-use crate::design::{Design, DesignKind, MOST_DIMENSIONS};
 use crate::documents::Documents;
+use crate::identity::hash;
 use crate::manifest::Manifest;
-use crate::place::{Document, Place};
+use crate::place::Document;
 use crate::row::{RowResult, Status};
+use crate::spec::joined::{Factor, design, factors, size};
 use crate::spec::spec_file::SpecFile;
 use crate::spec::varied::Levels;
 
@@ -32,26 +31,13 @@ pub struct Base {
     pub own: OwnFiles,
 }
 
-/// Fewest and most rows of a part unless the file says it [-] (chosen: a killed program loses little, and a folder has few files).
-const PART: [u64; 2] = [16, 4096];
-/// Parts of a sweep of middle size [-] (chosen as above).
-const PARTS: u64 = 64;
-/// Most rows of a sweep [-] (chosen: the digits of a Sobol' sequence end there).
-const MOST_ROWS: u64 = 1 << 32;
 /// Most texts of a list that are tried before the sweep begins [-] (chosen: more than there are kinds of anything).
 const MOST_TRIED: usize = 64;
-
-/// A value that varies.
-#[derive(Clone, Debug)]
-struct Factor {
-    path: String,
-    place: Place,
-    levels: Levels,
-}
 
 /// A specification joined with its recipe and data.
 #[derive(Debug)]
 pub struct Sweep {
+    text: String,
     base: Base,
     documents: Documents,
     library: Arc<Library>,
@@ -94,6 +80,7 @@ impl Sweep {
             for_s: ranged("for_s", &spec.for_s, f64::INFINITY, 0.1, 86_400.0)?,
             coarseness: ranged("coarseness", &spec.coarseness, 1.0, 1.0, 8.0)?,
             manifest: Manifest::new(hash(text, &base, &documents), spec.recipe.get_ref(), varied, design, rows),
+            text: text.to_owned(),
             base,
             documents,
             library,
@@ -109,6 +96,16 @@ impl Sweep {
         &self.manifest
     }
 
+    /// Text of the specification.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// Text of the recipe.
+    pub fn recipe_text(&self) -> &str {
+        &self.base.recipe
+    }
+
     /// Returns the rows of a part.
     pub fn part_rows(&self, part: u64) -> Range<u64> {
         self.manifest.part_rows(part)
@@ -116,19 +113,34 @@ impl Sweep {
 
     /// Cooks a row. The result depends on nothing but the row's number.
     pub fn run_row(&self, row: u64) -> RowResult {
+        self.run_row_while(row, &|| true).unwrap_or_else(|| self.failed_row(row, String::new()))
+    }
+
+    /// Cooks a row as long as it may go on, which is asked at every tick; none if it was broken off.
+    pub fn run_row_while(&self, row: u64, may_go_on: &dyn Fn() -> bool) -> Option<RowResult> {
         let values = self.values(row);
-        let varied: Vec<Value> = values.iter().map(to_cell).collect();
-        match self.cook(&values) {
-            Ok((summary, status)) => {
-                let mut found: BTreeMap<String, Option<Value>> = by_name(cells(&summary));
+        match self.cook(&values, may_go_on) {
+            Ok(None) => None,
+            Ok(Some((summary, status))) => {
+                let varied = values.iter().map(to_cell).collect();
+                let mut found: BTreeMap<String, Option<Value>> = by_name(numbers(&summary));
                 let number = |h: &Heading| found.remove(&h.name).flatten().and_then(|value| value.to_kind(h.kind));
                 let numbers = self.columns.iter().map(number).collect();
-                RowResult { row, status, message: None, varied, numbers }
+                Some(RowResult { row, status, message: None, varied, numbers })
             }
-            Err(message) => {
-                let numbers = vec![None; self.columns.len()];
-                RowResult { row, status: Status::Failed, message: Some(message), varied, numbers }
-            }
+            Err(message) => Some(self.failed_row(row, message)),
+        }
+    }
+
+    /// Returns the result of a row that could not be cooked.
+    pub fn failed_row(&self, row: u64, message: String) -> RowResult {
+        let varied = self.values(row).iter().map(to_cell).collect();
+        RowResult {
+            row,
+            status: Status::Failed,
+            message: Some(message),
+            varied,
+            numbers: vec![None; self.columns.len()],
         }
     }
 
@@ -184,18 +196,21 @@ impl Sweep {
         self.factors.iter().zip(point).map(|(factor, u)| factor.levels.at(u)).collect()
     }
 
-    /// Cooks with varied values; says why it cannot.
-    fn cook(&self, values: &[toml::Value]) -> Result<(Summary, Status), String> {
+    /// Cooks with varied values; none if it was broken off. Says why it cannot.
+    fn cook(&self, values: &[toml::Value], may_go_on: &dyn Fn() -> bool) -> Result<Option<(Summary, Status)>, String> {
         let (recipe, library) = self.set(self.factors.iter().zip(values))?;
         let mut cook = Cook::new(recipe, &library).map_err(|e| e.to_string())?;
         while cook.stopped().is_none() {
             if cook.kitchen.time_s() >= self.for_s {
-                return Ok((cook.summary(0.0), Status::ForS));
+                return Ok(Some((cook.summary(0.0), Status::ForS)));
+            }
+            if !may_go_on() {
+                return Ok(None);
             }
             cook.advance().map_err(|e| format!("{}; {}", e.message, e.remedy))?;
         }
         let status = if cook.stopped() == Some(StoppedBy::MaxS) { Status::MaxS } else { Status::Done };
-        Ok((cook.summary(0.0), status))
+        Ok(Some((cook.summary(0.0), status)))
     }
 
     /// Returns recipe and library with values set; says why they cannot be used.
@@ -241,7 +256,7 @@ impl Sweep {
         let mut columns = BTreeMap::new();
         let mut add = |(recipe, library): (Recipe, Arc<Library>)| -> Result<(), String> {
             let cook = Cook::new(recipe, &library).map_err(|e| e.to_string())?;
-            let found = cells(&cook.summary(0.0));
+            let found = numbers(&cook.summary(0.0));
             columns.extend(found.into_iter().map(|(heading, _)| (heading.name.clone(), heading)));
             Ok(())
         };
@@ -277,6 +292,13 @@ fn tried(levels: &Levels) -> Vec<toml::Value> {
     samples
 }
 
+/// Returns the numbers of a summary; what stopped the cook is in the status of the row.
+fn numbers(summary: &Summary) -> Vec<Cell> {
+    let mut found = cells(summary);
+    found.retain(|(heading, _)| heading.name != "stopped_by");
+    found
+}
+
 fn by_name(cells: Vec<Cell>) -> BTreeMap<String, Option<Value>> {
     cells.into_iter().map(|(heading, value)| (heading.name, value)).collect()
 }
@@ -288,88 +310,4 @@ fn to_cell(value: &toml::Value) -> Value {
         toml::Value::Boolean(v) => Value::Flag(*v),
         other => Value::Text(other.as_str().map_or_else(|| other.to_string(), str::to_owned)),
     }
-}
-
-/// Returns the varied values in the order of the file.
-fn factors(input: InputText, spec: &SpecFile, documents: &Documents) -> Result<Vec<Factor>, InputError> {
-    let mut entries: Vec<_> = spec.vary.iter().collect();
-    entries.sort_by_key(|(path, _)| path.span().start);
-    let kind = spec.design.get_ref().kind;
-    let mut factors = Vec::new();
-    let mut places = BTreeSet::new();
-    for (key, value) in entries {
-        let (path, at) = (key.get_ref(), key.span().start);
-        let levels = Levels::read(input, at, path, value.get_ref(), kind)?;
-        let place = Place::find(path, documents).or_else(|(message, remedy)| input.error(at, message, remedy))?;
-        if !places.insert((place.document.clone(), format!("{:?}", place.steps))) {
-            return input.error(at, format!("\"{path}\" varies twice"), "leave one of the lines out");
-        }
-        factors.push(Factor { path: path.clone(), place, levels });
-    }
-    if factors.is_empty() {
-        let remedy = "write a line such as \"pan.initial_c\" = [20, 40] under [vary]";
-        return input.error(spec.design.span().start, "nothing varies: [vary] is empty", remedy);
-    }
-    Ok(factors)
-}
-
-fn design(input: InputText, spec: &SpecFile, factors: &[Factor]) -> Result<Design, InputError> {
-    let (entry, at) = (spec.design.get_ref(), spec.design.span().start);
-    let n = match (&entry.n, entry.kind) {
-        (None, DesignKind::Grid) => 0,
-        (Some(n), DesignKind::Grid) => {
-            let remedy = "leave n out: a grid has every combination of the levels";
-            return input.error(n.span().start, "n is no key of a grid", remedy);
-        }
-        (Some(n), _) if *n.get_ref() >= 1 => n.get_ref().unsigned_abs(),
-        (Some(n), _) => return input.error(n.span().start, "n is out of range", "write a whole number of 1 or more"),
-        (None, _) => return input.error(at, "[design] has no n", "write, for instance, n = 64"),
-    };
-    let needed = if entry.kind == DesignKind::Saltelli { 2 * factors.len() } else { factors.len() };
-    if matches!(entry.kind, DesignKind::Saltelli | DesignKind::Sobol) && needed > MOST_DIMENSIONS {
-        let message = format!("{} values vary, for which a Sobol' sequence has too few dimensions", factors.len());
-        let remedy = "vary fewer, or use kind = \"morris\" or \"latin-hypercube\"";
-        return input.error(at, message, remedy);
-    }
-    let levels = factors.iter().map(|f| f.levels.count()).collect();
-    Ok(Design { kind: entry.kind, n, seed: u64::from(entry.seed.unwrap_or(1)), levels })
-}
-
-/// Returns the number of rows and of rows in a part.
-fn size(input: InputText, spec: &SpecFile, design: &Design) -> Result<[u64; 2], InputError> {
-    let Some(rows) = design.rows().filter(|rows| *rows <= MOST_ROWS) else {
-        let message = format!("the design has more than {MOST_ROWS} rows");
-        return input.error(spec.design.span().start, message, "vary fewer values, or fewer levels of them");
-    };
-    let part = match &spec.rows_per_part {
-        None => (rows / PARTS).clamp(PART[0], PART[1]),
-        Some(part) if (1..=100_000).contains(part.get_ref()) => part.get_ref().unsigned_abs(),
-        Some(part) => return input.error(part.span().start, "rows_per_part is out of range", "write 1 to 100000"),
-    };
-    Ok([rows, part])
-}
-
-/// Returns the hash of what the rows follow from.
-fn hash(text: &str, base: &Base, documents: &Documents) -> u64 {
-    let mut hasher = SipHasher13::new();
-    let mut add = |bytes: &[u8]| {
-        hasher.write(&(bytes.len() as u64).to_le_bytes());
-        hasher.write(bytes);
-    };
-    // Comments and line ends change no row.
-    let canonical =
-        |text: &str| text.parse().ok().and_then(|t: toml::Table| toml::to_string(&t).ok()).unwrap_or_default();
-    add(env!("CARGO_PKG_VERSION").as_bytes());
-    add(canonical(text).as_bytes());
-    add(canonical(&base.recipe).as_bytes());
-    for (path, text) in &documents.data {
-        add(path.as_bytes());
-        add(text.replace('\r', "").as_bytes());
-    }
-    for (path, soup) in &base.own.surfaces {
-        add(path.as_bytes());
-        let numbers: Vec<u8> = soup.vertices.iter().flatten().flat_map(|v| v.to_le_bytes()).collect();
-        add(&numbers);
-    }
-    hasher.finish()
 }

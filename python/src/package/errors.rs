@@ -6,6 +6,7 @@ use pyo3::types::PyTuple;
 use saute_kitchen::bytes::BytesError;
 use saute_kitchen::kitchen::SetupError;
 use saute_kitchen::{InputError, Refused};
+use saute_sweep_folder::FolderError;
 
 use crate::package::recipe::Source;
 
@@ -33,6 +34,18 @@ pub(crate) fn argument(message: String, remedy: String) -> PyErr {
     raised("InputError", (message, Option::<String>::None, Option::<String>::None, remedy, Option::<usize>::None))
 }
 
+/// What is wrong with a file that is no recipe; without its line where nobody has seen lines.
+pub(crate) fn at_line(error: InputError, has_lines: bool) -> PyErr {
+    let line = has_lines.then_some(error.line);
+    raised("InputError", (error.message, error.file, Option::<String>::None, error.remedy, line))
+}
+
+/// A folder of results that cannot be used.
+pub(crate) fn folder(error: &FolderError) -> PyErr {
+    let FolderError { place, message, remedy } = error.clone();
+    raised("InputError", (message, place, Option::<String>::None, remedy, Option::<usize>::None))
+}
+
 /// A kitchen that cannot be built.
 pub(crate) fn setup(error: &SetupError, file: &str) -> PyErr {
     let remedy = "name a food, a pan and sizes that can be built";
@@ -48,6 +61,12 @@ pub(crate) fn refused(reason: &Refused) -> PyErr {
 pub(crate) fn refused_at(reason: &Refused, kitchens: &[usize]) -> PyErr {
     let places: Vec<String> = kitchens.iter().map(usize::to_string).collect();
     raised("RefusedError", (format!("in kitchen {}: {reason}", places.join(", ")),))
+}
+
+/// A kitchen on the reduced mesh was asked for more than readings.
+pub(crate) fn on_reduced_mesh() -> PyErr {
+    let reason = "this kitchen is on the reduced mesh of a batch and can only be read: step and command the batch";
+    raised("RefusedError", (reason,))
 }
 
 /// Bytes that are no kitchen.

@@ -43,11 +43,21 @@ pub(crate) struct PyKitchen {
     pub(crate) state: Arc<Kitchen>,
     /// Velocities of the foods before the last frame.
     pub(crate) before: FoodVelocities,
+    /// True for a kitchen of a batch on the reduced mesh, which can only be read.
+    pub(crate) is_reduced: bool,
 }
 
 impl PyKitchen {
     pub(crate) fn of(state: Kitchen) -> Self {
-        Self { before: FoodVelocities::of(&state), state: Arc::new(state) }
+        Self { before: FoodVelocities::of(&state), state: Arc::new(state), is_reduced: false }
+    }
+
+    /// Checks that it can go on and be stored.
+    pub(crate) fn whole(&self) -> PyResult<()> {
+        if self.is_reduced {
+            return Err(errors::on_reduced_mesh());
+        }
+        Ok(())
     }
 
     /// Advances frames or ticks; an array that lives keeps the state of before.
@@ -145,6 +155,7 @@ impl PyKitchen {
     /// Advances the kitchen by n ticks of 0.1 s, without Python's global lock.
     #[pyo3(signature = (n = 1))]
     fn step(&mut self, py: Python<'_>, n: u64) -> PyResult<()> {
+        self.whole()?;
         let mut left = n;
         while left > 0 {
             let now = left.min(TICKS_PER_LOOK);
@@ -158,6 +169,7 @@ impl PyKitchen {
     /// Advances the kitchen by n frames of 1/60 s; in every sixth, heat flows.
     #[pyo3(signature = (n = 1))]
     fn step_frames(&mut self, py: Python<'_>, n: u64) -> PyResult<()> {
+        self.whole()?;
         let mut left = n;
         while left > 0 {
             let now = left.min(TICKS_PER_LOOK);
@@ -226,9 +238,10 @@ impl PyKitchen {
     }
 
     /// The whole state as bytes, which restore gives back exactly, on any machine.
-    fn snapshot<'py>(&self, py: Python<'py>) -> Bound<'py, PyBytes> {
+    fn snapshot<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
+        self.whole()?;
         let state = Arc::clone(&self.state);
-        PyBytes::new(py, &py.detach(|| state.to_bytes()))
+        Ok(PyBytes::new(py, &py.detach(|| state.to_bytes())))
     }
 
     /// Takes over the state of a snapshot.
@@ -245,7 +258,7 @@ impl PyKitchen {
 
     /// An independent kitchen in the same state; nothing is copied until one of them is changed.
     fn copy(&self) -> Self {
-        Self { state: Arc::clone(&self.state), before: self.before.clone() }
+        Self { state: Arc::clone(&self.state), before: self.before.clone(), is_reduced: self.is_reduced }
     }
 
     fn __copy__(&self) -> Self {
@@ -258,7 +271,7 @@ impl PyKitchen {
 
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, (Bound<'py, PyBytes>,))> {
         let restore = py.import("saute._snapshot")?.getattr("kitchen_of")?;
-        Ok((restore, (self.snapshot(py),)))
+        Ok((restore, (self.snapshot(py)?,)))
     }
 
     /// A number that is equal for equal states: all that the next step reads.

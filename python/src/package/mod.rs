@@ -5,6 +5,7 @@
 
 mod array;
 mod batch;
+mod batch_commands;
 mod commands;
 mod cook;
 mod errors;
@@ -13,10 +14,13 @@ mod kitchen;
 mod pan;
 mod piece;
 mod piece_fields;
+mod readings;
 mod recipe;
 mod render;
 mod score;
+mod seat;
 mod shelf;
+mod sweep;
 
 use pyo3::prelude::*;
 
@@ -35,6 +39,8 @@ mod _core {
     use crate::package::piece::PyPiece;
     #[pymodule_export]
     use crate::package::shelf::{foods, oils, pans, recipes};
+    #[pymodule_export]
+    use crate::package::sweep::{PySweep, PySweepFolder};
 
     use super::{Bound, PyModule, PyModuleMethods, PyResult};
 

@@ -9,7 +9,7 @@ use serde_json::Value;
 
 /// Each crate with the crates that it needs directly, of the workspace and of [`NOTABLE`]. A crate that does not exist yet is
 /// skipped.
-const ARROWS: [(&str, &[&str]); 21] = [
+const ARROWS: [(&str, &[&str]); 22] = [
     ("saute-heat", &[]),
     ("saute-food", &["saute-heat"]),
     ("saute-kitchen", &["saute-heat", "saute-food", "rapier3d"]),
@@ -18,6 +18,7 @@ const ARROWS: [(&str, &[&str]); 21] = [
     ("saute-plan", &["saute-kitchen", "saute-recipe"]),
     ("saute-formats", &["saute-kitchen", "saute-recipe"]),
     ("saute-sweep", &["saute-formats", "saute-kitchen", "saute-recipe"]),
+    ("saute-sweep-folder", &["saute-formats", "saute-sweep"]),
     ("saute-surface", &["saute-heat"]),
     ("saute-scene", &["wgpu"]),
     ("saute-picture", &["saute-kitchen", "saute-recipe", "saute-scene", "wgpu"]),
@@ -52,7 +53,19 @@ const ARROWS: [(&str, &[&str]); 21] = [
     ),
     ("saute-spidar-sim", &["clap", "thread-priority"]),
     // For Python: kitchens on all cores, pictures without a window.
-    ("saute-python", &["saute-kitchen", "saute-recipe", "saute-plan", "saute-scene", "saute-picture", "rayon"]),
+    (
+        "saute-python",
+        &[
+            "saute-kitchen",
+            "saute-recipe",
+            "saute-plan",
+            "saute-scene",
+            "saute-picture",
+            "saute-sweep",
+            "saute-sweep-folder",
+            "rayon",
+        ],
+    ),
     // Makes and serves files; has nothing of the simulator in it.
     ("saute-site", &["axum", "clap", "tokio", "tower-http"]),
     // Empty on this machine's platform; for browsers see WEB.
@@ -82,6 +95,9 @@ const ARROWS: [(&str, &[&str]); 21] = [
             "saute-recipe",
             "saute-lab",
             "saute-plan",
+            "saute-formats",
+            "saute-sweep",
+            "saute-sweep-folder",
             "saute-surface",
             "saute-scene",
             "saute-picture",

@@ -51,6 +51,18 @@ impl Schedule {
         pulled
     }
 
+    /// Turns the hob down now [s] to the next power, if that is a lower one.
+    pub(crate) fn turn_down(&mut self, now_s: u32) {
+        let Some(next) = self.powers.iter().position(|p| p.at_s > now_s).filter(|next| *next > 0) else { return };
+        if self.powers[next].hob_w < self.powers[next - 1].hob_w {
+            self.powers[next].at_s = now_s;
+            // A power that would be set at the same time is not set at all.
+            if self.powers[next - 1].at_s == now_s {
+                self.powers.remove(next - 1);
+            }
+        }
+    }
+
     /// Returns the text of the recipe that is cooked by this schedule.
     pub fn recipe_text(&self, order: &Order) -> String {
         let end_s = self.pull_s + self.rest_s;

@@ -1,4 +1,4 @@
-//! Direction numbers of the Sobol' sequence.
+//! Direction numbers of the Sobol' sequence; © 2008 Frances Y. Kuo and Stephen Joe, under the licence in `joe-kuo-licence.txt`.
 
 /// Dimensions of the sequence [-].
 pub const MOST_DIMENSIONS: usize = 1 + DIRECTIONS.len();
