@@ -20,8 +20,8 @@ use crate::schedule::{Draft, Order, Plan};
 const COARSE: f64 = 3.0;
 /// Mesh spacing of the finish [-].
 const FULL: f64 = 1.0;
-/// Work of one core in the time that a plan may take [-], in ticks times nodes (chosen: 15 s of a core of 2024, which does 2.4e7 a second).
-const CORE_WORK: u64 = 360_000_000;
+/// Work of one core in the time that a plan may take [-], in ticks times nodes (chosen: 20 s of a core of 2024, which does 2.4e7 a second).
+const CORE_WORK: u64 = 480_000_000;
 /// Cores that the search is meant for [-].
 const CORES: u64 = 2;
 /// Candidates that are cooked on the full mesh at most, one after the other until one meets the goal [-] (chosen).

@@ -281,3 +281,11 @@ impl Teller<'_> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn a_score_below_nothing_has_a_minus_sign() {
+        assert_eq!([-12.4, -0.4, 47.5].map(super::points), ["−12", "0", "48"]);
+    }
+}

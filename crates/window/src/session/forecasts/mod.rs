@@ -294,3 +294,18 @@ pub fn is_whole(answer: &[u8]) -> bool {
     let found = postcard::from_bytes::<Found>(answer);
     found.is_ok_and(|found| found.answers.len() == Question::ALL.len() && found.exact.is_some())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_not_shown_is_asked_every_fourth_round_and_after_something_was_done() {
+        let watched = Watched { cook: 0, food: "steak".into(), scale: None };
+        let asked = Asked { watched, at_s: 0.0, frame: 0, done: 1, is_over: true };
+        let mut forecasts = Forecasts { asked: Some(asked), ..Forecasts::default() };
+        let mut count = |shown, done| forecasts.questions(shown, done).len();
+        assert_eq!([0; 8].map(|_| count(Shown::Line, 1)), [2, 2, 2, 4, 2, 2, 2, 4]);
+        assert_eq!([count(Shown::Line, 1), count(Shown::Table, 1), count(Shown::Line, 2)], [2, 4, 4]);
+    }
+}

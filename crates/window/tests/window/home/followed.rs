@@ -165,6 +165,7 @@ fn time_slows_down_for_a_step_says_why_and_comes_back_to_its_speed() {
         harness.state().said().iter().filter(|said| said.contains("Time runs at 1× now")).count()
     };
     assert!(says(&harness, "Step 1 of"), "steps count from 1");
+    assert!(!says(&harness, "Start the clock"), "doing the step that is due starts it");
     go(&mut harness, 30.0);
     act(&mut harness, Act::SpeedSet(20.0));
     wait(&mut harness, 41.0);
