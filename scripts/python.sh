@@ -62,6 +62,24 @@ test_python() {
         "$folder/bin/python" -m pytest --quiet -p no:cacheprovider python/tests "$@"
 }
 
+# test_python_on_ray: sweeps on a Ray cluster on this machine, in an environment of their own.
+test_python_on_ray() {
+    local target="${CARGO_TARGET_DIR:-target}" folder
+    folder="$target/python-ray"
+    python_environment "$folder" python/requirements-ray.txt
+    lay_package "$folder"
+    RAY_USAGE_STATS_ENABLED=0 "$folder/bin/python" -m pytest --quiet -p no:cacheprovider python/tests_ray "$@"
+}
+
+# test_vtk: VTK reads what the program writes for it, in an environment of its own; the tests of the package have built it.
+test_vtk() {
+    local target="${CARGO_TARGET_DIR:-target}" folder
+    folder="$target/python-vtk"
+    python_environment "$folder" python/requirements-vtk.txt
+    SAUTE_PROGRAM="$(realpath "$target/release/saute")" \
+        "$folder/bin/python" -m pytest --quiet -p no:cacheprovider python/tests_vtk "$@"
+}
+
 # test_wheel: the package as `pip install ./python` makes it, in a clean environment with NumPy alone.
 test_wheel() {
     local folder

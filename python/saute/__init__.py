@@ -16,6 +16,7 @@ from __future__ import annotations
 from ._core import TICK_S, Kitchen, KitchenBatch, Piece, __version__, foods, oils, pans, recipes
 from ._errors import GraphicsError, InputError, RefusedError, SnapshotError
 from ._summary import Summary, cook
+from ._sweep import sweep
 
 __all__ = [
     "GraphicsError",
@@ -33,4 +34,5 @@ __all__ = [
     "oils",
     "pans",
     "recipes",
+    "sweep",
 ]

@@ -1,5 +1,6 @@
 //! The errors of the command, each with a remedy.
 
+use saute_formats::parquet_file::TableError;
 use saute_kitchen::InputError;
 use saute_kitchen::data::echo::shortened;
 use saute_kitchen::kitchen::SetupError;
@@ -54,6 +55,14 @@ pub enum CliError {
         /// What is in the output folder now.
         left: String,
     },
+    /// A sweep that was interrupted by a signal.
+    #[error("interrupted: {done} of {rows} rows are there\n  remedy: start it again; it goes on with the others")]
+    SweepInterrupted {
+        /// Rows whose results are in the folder.
+        done: u64,
+        /// Rows of the sweep.
+        rows: u64,
+    },
     /// A device that cannot be opened.
     #[error(transparent)]
     Device(#[from] saute_haptics::OpenError),
@@ -81,6 +90,9 @@ pub enum CliError {
     /// Series that cannot be written as CSV.
     #[error("the series cannot be written as CSV: {0}\n  remedy: run it without --out and report this as a bug")]
     Csv(#[from] csv::Error),
+    /// Numbers that cannot be written as Parquet.
+    #[error("{0}\n  remedy: run it without --out and report this as a bug")]
+    Table(#[from] TableError),
     /// Numbers that cannot be written as JSON.
     #[error(
         "the numbers cannot be written as JSON: {0}\n  remedy: run it without --json and --out and report this as a bug"

@@ -24,5 +24,8 @@ pub fn failed() -> ExitCode {
 
 /// Returns the exit code for an error.
 pub fn of_error(error: &CliError) -> ExitCode {
-    if matches!(error, CliError::Interrupted { .. }) { ExitCode::from(INTERRUPTED) } else { failed() }
+    match error {
+        CliError::Interrupted { .. } | CliError::SweepInterrupted { .. } => ExitCode::from(INTERRUPTED),
+        _ => failed(),
+    }
 }

@@ -16,6 +16,7 @@ mod picture;
 mod plan;
 mod report;
 mod study;
+mod sweep;
 mod validate;
 mod wording;
 mod workers;
@@ -61,6 +62,7 @@ fn run(args: Args, process_start: Instant) -> Result<ExitCode, CliError> {
         Some(Command::Validate(args)) => validate::run(&args, &library()?),
         Some(Command::Shot(args)) => picture::shot::run(&args, &library()?),
         Some(Command::Plan(args)) => plan::run(&args, &library()?),
+        Some(Command::Sweep(args)) => sweep::run(&args, &library()?),
         Some(Command::Gallery(args)) => gallery::run(&args, &library()?),
         Some(Command::Bench(Bench::Frame(args))) => picture::bench_frame::run(&args, &library()?, process_start),
         Some(Command::Bench(Bench::Heat(args))) => bench_heat::run(&args, &library()?.library),

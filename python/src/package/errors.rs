@@ -6,6 +6,7 @@ use pyo3::types::PyTuple;
 use saute_kitchen::bytes::BytesError;
 use saute_kitchen::kitchen::SetupError;
 use saute_kitchen::{InputError, Refused};
+use saute_sweep_folder::FolderError;
 
 use crate::package::recipe::Source;
 
@@ -37,6 +38,18 @@ pub(crate) fn argument(message: String, remedy: String) -> PyErr {
 pub(crate) fn data(message: &str, file: String, line: usize) -> PyErr {
     let remedy = "correct the file, or take it out of the folder";
     raised("InputError", (message.to_owned(), file, Option::<String>::None, remedy, line))
+}
+
+/// What is wrong with a file that is no recipe; without its line where nobody has seen lines.
+pub(crate) fn at_line(error: InputError, has_lines: bool) -> PyErr {
+    let line = has_lines.then_some(error.line);
+    raised("InputError", (error.message, error.file, Option::<String>::None, error.remedy, line))
+}
+
+/// A folder of results that cannot be used.
+pub(crate) fn folder(error: &FolderError) -> PyErr {
+    let FolderError { place, message, remedy } = error.clone();
+    raised("InputError", (message, place, Option::<String>::None, remedy, Option::<usize>::None))
 }
 
 /// A kitchen that cannot be built.

@@ -21,6 +21,7 @@ mod render;
 mod score;
 mod seat;
 mod shelf;
+mod sweep;
 
 use pyo3::prelude::*;
 
@@ -39,6 +40,8 @@ mod _core {
     use crate::package::piece::PyPiece;
     #[pymodule_export]
     use crate::package::shelf::{foods, oils, pans, recipes};
+    #[pymodule_export]
+    use crate::package::sweep::{PySweep, PySweepFolder};
 
     use super::{Bound, PyModule, PyModuleMethods, PyResult};
 

@@ -74,7 +74,7 @@ impl Source {
     }
 
     /// Text with a line end or an equals sign is a recipe; else a file goes before a name of the library, as in the command.
-    fn of_words(words: &str) -> PyResult<Self> {
+    pub(crate) fn of_words(words: &str) -> PyResult<Self> {
         if words.contains(['\n', '=']) {
             return Ok(Self { text: words.to_owned(), file: "<text>".to_owned(), has_lines: true });
         }
@@ -87,7 +87,7 @@ impl Source {
         }
     }
 
-    fn of_path(path: &Path) -> PyResult<Self> {
+    pub(crate) fn of_path(path: &Path) -> PyResult<Self> {
         let file = path.display().to_string();
         let known = || Library::names(&library().map(|l| l.recipes.clone()).unwrap_or_default());
         if !path.exists() {
@@ -120,6 +120,16 @@ impl Source {
     /// Reads and checks the recipe, with the foods of a library.
     pub(crate) fn recipe(&self, library: &Library) -> PyResult<Recipe> {
         Recipe::parse(&self.text, &self.file, library).map_err(|error| errors::input(error, self))
+    }
+
+    /// The text.
+    pub(crate) fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// Name of the file for messages.
+    pub(crate) fn file(&self) -> &str {
+        &self.file
     }
 
     /// The recipe with an end, where it has no step: a kitchen needs none.

@@ -11,6 +11,7 @@ use saute_lab::CaseFile;
 use saute_plan::class::scenario_file::ScenarioFile;
 use saute_plan::study::protocol_file::ProtocolFile;
 use saute_recipe::recipe_file::RecipeFile;
+use saute_sweep::SpecFile;
 use saute_window::mirror::rig_file::RigFile;
 use schemars::JsonSchema;
 
@@ -32,6 +33,7 @@ pub fn run(args: &SchemaArgs) -> Result<ExitCode, CliError> {
         Schema::Rig => text::<RigFile>,
         Schema::Study => text::<ProtocolFile>,
         Schema::Scenario => text::<ScenarioFile>,
+        Schema::Sweep => text::<SpecFile>,
     };
     stdout::print(&text(args.markdown)?)?;
     Ok(ExitCode::SUCCESS)

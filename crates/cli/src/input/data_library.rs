@@ -25,6 +25,7 @@ pub struct DataLibrary {
     /// Foods, pans, recipes and scales.
     pub library: Library,
     own: Own,
+    files: OwnFiles,
 }
 
 /// The user's files: the `--data` folder and the names in it, as `foods/mine.toml`.
@@ -90,7 +91,7 @@ impl Found {
         let (library, faults) = Library::with_own(&self.own).map_err(|e| own.error(e))?;
         let faults = faults.into_iter().map(|e| own.error(e));
         self.errors.into_iter().chain(faults).for_each(|error| stderr::say(format!("warning: {error}")));
-        Ok(DataLibrary { library, own })
+        Ok(DataLibrary { library, own, files: self.own })
     }
 }
 
@@ -117,6 +118,11 @@ impl DataLibrary {
     /// Returns true if the user has files in a `--data` folder, which can break what other files need.
     pub fn has_own_files(&self) -> bool {
         !self.own.names.is_empty()
+    }
+
+    /// Returns the user's files.
+    pub fn own_files(&self) -> &OwnFiles {
+        &self.files
     }
 
     /// Returns the name of a recipe's file for messages.

@@ -11,20 +11,21 @@ use crate::input::{session_source, text_file};
 
 /// Reads and checks the recipe with a path or an id. A file takes precedence over an id of the same name.
 pub fn load(name: &str, data: &DataLibrary) -> Result<Recipe, CliError> {
+    let (text, place) = text(name, data)?;
+    Ok(Recipe::parse(&text, &place, &data.library)?)
+}
+
+/// Returns the text of the recipe with a path or an id, and its place for messages.
+pub fn text(name: &str, data: &DataLibrary) -> Result<(String, String), CliError> {
     let path = Path::new(name);
     if session_source::is_session(path) {
         return Err(CliError::place(name, "is a recorded session, not a recipe", "play it again with: saute replay"));
     }
-    let text = match data.library.recipes.get(name) {
-        Some(text) if !path.is_file() => return parse(text, &data.recipe_place(name), data),
-        _ if path.exists() => text_file::read(path)?,
-        _ => return Err(not_found(name, data)),
-    };
-    parse(&text, name, data)
-}
-
-fn parse(text: &str, place: &str, data: &DataLibrary) -> Result<Recipe, CliError> {
-    Ok(Recipe::parse(text, place, &data.library)?)
+    match data.library.recipes.get(name) {
+        Some(text) if !path.is_file() => Ok((text.clone(), data.recipe_place(name))),
+        _ if path.exists() => Ok((text_file::read(path)?, name.to_owned())),
+        _ => Err(not_found(name, data)),
+    }
 }
 
 fn not_found(name: &str, data: &DataLibrary) -> CliError {

@@ -9,13 +9,16 @@ use serde_json::Value;
 
 /// Each crate with the crates that it needs directly, of the workspace and of [`NOTABLE`]. A crate that does not exist yet is
 /// skipped.
-const ARROWS: [(&str, &[&str]); 19] = [
+const ARROWS: [(&str, &[&str]); 22] = [
     ("saute-heat", &[]),
     ("saute-food", &["saute-heat"]),
     ("saute-kitchen", &["saute-heat", "saute-food", "rapier3d"]),
     ("saute-recipe", &["saute-food", "saute-kitchen"]),
     ("saute-lab", &["saute-heat", "saute-food", "saute-kitchen", "saute-recipe"]),
     ("saute-plan", &["saute-kitchen", "saute-recipe"]),
+    ("saute-formats", &["saute-kitchen", "saute-recipe"]),
+    ("saute-sweep", &["saute-formats", "saute-kitchen", "saute-recipe"]),
+    ("saute-sweep-folder", &["saute-formats", "saute-sweep"]),
     ("saute-surface", &["saute-heat"]),
     ("saute-scene", &["wgpu"]),
     ("saute-picture", &["saute-kitchen", "saute-recipe", "saute-scene", "wgpu"]),
@@ -52,7 +55,17 @@ const ARROWS: [(&str, &[&str]); 19] = [
     // For Python: kitchens on all cores, pictures without a window.
     (
         "saute-python",
-        &["saute-kitchen", "saute-recipe", "saute-plan", "saute-surface", "saute-scene", "saute-picture", "rayon"],
+        &[
+            "saute-kitchen",
+            "saute-recipe",
+            "saute-plan",
+            "saute-scene",
+            "saute-picture",
+            "saute-surface",
+            "saute-sweep",
+            "saute-sweep-folder",
+            "rayon",
+        ],
     ),
     // Makes and serves files; has nothing of the simulator in it.
     ("saute-site", &["axum", "clap", "tokio", "tower-http"]),
@@ -78,10 +91,14 @@ const ARROWS: [(&str, &[&str]); 19] = [
     (
         "saute",
         &[
+            "saute-formats",
             "saute-kitchen",
             "saute-recipe",
             "saute-lab",
             "saute-plan",
+            "saute-formats",
+            "saute-sweep",
+            "saute-sweep-folder",
             "saute-surface",
             "saute-scene",
             "saute-picture",
@@ -135,7 +152,16 @@ const OUTSIDE_WORLD: &[&str] = &[
 ];
 
 /// The core: a pure function of model, state, commands and time step.
-const CORE: [&str; 6] = ["saute-heat", "saute-food", "saute-kitchen", "saute-recipe", "saute-lab", "saute-plan"];
+const CORE: [&str; 8] = [
+    "saute-heat",
+    "saute-food",
+    "saute-kitchen",
+    "saute-recipe",
+    "saute-lab",
+    "saute-plan",
+    "saute-formats",
+    "saute-sweep",
+];
 
 /// The normal dependencies of every crate, on the platform of this machine.
 struct Graph {

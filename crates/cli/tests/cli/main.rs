@@ -20,5 +20,6 @@ mod running;
 mod sessions;
 mod sources;
 mod study;
+mod sweep;
 mod validation;
 mod validation_list;

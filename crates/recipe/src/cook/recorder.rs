@@ -209,9 +209,9 @@ fn face_below(piece: &Piece, before: Option<bool>) -> Option<Option<bool>> {
 }
 
 /// Columns of the pan and the hob.
-const COLUMNS: [&str; 3] = ["time_s", "hob_drawn_w", "pan_c"];
+pub const COLUMNS: [&str; 3] = ["time_s", "hob_drawn_w", "pan_c"];
 /// Columns of each food and of the mean of each group, after the id and a dot.
-const FOOD_COLUMNS: [&str; 4] = ["core_c", "top_c", "bottom_c", "mass_g"];
+pub const FOOD_COLUMNS: [&str; 4] = ["core_c", "top_c", "bottom_c", "mass_g"];
 
 /// Ticks between two rows: one second.
 const TICKS_PER_ROW: u64 = 10;

@@ -8,8 +8,8 @@ use serde_json::Value;
 
 use crate::running::run;
 
-const FORMATS: [&str; 11] =
-    ["food", "pan", "coating", "oil", "kinetics", "hob", "recipe", "lab", "rig", "study", "scenario"];
+const FORMATS: [&str; 12] =
+    ["food", "pan", "coating", "oil", "kinetics", "hob", "recipe", "lab", "rig", "study", "scenario", "sweep"];
 
 fn page(format: &str) -> String {
     let ran = run(&["schema", format, "--markdown"]);
