@@ -7,7 +7,7 @@
 #   the fuzzer on every reader, where a nightly compiler and cargo-fuzz are installed, and the lines that it reached;
 #   a simulated day at the stove, without and with a recorder;
 #   licences, versions and known advisories of all dependencies, where cargo-deny is installed;
-#   the Python package as pip builds it;
+#   the Python package as pip builds it, and a short training of its example;
 #   a sweep of 10,000 rows that is killed ten times, its memory, and its throughput beside bare cooks;
 #   the haptic loop against a simulated device for a minute, and every fault;
 #   the speed tables of the 2013 paper with their goals, and the speed of the heat solver.
@@ -96,6 +96,7 @@ step "a day" day
 step "dependencies" judge_dependencies
 step "advisories" judge_advisories
 step "Python wheel" test_wheel
+step "training" train_briefly
 step "sweeps" scripts/sweeps.sh
 step "haptic loop" haptics
 step "tables of 2013" saute bench paper

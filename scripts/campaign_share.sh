@@ -40,6 +40,9 @@ CAMPAIGN_FIT_TRIALS=100
 # Kills of a cook that is recorded (crates/cli/tests/cli/sessions.rs). ./test.sh makes 100.
 CAMPAIGN_RANDOM_KILLS=1000
 
+# Updates of the policy in the training example; the whole training makes 110. ./test.sh makes 2, without a verdict.
+CAMPAIGN_TRAINING_UPDATES=40
+
 # fix_campaign_share: hands the share to the tests.
 fix_campaign_share() {
     export SAUTE_RANDOM_COOKS="$SHARE_RANDOM_COOKS"

@@ -91,7 +91,7 @@ class Series:
         entries = xml.parse(folder / "fields.pvd").getroot().iter("DataSet")
         self.files = {}
         for entry in entries:
-            self.files[round(float(entry.get("timestep")), 3), entry.get("name")] = folder / entry.get("file")
+            self.files[float(entry.get("timestep")), entry.get("name")] = folder / entry.get("file")
 
     def times(self):
         return sorted({time for time, _ in self.files})

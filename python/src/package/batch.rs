@@ -211,7 +211,7 @@ impl PyBatch {
         flips: Option<Vec<usize>>,
         r#where: Option<Vec<bool>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let goal = goal(target, crust_pct, scale)?;
+        let goal = goal(target, crust_pct, scale, self.seats[0].library())?;
         let chosen = chosen(r#where, self.seats.len())?;
         let flips = flips.unwrap_or_else(|| vec![0; self.seats.len()]);
         if flips.len() != self.seats.len() || self.pieces == 0 {

@@ -11,6 +11,7 @@ mod cook;
 mod errors;
 mod expected;
 mod kitchen;
+mod own_data;
 mod pan;
 mod piece;
 mod piece_fields;

@@ -9,6 +9,7 @@ use saute_kitchen::dynamics::Pose;
 use saute_kitchen::food::FoodModel;
 use saute_kitchen::{Kitchen, Piece, TICK_S};
 use saute_picture::stage;
+use saute_recipe::step_record::rounded;
 
 use crate::error::CliError;
 use crate::output::out_dir::OutDir;
@@ -52,17 +53,18 @@ impl FieldFiles {
         if self.last == Some(kitchen.tick()) {
             return Ok(());
         }
-        let poses = stage::poses(kitchen);
+        let (poses, time_s) = (stage::poses(kitchen), rounded(kitchen.time_s()));
         let mut part = 0;
         for (piece, pose) in kitchen.pieces().iter().zip(&poses) {
-            let (pose, time_s) = (precise(pose), kitchen.time_s());
+            let pose = precise(pose);
             let inside = self.inside(piece).grid(piece, &pose, time_s);
             let id = &piece.id;
             self.add(&inside, (&format!("inside.{id}"), id), &mut part, out)?;
             let skin = surface::surface(piece, &pose, time_s);
             self.add(&skin, (&format!("surface.{id}"), &format!("{id}, surface")), &mut part, out)?;
         }
-        self.add(&pan::pan(kitchen, &floor(kitchen)), ("pan", "pan"), &mut part, out)?;
+        let pan = Grid { time_s, ..pan::pan(kitchen, &floor(kitchen)) };
+        self.add(&pan, ("pan", "pan"), &mut part, out)?;
         (self.count, self.last) = (self.count + 1, Some(kitchen.tick()));
         Ok(())
     }

@@ -61,6 +61,7 @@ const ARROWS: [(&str, &[&str]); 22] = [
             "saute-plan",
             "saute-scene",
             "saute-picture",
+            "saute-surface",
             "saute-sweep",
             "saute-sweep-folder",
             "rayon",

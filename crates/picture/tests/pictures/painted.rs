@@ -93,7 +93,7 @@ fn the_colour_of_a_browned_face_is_that_of_the_core() {
     assert!(reading.browning > 0.3, "{}", reading.browning);
     let [surface]: [Painted; 1] = painted(&kitchen).try_into().unwrap();
     let (mut sum, mut whole) = ([0.0f64; 3], 0.0);
-    for t in surface.triangles.iter().filter(|t| t.iter().all(|i| surface.normals[**i as usize][2] < -0.9)) {
+    for t in surface.triangles.iter().filter(|t| t.iter().all(|i| surface.normals[*i as usize][2] < -0.9)) {
         let [a, b, c] = corners(&surface, t);
         let area = f64::from((b - a).cross(c - a).length());
         for corner in t {
