@@ -16,8 +16,9 @@ use crate::package::readings::{kind, row};
 use crate::package::score::{goal, scored};
 use crate::package::seat::{Mesh, Seat};
 
-/// Ticks between two looks for Ctrl-C [-] (chosen: seconds of a thousand kitchens).
-const TICKS_PER_LOOK: u64 = 10;
+/// Ticks of all kitchens together between two looks for Ctrl-C [-] (chosen: about a second of one core; at a look the threads wait
+/// for each other).
+const WORK_PER_LOOK: u64 = 6400;
 
 /// Kitchens that step together. Each one is what it would be alone, for any number of threads.
 #[pyclass(name = "KitchenBatch", subclass, module = "saute")]
@@ -64,7 +65,8 @@ impl PyBatch {
         let Self { seats, pool, .. } = self;
         let most = counts.iter().copied().max().unwrap_or_default();
         // Kitchens that go further than the others do so in one piece of work: the others wait for no look.
-        let per_look = if counts.iter().all(|n| *n == most) { TICKS_PER_LOOK } else { most };
+        let even = (WORK_PER_LOOK / counts.len().max(1) as u64).max(1);
+        let per_look = if counts.iter().all(|n| *n == most) { even } else { most };
         let mut done = 0;
         while done < most {
             let share = |count: u64| count.saturating_sub(done).min(per_look);
