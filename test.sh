@@ -49,6 +49,7 @@ everything() {
     step "soak" soak
     step "python" test_python
     step "python on ray" test_python_on_ray
+    step "files for VTK" test_vtk
     step "fuzzer" fuzz_briefly "$SHARE_FUZZ_S"
     step "dependencies" judge_dependencies
     step "instruction counts" compare_counts

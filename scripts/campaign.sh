@@ -7,7 +7,7 @@
 #   the fuzzer on every reader, where a nightly compiler and cargo-fuzz are installed, and the lines that it reached;
 #   a simulated day at the stove, without and with a recorder;
 #   licences, versions and known advisories of all dependencies, where cargo-deny is installed;
-#   the Python package as pip builds it;
+#   the Python package as pip builds it, and a short training of its example;
 #   a sweep of 10,000 rows that is killed ten times, its memory, and its throughput beside bare cooks;
 #   the haptic loop against a simulated device for a minute, and every fault;
 #   the speed tables of the 2013 paper with their goals, and the speed of the heat solver.
@@ -27,16 +27,16 @@ source scripts/python.sh
 
 saute() { ./run.sh "$@"; }
 
-random_cooks() { SAUTE_RANDOM_COOKS="$CAMPAIGN_RANDOM_COOKS" cargo test --release -p saute-kitchen --test properties; }
+random_cooks() { SAUTE_RANDOM_COOKS="$CAMPAIGN_RANDOM_COOKS" cargo test --release -p saute-kitchen --test kitchen properties::; }
 
 random_packets() { PROPTEST_CASES="$CAMPAIGN_RANDOM_PACKETS" cargo test --release -p saute-haptics -- --quiet; }
 
 random_instants() {
-    SAUTE_RANDOM_INSTANTS="$CAMPAIGN_RANDOM_INSTANTS" cargo test --release -p saute-kitchen --test bytes
+    SAUTE_RANDOM_INSTANTS="$CAMPAIGN_RANDOM_INSTANTS" cargo test --release -p saute-kitchen --test kitchen bytes::
 }
 
 random_sessions() {
-    SAUTE_RANDOM_SESSIONS="$CAMPAIGN_RANDOM_SESSIONS" cargo test --release -p saute-recipe --test sessions
+    SAUTE_RANDOM_SESSIONS="$CAMPAIGN_RANDOM_SESSIONS" cargo test --release -p saute-recipe --test recipe sessions::
 }
 
 random_kills() { SAUTE_RANDOM_KILLS="$CAMPAIGN_RANDOM_KILLS" cargo test --release -p saute --test cli killed; }
@@ -96,6 +96,7 @@ step "a day" day
 step "dependencies" judge_dependencies
 step "advisories" judge_advisories
 step "Python wheel" test_wheel
+step "training" train_briefly
 step "sweeps" scripts/sweeps.sh
 step "haptic loop" haptics
 step "tables of 2013" saute bench paper

@@ -1,6 +1,6 @@
 # Which share of the campaign `./test.sh` runs. Sourced, not run.
 
-# Random cooks of crates/kitchen/tests/properties.rs. All random tests are drawn from one seed, so that every run of
+# Random cooks of crates/kitchen/tests/kitchen/properties.rs. All random tests are drawn from one seed, so that every run of
 # ./test.sh makes the same ones; the campaign draws new ones.
 SHARE_RANDOM_COOKS=24
 SHARE_SEED=20131120
@@ -24,8 +24,8 @@ CAMPAIGN_FUZZ_S=3600
 CAMPAIGN_SANITIZER_S=600
 SHARE_FUZZ_S=2
 
-# Random instants at which a dish is stored and restored (crates/kitchen/tests/bytes.rs), and random sessions that are played again
-# (crates/recipe/tests/sessions.rs).
+# Random instants at which a dish is stored and restored (crates/kitchen/tests/kitchen/bytes.rs), and random sessions that are played again
+# (crates/recipe/tests/recipe/sessions.rs).
 SHARE_RANDOM_INSTANTS=20
 CAMPAIGN_RANDOM_INSTANTS=200
 SHARE_RANDOM_SESSIONS=10
@@ -39,6 +39,9 @@ CAMPAIGN_FIT_TRIALS=100
 
 # Kills of a cook that is recorded (crates/cli/tests/cli/sessions.rs). ./test.sh makes 100.
 CAMPAIGN_RANDOM_KILLS=1000
+
+# Updates of the policy in the training example; the whole training makes 110. ./test.sh makes 2, without a verdict.
+CAMPAIGN_TRAINING_UPDATES=40
 
 # fix_campaign_share: hands the share to the tests.
 fix_campaign_share() {

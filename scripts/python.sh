@@ -71,9 +71,28 @@ test_python_on_ray() {
     RAY_USAGE_STATS_ENABLED=0 "$folder/bin/python" -m pytest --quiet -p no:cacheprovider python/tests_ray "$@"
 }
 
+# test_vtk: VTK reads what the program writes for it, and PyVista what the package gives, in an environment of their own.
+test_vtk() {
+    local target="${CARGO_TARGET_DIR:-target}" folder
+    folder="$target/python-vtk"
+    python_environment "$folder" python/requirements-vtk.txt
+    lay_package "$folder"
+    SAUTE_PROGRAM="$(realpath "$target/release/saute")" \
+        "$folder/bin/python" -m pytest --quiet -p no:cacheprovider python/tests_vtk "$@"
+    "$folder/bin/python" -m pytest --quiet -p no:cacheprovider python/tests/test_arrays.py -k pyvista
+}
+
 # test_wheel: the package as `pip install ./python` makes it, in a clean environment with NumPy alone.
 test_wheel() {
     local folder
     folder="$(python_with_package)"
     "$folder/bin/python" -c 'import saute; k = saute.Kitchen("medium"); k.step(10); print(saute.__version__, k.pan_c)'
+}
+
+# train_briefly: the training example with a third of its updates; it must score what a careful cook does with one turn.
+train_briefly() {
+    local folder="${CARGO_TARGET_DIR:-target}/python-test"
+    python_environment "$folder" python/requirements-test.txt
+    lay_package "$folder"
+    "$folder/bin/python" python/examples/train_steak.py --seed 2 --updates "$CAMPAIGN_TRAINING_UPDATES" --wanted 25
 }

@@ -50,7 +50,7 @@ test_page() {
     node_is_there
     CHROMIUM="${CHROMIUM:-$(command -v chromium || command -v chromium-browser || command -v google-chrome)}" \
         SAUTE_SITE="$(realpath "$target/release/saute-site")" SAUTE_PAGE="$PAGE_DIR" SAUTE_PICTURES="$target/web/pictures" \
-        SAUTE_STILLS="$target/tmp/page-stills" \
+        SAUTE_STILLS="$target/tmp/page-stills" SAUTE_PROGRAM="$(realpath "$target/release/saute")" \
         node --test --test-concurrency=1 web/test/*.test.mjs
 }
 

@@ -7,7 +7,7 @@ const [{ readPad, shakePad }, { canTilt, Tilt }] = await Promise.all([part("game
 /** The page's side of the module. */
 export class Host {
   constructor(keptCook, controls, errands, reportTo = "") {
-    Object.assign(this, { keptCook, controls, errands, reportTo: origin(reportTo) });
+    Object.assign(this, { keptCook, keptStudy: null, controls, errands, reportTo: origin(reportTo) });
     this.phone = new Tilt(document.getElementById("tilt"));
   }
 
@@ -60,6 +60,16 @@ export class Host {
   /** Keeps a part of the cook; returns why an earlier part could not be kept. */
   keepCook(begins, bytes) {
     return this.keptCook?.keep(begins, bytes.slice());
+  }
+
+  /** The rows of a study that were kept before, as CSV; undefined where none can be kept. */
+  keptRows() {
+    return this.keptStudy?.text;
+  }
+
+  /** Keeps the rows of a study instead of those before; returns why it could not. */
+  keepRows(text) {
+    return this.keptStudy?.keep(text);
   }
 
   /** Hands the result of a lesson to the page around this one, if the address named its origin. */

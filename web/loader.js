@@ -4,9 +4,9 @@
 // Files of one build belong together; the version keeps a browser's cache from mixing two.
 const version = new URL(import.meta.url).search;
 const place = (file) => new URL(`./${file}${version}`, import.meta.url).href;
-const FILES = ["download", "graphics", "cover", "words", "host", "kept_cook", "controls", "offline", "errands"];
+const FILES = ["download", "graphics", "cover", "words", "host", "kept_cook", "kept_study", "controls", "offline", "errands"];
 const parts = await Promise.all(FILES.map((file) => import(place(`${file}.js`))));
-const { fetchFile, withProgress, backends, prepare, agreeOnPixels, Cover, words, Host, KeptCook, Controls, Errands, takeNewVersion, keepForOffline } = Object.assign({}, ...parts);
+const { fetchFile, withProgress, backends, prepare, agreeOnPixels, Cover, words, Host, KeptCook, KeptStudy, Controls, Errands, takeNewVersion, keepForOffline } = Object.assign({}, ...parts);
 
 const asked = new URLSearchParams(location.search);
 // Without a language in the address the kitchen takes the remembered one, else the browser's.
@@ -14,7 +14,7 @@ const lang = ["en", "ja"].includes(asked.get("lang")) ? asked.get("lang") : "";
 const recipe = asked.get("recipe") ?? "";
 /** In a frame of another page (`?embed`) nothing is kept, neither the cook nor the page. */
 const isEmbedded = asked.has("embed");
-/** Studies and lessons begin anew, and nothing is kept of them but what is saved. */
+/** Of a study its rows are kept, of a lesson what is saved; the cooks of both begin anew. */
 const isLed = asked.has("study") || asked.has("scenario");
 const keptCook = isEmbedded || isLed ? null : new KeptCook(`${recipe}${location.hash}`);
 const controls = new Controls(document.getElementById("controls"), () => page);
@@ -109,6 +109,11 @@ function noticeStop(event) {
   if (error instanceof WebAssembly.RuntimeError) cover.fail("stopped", error);
 }
 
+/** The storage of the study in the address; null where there is none. */
+function openStudy() {
+  return led.study && !isEmbedded ? KeptStudy.open(led.study, led.participant) : null;
+}
+
 async function main() {
   document.documentElement.dataset.state = "loading";
   if (!isEmbedded) await takeNewVersion();
@@ -122,6 +127,7 @@ async function main() {
   }
   await agreeOnPixels(document.getElementById("stage"));
   try {
+    host.keptStudy = await openStudy();
     await start(candidates);
   } catch (error) {
     return cover.fail("not_started", error);

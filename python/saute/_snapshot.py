@@ -5,6 +5,6 @@ from __future__ import annotations
 from ._core import Kitchen
 
 
-def kitchen_of(snapshot):
-    """Returns the kitchen of a snapshot."""
-    return Kitchen.from_snapshot(snapshot)
+def kitchen_of(snapshot, data=None):
+    """Returns the kitchen of a snapshot, built with a folder of data."""
+    return Kitchen.from_snapshot(snapshot, data)

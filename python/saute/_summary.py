@@ -61,16 +61,17 @@ class Summary:
         return f"<saute.Summary {self._numbers['title']}: {self._numbers['simulated_s']} s; {foods}>"
 
 
-def cook(recipe):
+def cook(recipe, data=None):
     """Cooks a recipe to its end and returns its `Summary`.
 
     Args:
         recipe: a dict, the text of a recipe in TOML, the path of a recipe file, or the name of a shipped recipe.
+        data: a folder of your own foods, pans, recipes …, as the command's --data; its files go before the shipped ones.
 
     Raises:
         InputError: if the recipe cannot be used, or a step cannot be carried out.
     """
-    return Summary(_core.cook(recipe))
+    return Summary(_core.cook(recipe, data))
 
 
 def _imported(name, extra):

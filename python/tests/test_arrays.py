@@ -137,6 +137,6 @@ def test_a_surface_is_turned_by_its_pose_as_the_picture_turns_it():
 
 
 def test_a_piece_is_a_mesh_of_pyvista(frying):
-    pytest.importorskip("pyvista")
+    pytest.importorskip("pyvista", reason="the group of VTK has it: test_vtk in scripts/python.sh")
     mesh = frying["steak"].to_pyvista()
     assert mesh.n_points == len(frying["steak"].surface_points_m) and "temperature_k" in mesh.point_data

@@ -60,6 +60,63 @@ def test_commands_go_to_all_or_to_those_that_a_mask_names():
         batch.hob([1.0, 2.0])
 
 
+def test_each_kitchen_may_go_its_own_way():
+    batch = saute.KitchenBatch(kitchens(3))
+    readings = batch.step([5, 0, 40])
+    assert list(readings["time_s"].round(6)) == [0.5, 0.0, 4.0]
+    readings = batch.step_frames([6, 0, 0])
+    assert readings["time_s"][0] == pytest.approx(0.6) and readings["time_s"][1] == 0
+    assert len(batch.scores(where=[True, False, True])) == 2
+    with pytest.raises(TypeError, match="a number of ticks, or 3 of them"):
+        batch.step([1, 2])
+
+
+def test_pans_are_held_led_tools_push_and_oil_is_poured():
+    batch = saute.KitchenBatch(kitchens(2))
+    before = batch.readings()
+    poses = before["pan_pose_m"].copy()
+    poses[:, 0] += [0.02, -0.03]
+    batch.hold_pan(poses)
+    batch.oil([5.0, 7.0])
+    batch.lead("turner", poses + np.array([0, -0.08, 0.01, 0, 0, 0, 0]), where=[True, False])
+    readings = batch.step(10)
+    batch.let_go()
+    assert readings["pan_pose_m"] == pytest.approx(poses, abs=1e-3)
+    assert readings["oil_g"] - before["oil_g"] == pytest.approx([5, 7], abs=0.1)
+    with pytest.raises(TypeError, match="2 × 7"):
+        batch.hold_pan(poses[:1])
+    with pytest.raises(ValueError, match="turner"):
+        batch.lead("fork", poses)
+
+
+def test_the_reduced_mesh_is_near_the_full_one_and_can_only_be_read():
+    fine = [saute.Kitchen(food="beef-lean", id="steak", size_mm=(80, 60, 12), pan_c=200)]
+    fine[0].put("steak")
+    fine[0].hob(w=600)
+    fine[0].step(10)
+    reduced = saute.KitchenBatch(fine, reduced=True)
+    assert reduced.reduced
+    whole = saute.KitchenBatch(fine)
+    for batch in (reduced, whole):
+        batch.step(300)
+        batch.flip("steak")
+        batch.step(300)
+    one, other = reduced.readings(), whole.readings()
+    assert one["time_s"] == pytest.approx(other["time_s"])
+    assert one["core_c"] == pytest.approx(other["core_c"], abs=0.5)
+    assert one["mass_g"] == pytest.approx(other["mass_g"], rel=0.01)
+    with pytest.raises(saute.RefusedError, match="only be read"):
+        reduced[0].step(1)
+    with pytest.raises(saute.RefusedError, match="only be read"):
+        reduced[0].snapshot()
+    with pytest.raises(ValueError, match="multiple of 5"):
+        reduced.step(3)
+    with pytest.raises(ValueError, match="nothing moves"):
+        reduced.step_frames(1)
+    with pytest.raises(ValueError, match="put all foods in"):
+        saute.KitchenBatch([saute.Kitchen(RECIPE)], reduced=True)
+
+
 def test_a_kitchen_taken_out_of_a_batch_goes_its_own_way():
     batch = saute.KitchenBatch(kitchens(2))
     before = batch.state_hashes()

@@ -1,4 +1,4 @@
-// Promises: a lesson and a study open by the address; a locked lesson cannot be left.
+// Promises: a lesson and a study open by the address; a locked lesson cannot be left; a study goes on after a reload, in one tab.
 
 import assert from "node:assert/strict";
 import { mkdirSync } from "node:fs";
@@ -6,7 +6,8 @@ import { join, resolve } from "node:path";
 import { before, test } from "node:test";
 
 import { reaches, trouble, watch } from "./browser.mjs";
-import { kitchen, until } from "./cooking.mjs";
+import { kitchen, press, until } from "./cooking.mjs";
+import { clickLabel } from "./labels.mjs";
 
 const there = kitchen();
 const PICTURES = resolve(process.env.SAUTE_PICTURES ?? "pictures");
@@ -20,6 +21,10 @@ async function opened(address) {
   return found;
 }
 
+/** Waits until a text stands on the panels. */
+const shows = (page, text) =>
+  page.waitForFunction((text) => document.querySelector("#controls")?.textContent.includes(text), text, { timeout: 60_000 });
+
 test("a lesson opens by the address, and locked it is not left", { timeout: 180_000 }, async () => {
   const { page, seen, close } = await opened(`${there.host.address}?scenario=first-steak&lock=1&student=S01`);
   await page.waitForFunction(() => document.querySelector("#controls")?.textContent.includes("Begin"), null, { timeout: 60_000 });
@@ -32,6 +37,32 @@ test("a shipped study opens by the address", { timeout: 180_000 }, async () => {
   const { page, seen, close } = await opened(`${there.host.address}?study=2013&participant=P07`);
   await page.waitForFunction(() => document.querySelector("#controls")?.textContent.includes("agree"), null, { timeout: 60_000 });
   await page.screenshot({ path: join(PICTURES, "study.png") });
+  assert.deepEqual(trouble(seen), []);
+  await close();
+});
+
+test("a study goes on after a reload where it was, and in one tab only", { timeout: 240_000 }, async () => {
+  const address = `${there.host.address}?study=2013&participant=P08`;
+  const { page, seen, close } = await opened(address);
+  await clickLabel(page, "I agree and begin");
+  await shows(page, "Trial 1 of 4");
+  await clickLabel(page, "Begin");
+  await page.locator("#canvas").focus();
+  await press(page, "a");
+  await until(page, "the steak is in", (now) => now.pieces[0].place === "pan");
+  await clickLabel(page, "Take out");
+  await until(page, "the steak is out", (now) => now.pieces[0].place === "board");
+  await clickLabel(page, "Finish");
+  await shows(page, "Trial 2 of 4");
+  await page.reload();
+  await reaches(page, "cooking");
+  await shows(page, "Trial 2 of 4");
+  const rows = await page.evaluate(() => localStorage.getItem("saute-study-2013-P08").trim().split("\n"));
+  assert.equal(rows.length, 3, "the names of the columns, the consent and the trial");
+  const other = await page.context().newPage();
+  await other.goto(address);
+  await reaches(other, "failed");
+  assert.match(await other.locator("body").innerText(), /another tab goes on with P08/);
   assert.deepEqual(trouble(seen), []);
   await close();
 });

@@ -12,7 +12,7 @@ use crate::fit::FitArgs;
 use crate::gallery::GalleryArgs;
 use crate::haptics::{CheckArgs, DevicesArgs};
 use crate::picture::bench_frame::BenchFrameArgs;
-use crate::picture::shot::ShotArgs;
+use crate::picture::shot::{ShotArgs, every};
 use crate::plan::PlanArgs;
 use crate::study::StudyArgs;
 use crate::sweep::SweepArgs;
@@ -143,10 +143,14 @@ pub struct CookArgs {
     /// Recipe file, or id of a shipped recipe.
     #[arg(value_name = "RECIPE")]
     pub recipe: String,
-    /// Folder for summary.json, series.csv, report.html and pictures of the cross-section at each step; created if missing.
-    /// Files of an earlier cook in it are replaced.
+    /// Folder for report.html, summary and series (JSON and CSV, and both as Parquet), the cooked food as cooked.glb and pictures
+    /// of the cross-section at each step; created if missing. Files of an earlier cook in it are replaced.
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
+    /// Writes all fields of foods and pan every so many seconds, for ParaView and PyVista: fields.pvd with its .vtu files, which
+    /// take some megabytes each time.
+    #[arg(long, value_name = "EVERY_S", value_parser = every, requires = "out")]
+    pub fields: Option<f64>,
     /// Scale of doneness for the summary and the report, for foods that it fits, see `saute list scales`. Other foods keep
     /// their own. JSON contains all scales that fit a food.
     #[arg(long, value_name = "SCALE", default_value = DEFAULT_SCALE)]
@@ -186,6 +190,13 @@ pub struct LabArgs {
     /// Case file.
     #[arg(value_name = "CASE.toml")]
     pub case: PathBuf,
+    /// Folder for report.json and the fields; created if missing.
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Writes all fields of the body every so many seconds, for ParaView and PyVista: fields.pvd with its .vtu files. Each is that
+    /// after the first step that reaches its time, so that the run gives the same numbers.
+    #[arg(long, value_name = "EVERY_S", value_parser = every, requires = "out")]
+    pub fields: Option<f64>,
     /// Prints the numbers as JSON.
     #[arg(long)]
     pub json: bool,

@@ -1,5 +1,6 @@
 //! The errors of the command, each with a remedy.
 
+use saute_formats::parquet_file::TableError;
 use saute_kitchen::InputError;
 use saute_kitchen::data::echo::shortened;
 use saute_kitchen::kitchen::SetupError;
@@ -89,6 +90,9 @@ pub enum CliError {
     /// Series that cannot be written as CSV.
     #[error("the series cannot be written as CSV: {0}\n  remedy: run it without --out and report this as a bug")]
     Csv(#[from] csv::Error),
+    /// Numbers that cannot be written as Parquet.
+    #[error("{0}\n  remedy: run it without --out and report this as a bug")]
+    Table(#[from] TableError),
     /// Numbers that cannot be written as JSON.
     #[error(
         "the numbers cannot be written as JSON: {0}\n  remedy: run it without --json and --out and report this as a bug"

@@ -72,6 +72,7 @@ pub mod change;
 pub mod components;
 pub mod description;
 pub mod model;
+pub mod node_fields;
 pub mod paper_2013;
 pub mod readings;
 pub mod reduced;
@@ -86,6 +87,7 @@ pub use body::{Body, Capsule, Face, Form, Patch, PatchGeometry, PatchPose, Solid
 pub use change::{Lab, Scale, Shares};
 pub use description::{FoodDescription, Kinetics, OutlineKind};
 pub use model::{BuildError, FoodModel, PieceSpec};
+pub use node_fields::NodeField;
 pub use paper_2013::{MeshSize, Rules};
 pub use reduced::Reduction;
 pub use state::FoodState;

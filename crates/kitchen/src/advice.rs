@@ -142,10 +142,12 @@ pub enum Advice {
         /// True while the underside is still wet.
         wet: bool,
     },
-    /// The food rests, and its core still warms.
+    /// The food rests, and its core still warms or is near its highest.
     Resting {
         /// Highest temperature that its core has reached [°C].
         peak_c: f64,
+        /// True while it still warms.
+        warms: bool,
     },
     /// The core has begun to cool: the food has rested.
     Rested {

@@ -68,5 +68,6 @@ pub use result::evidence::Evidence;
 pub use result::report::LabReport;
 pub use result::verdict::{Expectation, Subject, Verdict, verdicts};
 pub use solve::material::{Boiling, Material, Solid};
-pub use solve::run;
+pub use solve::watch::{Told, Watch};
 pub use solve::work::{MOST_WORK, work};
+pub use solve::{run, run_watched};

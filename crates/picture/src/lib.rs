@@ -25,6 +25,7 @@
 pub mod colour;
 pub mod cut;
 mod pace;
+pub mod painted;
 mod pan;
 pub mod pose;
 pub mod probe;

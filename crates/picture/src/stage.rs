@@ -160,6 +160,22 @@ impl Stage {
         }
     }
 
+    /// Returns how the pieces look, each with its index; two for a piece that was halved.
+    pub(crate) fn looks(
+        &mut self,
+        kitchen: &Kitchen,
+        options: &StageOptions,
+        places: &Places,
+    ) -> Vec<(usize, FoodLook)> {
+        self.colour(kitchen, options);
+        self.refresh(kitchen, options);
+        let posed = kitchen.pieces().iter().zip(places.all(kitchen)).enumerate();
+        let looks = posed.flat_map(|(index, (piece, pose))| {
+            self.food(piece, &pose, options).into_iter().map(move |look| (index, look))
+        });
+        looks.collect()
+    }
+
     /// Keeps the colours of the view: the same table as long as they are the same, so that it is not uploaded again.
     fn colour(&mut self, kitchen: &Kitchen, options: &StageOptions) {
         let mut scales: Vec<Option<&Arc<Scale>>> = Vec::new();

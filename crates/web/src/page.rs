@@ -149,9 +149,10 @@ impl Page {
 fn start(options: Options) -> Result<Start, String> {
     let library = saute_kitchen::Library::embedded().map_err(|e| e.to_string())?;
     let recipe = options.recipe.map(|name| shipped(&library, &name)).transpose()?;
+    let study =
+        options.study.as_ref().map(|(id, code)| led::study(&library, (id, code), options.host.as_ref())).transpose()?;
     let page =
         PageStart { host: options.host, kept: options.kept, link: options.link, is_embedded: options.is_embedded };
-    let study = options.study.map(|(study, code)| led::study(&library, &study, &code)).transpose()?;
     let lesson = options.lesson.map(|lesson| led::lesson(&library, lesson)).transpose()?;
     let (language, library) = (options.language, Some(library.into()));
     Ok(Start { library, recipe, recorded: None, study, lesson, language, frugal: true, page })

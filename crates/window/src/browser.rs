@@ -5,8 +5,10 @@ pub(crate) mod hands;
 mod helper;
 pub mod host;
 mod mirrored;
+mod page_log;
 
 pub(crate) use self::mirrored::Mirrored;
+pub(crate) use self::page_log::PageLog;
 
 use std::path::Path;
 use std::sync::{Arc, Mutex};

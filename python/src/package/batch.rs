@@ -7,102 +7,27 @@ use pyo3::prelude::*;
 use pyo3::types::PyList;
 use rayon::ThreadPool;
 use rayon::prelude::*;
-use saute_kitchen::hands::FoodVelocities;
-use saute_kitchen::{Command, Kitchen, Refused, celsius};
+use saute_kitchen::{Command, Kitchen, Refused};
 
 use crate::package::array::made;
-use crate::package::commands::rest_on;
 use crate::package::errors;
-use crate::package::kitchen::{PyKitchen, tick};
+use crate::package::kitchen::PyKitchen;
+use crate::package::readings::{kind, row};
 use crate::package::score::{goal, scored};
+use crate::package::seat::{Mesh, Seat};
 
 /// Ticks between two looks for Ctrl-C [-] (chosen: seconds of a thousand kitchens).
 const TICKS_PER_LOOK: u64 = 10;
-
-/// One kitchen of a batch.
-struct Seat {
-    state: Arc<Kitchen>,
-    before: FoodVelocities,
-}
 
 /// Kitchens that step together. Each one is what it would be alone, for any number of threads.
 #[pyclass(name = "KitchenBatch", subclass, module = "saute")]
 pub(crate) struct PyBatch {
     seats: Vec<Seat>,
-    pool: ThreadPool,
+    pool: Arc<ThreadPool>,
     pieces: usize,
+    mesh: Mesh,
     /// NumPy's type of a row.
     kind: Py<PyAny>,
-}
-
-/// Columns of a kitchen, and of each of its pieces.
-const OF_KITCHEN: [&str; 5] = ["time_s", "hob_w", "hob_drawn_w", "pan_c", "busy"];
-const OF_PIECE: [&str; 15] = [
-    "core_c",
-    "core_peak_c",
-    "top_c",
-    "bottom_c",
-    "mass_g",
-    "lost_pct",
-    "top_browned_pct",
-    "bottom_browned_pct",
-    "top_charred_pct",
-    "bottom_charred_pct",
-    "top_lab_l",
-    "top_lab_a",
-    "top_lab_b",
-    "in_pan",
-    "upside_down",
-];
-
-/// Reads the columns of a kitchen.
-fn row(kitchen: &Kitchen) -> Vec<f64> {
-    let truth = |value: bool| f64::from(u8::from(value));
-    let own = [
-        kitchen.time_s(),
-        kitchen.hob_w(),
-        kitchen.hob_drawn_w(),
-        celsius(kitchen.pan_temperature()),
-        truth(kitchen.busy()),
-    ];
-    let pieces: Vec<[f64; OF_PIECE.len()]> = kitchen
-        .pieces()
-        .iter()
-        .map(|piece| {
-            let face =
-                |below: bool| piece.model.face_reading(&piece.state, piece.up().map(|u| if below { u } else { -u }));
-            let (top, bottom) = (face(false), face(true));
-            let mass = piece.mass();
-            [
-                celsius(piece.core()),
-                celsius(piece.core_peak.0),
-                celsius(piece.face(false)),
-                celsius(piece.face(true)),
-                1e3 * mass,
-                100.0 * (1.0 - mass / piece.model.raw_mass()),
-                top.browned_pct,
-                bottom.browned_pct,
-                top.charred_pct,
-                bottom.charred_pct,
-                top.lab.0[0],
-                top.lab.0[1],
-                top.lab.0[2],
-                truth(piece.in_pan()),
-                truth(piece.upside_down()),
-            ]
-        })
-        .collect();
-    // Column after column, as a structured array has them.
-    let columns = (0..OF_PIECE.len()).flat_map(|k| pieces.iter().map(move |piece| piece[k]));
-    own.into_iter().chain(columns).collect()
-}
-
-/// Returns NumPy's type of a row of readings.
-fn kind(py: Python<'_>, pieces: usize) -> PyResult<Py<PyAny>> {
-    let own = OF_KITCHEN.map(|name| (name, "<f8").into_pyobject(py).map(Bound::into_any));
-    let piece = OF_PIECE.map(|name| (name, "<f8", (pieces,)).into_pyobject(py).map(Bound::into_any));
-    let columns: Vec<Bound<'_, PyAny>> = own.into_iter().chain(piece).collect::<PyResult<_>>()?;
-    Ok(py.import("numpy")?.getattr("dtype")?.call1((columns,))?.unbind())
 }
 
 /// Which kitchens a mask names; all of them without one.
@@ -116,19 +41,54 @@ fn chosen(mask: Option<Vec<bool>>, count: usize) -> PyResult<Vec<bool>> {
     }
 }
 
+/// Reads a number for each kitchen, or one for all; `form` says what they are.
+pub(crate) fn each<T>(value: &Bound<'_, PyAny>, count: usize, form: &str) -> PyResult<Vec<T>>
+where
+    T: Clone + for<'a, 'py> FromPyObject<'a, 'py>,
+{
+    let found = match value.extract::<Vec<T>>() {
+        Ok(list) => list,
+        Err(_) => value.extract::<T>().map(|one| vec![one; count]).unwrap_or_default(),
+    };
+    if found.len() == count { Ok(found) } else { Err(PyTypeError::new_err(form.to_owned())) }
+}
+
 impl PyBatch {
-    fn each(&mut self, py: Python<'_>, act: impl Fn(&mut Seat) + Send + Sync) {
+    /// Number of kitchens.
+    pub(crate) fn count(&self) -> usize {
+        self.seats.len()
+    }
+
+    /// Lets every kitchen go on by its own number of ticks or frames.
+    fn advance(&mut self, py: Python<'_>, counts: &[u64], go: impl Fn(&mut Seat, u64) + Sync) -> PyResult<()> {
         let Self { seats, pool, .. } = self;
-        py.detach(|| pool.install(|| seats.par_iter_mut().for_each(act)));
+        let most = counts.iter().copied().max().unwrap_or_default();
+        // Kitchens that go further than the others do so in one piece of work: the others wait for no look.
+        let per_look = if counts.iter().all(|n| *n == most) { TICKS_PER_LOOK } else { most };
+        let mut done = 0;
+        while done < most {
+            let share = |count: u64| count.saturating_sub(done).min(per_look);
+            let each = |(seat, count): (&mut Seat, &u64)| go(seat, share(*count));
+            py.detach(|| pool.install(|| seats.par_iter_mut().zip(counts).with_max_len(1).for_each(each)));
+            done += per_look;
+            py.check_signals()?;
+        }
+        Ok(())
+    }
+
+    /// Reads how far the kitchens are to go: all by one number, or each by its own; 1 by default.
+    fn counts(&self, n: Option<&Bound<'_, PyAny>>, what: &str) -> PyResult<Vec<u64>> {
+        let count = self.count();
+        n.map_or(Ok(vec![1; count]), |n| each(n, count, &format!("n must be a number of {what}, or {count} of them")))
     }
 
     /// Sends a command to the chosen kitchens. Those that do not take it stay as they are and are named in the error.
-    fn command(&mut self, mask: Option<Vec<bool>>, command: impl Fn(usize) -> Command) -> PyResult<()> {
+    pub(crate) fn command(&mut self, mask: Option<Vec<bool>>, command: impl Fn(usize) -> Command) -> PyResult<()> {
         let chosen = chosen(mask, self.seats.len())?;
         let mut refused: Option<Refused> = None;
         let mut places = Vec::new();
         for (i, seat) in self.seats.iter_mut().enumerate().filter(|(i, _)| chosen[*i]) {
-            if let Err(reason) = Arc::make_mut(&mut seat.state).apply(&command(i)) {
+            if let Err(reason) = seat.apply(&command(i)) {
                 refused.get_or_insert(reason);
                 places.push(i);
             }
@@ -151,35 +111,42 @@ impl PyBatch {
         let expected = self.pieces;
         Err(PyValueError::new_err(format!("all kitchens of a batch must have as many pieces: {expected}, not {found}")))
     }
+
+    fn add(&mut self, kitchen: &Bound<'_, PyAny>) -> PyResult<()> {
+        let kitchen = kitchen.cast::<PyKitchen>().map_err(|_| not_kitchens())?.borrow();
+        if self.seats.is_empty() {
+            self.pieces = kitchen.state.pieces().len();
+        }
+        self.check(&kitchen.state)?;
+        self.seats.push(Seat::of(&kitchen, self.mesh)?);
+        Ok(())
+    }
+}
+
+fn not_kitchens() -> PyErr {
+    PyTypeError::new_err("kitchens must be a list of Kitchen")
+}
+
+fn pool(threads: Option<usize>) -> PyResult<Arc<ThreadPool>> {
+    if threads == Some(0) {
+        return Err(PyValueError::new_err("threads = 0: write 1 or more, or None for all cores"));
+    }
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.unwrap_or(0)).build();
+    pool.map(Arc::new).map_err(|error| errors::fault(&error))
 }
 
 #[pymethods]
 impl PyBatch {
-    /// Kitchens with equally many pieces; threads is the number of cores by default.
+    /// Kitchens with equally many pieces; threads is the number of cores by default. With reduced, pan and slices go on with
+    /// coarse meshes and steps of half a second, in a few per cent of the time; nothing moves there but what is turned over or
+    /// taken out.
     #[new]
-    #[pyo3(signature = (kitchens, *, threads = None))]
-    fn new(py: Python<'_>, kitchens: &Bound<'_, PyAny>, threads: Option<usize>) -> PyResult<Self> {
-        if threads == Some(0) {
-            return Err(PyValueError::new_err("threads = 0: write 1 or more, or None for all cores"));
-        }
-        let wrong = || PyTypeError::new_err("kitchens must be a list of Kitchen");
-        let mut batch = Self {
-            seats: Vec::new(),
-            pool: rayon::ThreadPoolBuilder::new()
-                .num_threads(threads.unwrap_or(0))
-                .build()
-                .map_err(|error| errors::fault(&error))?,
-            pieces: 0,
-            kind: py.None(),
-        };
-        for kitchen in kitchens.try_iter().map_err(|_| wrong())? {
-            let kitchen = kitchen?;
-            let kitchen = kitchen.cast::<PyKitchen>().map_err(|_| wrong())?.borrow();
-            if batch.seats.is_empty() {
-                batch.pieces = kitchen.state.pieces().len();
-            }
-            batch.check(&kitchen.state)?;
-            batch.seats.push(Seat { state: Arc::clone(&kitchen.state), before: kitchen.before.clone() });
+    #[pyo3(signature = (kitchens, *, threads = None, reduced = false))]
+    fn new(py: Python<'_>, kitchens: &Bound<'_, PyAny>, threads: Option<usize>, reduced: bool) -> PyResult<Self> {
+        let mesh = if reduced { Mesh::Reduced } else { Mesh::Whole };
+        let mut batch = Self { seats: Vec::new(), pool: pool(threads)?, pieces: 0, mesh, kind: py.None() };
+        for kitchen in kitchens.try_iter().map_err(|_| not_kitchens())? {
+            batch.add(&kitchen?)?;
         }
         if batch.seats.is_empty() {
             return Err(PyValueError::new_err("kitchens must have at least one Kitchen"));
@@ -194,23 +161,34 @@ impl PyBatch {
         self.pool.current_num_threads()
     }
 
+    /// True on the reduced mesh.
+    #[getter]
+    fn reduced(&self) -> bool {
+        self.mesh == Mesh::Reduced
+    }
+
     fn __len__(&self) -> usize {
         self.seats.len()
     }
 
-    /// Advances every kitchen by n ticks of 0.1 s, without Python's global lock, and returns the readings.
-    #[pyo3(signature = (n = 1))]
-    fn step<'py>(&mut self, py: Python<'py>, n: u64) -> PyResult<Bound<'py, PyAny>> {
-        let mut left = n;
-        while left > 0 {
-            let now = left.min(TICKS_PER_LOOK);
-            self.each(py, |Seat { state, before }| {
-                let kitchen = Arc::make_mut(state);
-                (0..now).for_each(|_| tick(kitchen, before));
-            });
-            left -= now;
-            py.check_signals()?;
+    /// Advances every kitchen by n ticks of 0.1 s, or each one by its own number, without Python's global lock, and returns the
+    /// readings.
+    #[pyo3(signature = (n = None))]
+    fn step<'py>(&mut self, py: Python<'py>, n: Option<&Bound<'py, PyAny>>) -> PyResult<Bound<'py, PyAny>> {
+        let ticks = self.counts(n, "ticks")?;
+        ticks.iter().try_for_each(|ticks| self.mesh.check(*ticks))?;
+        self.advance(py, &ticks, Seat::ticks)?;
+        self.readings(py)
+    }
+
+    /// Advances every kitchen by n frames of 1/60 s, or each one by its own number, and returns the readings.
+    #[pyo3(signature = (n = None))]
+    fn step_frames<'py>(&mut self, py: Python<'py>, n: Option<&Bound<'py, PyAny>>) -> PyResult<Bound<'py, PyAny>> {
+        if self.mesh == Mesh::Reduced {
+            return Err(PyValueError::new_err("on the reduced mesh nothing moves: use step"));
         }
+        let frames = self.counts(n, "frames")?;
+        self.advance(py, &frames, Seat::frames)?;
         self.readings(py)
     }
 
@@ -218,12 +196,12 @@ impl PyBatch {
     fn readings<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let Self { seats, pool, .. } = self;
         let rows: Vec<Vec<f64>> =
-            py.detach(|| pool.install(|| seats.par_iter().map(|seat| row(&seat.state)).collect()));
+            py.detach(|| pool.install(|| seats.par_iter().map(|seat| row(seat.kitchen())).collect()));
         made(py, rows.concat())?.call_method1("view", (self.kind.bind(py),))
     }
 
-    /// Scores against a goal [points], one for each kitchen; flips are those of each one.
-    #[pyo3(signature = (target = "medium", *, crust_pct = 60.0, scale = "chefs", flips = None))]
+    /// Scores against a goal [points], one for each kitchen, or for those that the mask names; flips are those of each one.
+    #[pyo3(signature = (target = "medium", *, crust_pct = 60.0, scale = "chefs", flips = None, r#where = None))]
     fn scores<'py>(
         &self,
         py: Python<'py>,
@@ -231,68 +209,38 @@ impl PyBatch {
         crust_pct: f64,
         scale: &str,
         flips: Option<Vec<usize>>,
+        r#where: Option<Vec<bool>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let goal = goal(target, crust_pct, scale)?;
+        let goal = goal(target, crust_pct, scale, self.seats[0].library())?;
+        let chosen = chosen(r#where, self.seats.len())?;
         let flips = flips.unwrap_or_else(|| vec![0; self.seats.len()]);
         if flips.len() != self.seats.len() || self.pieces == 0 {
             let wrong = format!("flips must have {} numbers, and the kitchens a piece", self.seats.len());
             return Err(PyValueError::new_err(wrong));
         }
         let Self { seats, pool, .. } = self;
-        let score = |(seat, flips): (&Seat, &usize)| scored(&seat.state, &goal, *flips).1;
-        let scores: Vec<f64> = py.detach(|| pool.install(|| seats.par_iter().zip(&flips).map(score).collect()));
+        let score = |i: usize| scored(seats[i].kitchen(), &goal, flips[i]).1;
+        let all = (0..seats.len()).into_par_iter().filter(|i| chosen[*i]).map(score);
+        let scores: Vec<f64> = py.detach(|| pool.install(|| all.collect()));
         made(py, scores)
     }
 
-    /// Sets the power of every hob [W]: one number, or one for each kitchen.
-    #[pyo3(signature = (w, *, r#where = None))]
-    fn hob(&mut self, w: &Bound<'_, PyAny>, r#where: Option<Vec<bool>>) -> PyResult<()> {
-        let count = self.seats.len();
-        let powers = match w.extract::<Vec<f64>>() {
-            Ok(powers) => powers,
-            Err(_) => w.extract::<f64>().map(|power| vec![power; count]).unwrap_or_default(),
-        };
-        if powers.len() != count {
-            return Err(PyTypeError::new_err(format!("w must be a number or {count} numbers, in W")));
-        }
-        self.command(r#where, |i| Command::Hob(powers[i]))
-    }
-
-    /// Puts a piece into the middle of every pan.
-    #[pyo3(signature = (food, *, r#where = None))]
-    fn put(&mut self, food: &str, r#where: Option<Vec<bool>>) -> PyResult<()> {
-        self.command(r#where, |_| Command::Put { food: food.to_owned(), at: [0.0; 2], heap: false })
-    }
-
-    /// Turns a piece over in every kitchen, or where the mask says so.
-    #[pyo3(signature = (food, *, r#where = None))]
-    fn flip(&mut self, food: &str, r#where: Option<Vec<bool>>) -> PyResult<()> {
-        self.command(r#where, |_| Command::Flip { food: food.to_owned() })
-    }
-
-    /// Takes a piece out of every pan, or where the mask says so.
-    #[pyo3(signature = (food, on = "board", *, r#where = None))]
-    fn rest(&mut self, food: &str, on: &str, r#where: Option<Vec<bool>>) -> PyResult<()> {
-        let on = rest_on(on)?;
-        self.command(r#where, |_| Command::Rest { food: food.to_owned(), on })
-    }
-
-    /// A kitchen of the batch, as it is now; what is done to it does not change the batch.
+    /// A kitchen of the batch, as it is now; what is done to it does not change the batch. One on the reduced mesh can only be
+    /// read.
     fn __getitem__(&self, index: isize) -> PyResult<PyKitchen> {
-        let seat = &self.seats[self.seat(index)?];
-        Ok(PyKitchen { state: Arc::clone(&seat.state), before: seat.before.clone() })
+        Ok(self.seats[self.seat(index)?].taken())
     }
 
     /// Puts a kitchen in the place of another.
     fn __setitem__(&mut self, index: isize, kitchen: PyRef<'_, PyKitchen>) -> PyResult<()> {
-        self.check(&kitchen.state)?;
         let at = self.seat(index)?;
-        self.seats[at] = Seat { state: Arc::clone(&kitchen.state), before: kitchen.before.clone() };
+        self.check(&kitchen.state)?;
+        self.seats[at] = Seat::of(&kitchen, self.mesh)?;
         Ok(())
     }
 
     /// Numbers that are equal for equal states.
     fn state_hashes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
-        PyList::new(py, self.seats.iter().map(|seat| seat.state.state_hash()))
+        PyList::new(py, self.seats.iter().map(|seat| seat.kitchen().state_hash()))
     }
 }

@@ -21,6 +21,7 @@ const PLACE: &str = "[x, y] in mm";
 impl PyKitchen {
     /// Carries out a command.
     pub(crate) fn apply(&mut self, command: &Command) -> PyResult<()> {
+        self.whole()?;
         Arc::make_mut(&mut self.state).apply(command).map_err(|reason| errors::refused(&reason))
     }
 }
@@ -37,6 +38,15 @@ pub(crate) fn rest_on(on: &str) -> PyResult<RestOn> {
         "rack" => Ok(RestOn::Rack),
         "foil" => Ok(RestOn::Foil),
         _ => Err(PyValueError::new_err(format!("on = \"{on}\": food rests on \"board\", \"rack\" or \"foil\""))),
+    }
+}
+
+/// Reads which tool it is.
+pub(crate) fn tool_of(tool: &str) -> PyResult<Tool> {
+    match tool {
+        "turner" => Ok(Tool::Turner),
+        "tongs" => Ok(Tool::Tongs),
+        _ => Err(PyValueError::new_err(format!("tool = \"{tool}\": there are \"turner\" and \"tongs\""))),
     }
 }
 
@@ -157,12 +167,7 @@ impl PyKitchen {
     /// Moves a tool, "turner" or "tongs", towards a pose of its tip; tongs grip a piece that is named once it is in reach.
     #[pyo3(signature = (tool, pose_m, *, grip = None))]
     fn lead(&mut self, tool: &str, pose_m: &Bound<'_, PyAny>, grip: Option<String>) -> PyResult<()> {
-        let tool = match tool {
-            "turner" => Tool::Turner,
-            "tongs" => Tool::Tongs,
-            _ => return Err(PyValueError::new_err(format!("tool = \"{tool}\": there are \"turner\" and \"tongs\""))),
-        };
-        self.apply(&Command::Lead { tool, to: pose(pose_m)?, grip })
+        self.apply(&Command::Lead { tool: tool_of(tool)?, to: pose(pose_m)?, grip })
     }
 
     /// Lowers a gripped piece until it lies, releases it and puts the tool away.

@@ -1,5 +1,7 @@
 //! A recipe cooked to its end: the numbers of `saute cook --json`, the time series, and the kitchen at the end.
 
+use std::path::PathBuf;
+
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use saute_recipe::{Cook, StoppedBy};
@@ -7,8 +9,8 @@ use saute_recipe::{Cook, StoppedBy};
 use crate::package::array::made;
 use crate::package::errors;
 use crate::package::kitchen::PyKitchen;
+use crate::package::own_data::Shelf;
 use crate::package::recipe::Source;
-use crate::package::shelf::library;
 
 /// Ticks between two looks for Ctrl-C [-] (chosen: some milliseconds to a second of a full pan).
 const TICKS_PER_LOOK: usize = 50;
@@ -17,24 +19,27 @@ const TICKS_PER_LOOK: usize = 50;
 #[pyclass(name = "Cooked", frozen, module = "saute._core")]
 pub(crate) struct PyCooked {
     cook: Cook,
+    shelf: Shelf,
 }
 
-/// Cooks a recipe to its end, without Python's global lock.
+/// Cooks a recipe to its end, without Python's global lock; data is a folder of the user's foods, pans and recipes.
 #[pyfunction]
-pub(crate) fn cook(py: Python<'_>, recipe: &Bound<'_, PyAny>) -> PyResult<PyCooked> {
-    let source = Source::of(recipe)?;
-    let mut cook = py.detach(|| begun(&source))?;
+#[pyo3(signature = (recipe, data = None))]
+pub(crate) fn cook(py: Python<'_>, recipe: &Bound<'_, PyAny>, data: Option<PathBuf>) -> PyResult<PyCooked> {
+    let shelf = Shelf::of(data)?;
+    let source = Source::among(recipe, &shelf.library)?;
+    let mut cook = py.detach(|| begun(&source, &shelf))?;
     while cook.stopped().is_none() {
         py.detach(|| cooked_on(&mut cook, &source))?;
         py.check_signals()?;
     }
-    Ok(PyCooked { cook })
+    Ok(PyCooked { cook, shelf })
 }
 
-fn begun(source: &Source) -> PyResult<Cook> {
-    let recipe = source.recipe()?;
+fn begun(source: &Source, shelf: &Shelf) -> PyResult<Cook> {
+    let recipe = source.recipe(&shelf.library)?;
     let file = recipe.file.clone();
-    Cook::new(recipe, library()?).map_err(|error| errors::setup(&error, &file))
+    Cook::new(recipe, &shelf.library).map_err(|error| errors::setup(&error, &file))
 }
 
 fn cooked_on(cook: &mut Cook, source: &Source) -> PyResult<()> {
@@ -72,7 +77,7 @@ impl PyCooked {
 
     /// The kitchen at the end.
     fn kitchen(&self) -> PyKitchen {
-        PyKitchen::of(self.cook.kitchen.clone())
+        PyKitchen::of(self.cook.kitchen.clone(), self.shelf.clone())
     }
 
     /// True if the recipe came to its end, false if a step was still waiting at max_s.

@@ -34,6 +34,12 @@ pub(crate) fn argument(message: String, remedy: String) -> PyErr {
     raised("InputError", (message, Option::<String>::None, Option::<String>::None, remedy, Option::<usize>::None))
 }
 
+/// A file of a user's data that cannot be used.
+pub(crate) fn data(message: &str, file: String, line: usize) -> PyErr {
+    let remedy = "correct the file, or take it out of the folder";
+    raised("InputError", (message.to_owned(), file, Option::<String>::None, remedy, line))
+}
+
 /// What is wrong with a file that is no recipe; without its line where nobody has seen lines.
 pub(crate) fn at_line(error: InputError, has_lines: bool) -> PyErr {
     let line = has_lines.then_some(error.line);
@@ -61,6 +67,12 @@ pub(crate) fn refused(reason: &Refused) -> PyErr {
 pub(crate) fn refused_at(reason: &Refused, kitchens: &[usize]) -> PyErr {
     let places: Vec<String> = kitchens.iter().map(usize::to_string).collect();
     raised("RefusedError", (format!("in kitchen {}: {reason}", places.join(", ")),))
+}
+
+/// A kitchen on the reduced mesh was asked for more than readings.
+pub(crate) fn on_reduced_mesh() -> PyErr {
+    let reason = "this kitchen is on the reduced mesh of a batch and can only be read: step and command the batch";
+    raised("RefusedError", (reason,))
 }
 
 /// Bytes that are no kitchen.

@@ -1,5 +1,6 @@
 //! A kitchen in Python: built from a recipe, stepped, stored and restored.
 
+use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use pyo3::exceptions::{PyKeyError, PyTypeError};
@@ -7,11 +8,11 @@ use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use saute_kitchen::bytes::Models;
 use saute_kitchen::hands::FoodVelocities;
-use saute_kitchen::{Kitchen, PieceOrder};
+use saute_kitchen::{Kitchen, Library, PieceOrder};
 
+use crate::package::own_data::Shelf;
 use crate::package::piece::PyPiece;
 use crate::package::recipe::Source;
-use crate::package::shelf::library;
 use crate::package::{errors, expected};
 
 /// Ticks between two looks for Ctrl-C [-] (chosen: some milliseconds to a second of a full pan).
@@ -35,23 +36,39 @@ fn with_models<T>(act: impl FnOnce(&mut Models) -> T) -> T {
     act(models)
 }
 
+/// What a kitchen is pickled as: what restores it, its bytes and its folder of data.
+type Reduced<'py> = (Bound<'py, PyAny>, (Bound<'py, PyBytes>, Option<PathBuf>));
+
 /// A hob, a pan, foods and hands.
 ///
 /// The state is shared with the arrays that were taken from it. A change first copies it where an array lives.
-#[pyclass(name = "Kitchen", subclass, module = "saute")]
+#[derive(Clone)]
+#[pyclass(name = "Kitchen", subclass, module = "saute", skip_from_py_object)]
 pub(crate) struct PyKitchen {
     pub(crate) state: Arc<Kitchen>,
     /// Velocities of the foods before the last frame.
     pub(crate) before: FoodVelocities,
+    /// True for a kitchen of a batch on the reduced mesh, which can only be read.
+    pub(crate) is_reduced: bool,
+    /// What it was built from.
+    pub(crate) shelf: Shelf,
 }
 
 impl PyKitchen {
-    pub(crate) fn of(state: Kitchen) -> Self {
-        Self { before: FoodVelocities::of(&state), state: Arc::new(state) }
+    pub(crate) fn of(state: Kitchen, shelf: Shelf) -> Self {
+        Self { before: FoodVelocities::of(&state), state: Arc::new(state), is_reduced: false, shelf }
+    }
+
+    /// Checks that it can go on and be stored.
+    pub(crate) fn whole(&self) -> PyResult<()> {
+        if self.is_reduced {
+            return Err(errors::on_reduced_mesh());
+        }
+        Ok(())
     }
 
     /// Advances frames or ticks; an array that lives keeps the state of before.
-    fn frames(&mut self, count: u64) {
+    pub(crate) fn frames(&mut self, count: u64) {
         let kitchen = Arc::make_mut(&mut self.state);
         for _ in 0..count {
             self.before.note(kitchen);
@@ -59,7 +76,7 @@ impl PyKitchen {
         }
     }
 
-    fn ticks(&mut self, count: u64) {
+    pub(crate) fn ticks(&mut self, count: u64) {
         let kitchen = Arc::make_mut(&mut self.state);
         for _ in 0..count {
             tick(kitchen, &mut self.before);
@@ -68,7 +85,7 @@ impl PyKitchen {
 }
 
 /// Advances a kitchen to its next tick, and notes the velocities before the last frame.
-pub(crate) fn tick(kitchen: &mut Kitchen, before: &mut FoodVelocities) {
+fn tick(kitchen: &mut Kitchen, before: &mut FoodVelocities) {
     loop {
         before.note(kitchen);
         if kitchen.advance_frame() {
@@ -78,9 +95,8 @@ pub(crate) fn tick(kitchen: &mut Kitchen, before: &mut FoodVelocities) {
 }
 
 /// Builds a kitchen, with the models that are known.
-fn built(source: &Source, coarseness: f64) -> PyResult<Kitchen> {
-    let recipe = source.recipe()?;
-    let library = library()?;
+fn built(source: &Source, coarseness: f64, library: &Library) -> PyResult<Kitchen> {
+    let recipe = source.recipe(library)?;
     let mut kitchen = Kitchen::new(library, &recipe.pan_kind, recipe.pan_temperature)
         .map_err(|error| errors::setup(&error, &recipe.file))?;
     for food in &recipe.foods {
@@ -92,8 +108,7 @@ fn built(source: &Source, coarseness: f64) -> PyResult<Kitchen> {
 }
 
 /// Restores a kitchen, with the models that are known.
-fn restored(bytes: &[u8]) -> PyResult<Kitchen> {
-    let library = library()?;
+fn restored(bytes: &[u8], library: &Library) -> PyResult<Kitchen> {
     with_models(|models| Kitchen::from_bytes_with(bytes, library, models)).map_err(|error| errors::bytes(&error))
 }
 
@@ -103,7 +118,7 @@ impl PyKitchen {
     #[new]
     #[pyo3(signature = (
         recipe = None, *, food = None, pan = None, size_mm = None, initial_c = None, pan_c = None, seed = None, id = None,
-        coarseness = 1.0
+        coarseness = 1.0, data = None
     ))]
     #[allow(clippy::too_many_arguments, reason = "keywords of Python")]
     fn new(
@@ -117,15 +132,17 @@ impl PyKitchen {
         seed: Option<u32>,
         id: Option<&str>,
         coarseness: f64,
+        data: Option<PathBuf>,
     ) -> PyResult<Self> {
         let allowed = PieceOrder::COARSENESS;
         expected::ranged(coarseness, "coarseness", [*allowed.start(), *allowed.end()])?;
+        let shelf = Shelf::of(data)?;
         let others = food.is_some() || pan.is_some() || size_mm.is_some() || initial_c.is_some() || pan_c.is_some();
         let source = match recipe {
             Some(_) if others || seed.is_some() || id.is_some() => {
                 return Err(PyTypeError::new_err("give a recipe, or food and pan with their values, not both"));
             }
-            Some(recipe) => Source::of(recipe)?,
+            Some(recipe) => Source::among(recipe, &shelf.library)?,
             None => {
                 let about_pan = [("kind", pan.into_pyobject(py)?.into_any()), ("initial_c", pan_c.into_pyobject(py)?)];
                 let mut about_food = vec![
@@ -139,12 +156,14 @@ impl PyKitchen {
             }
         };
         let source = source.with_end();
-        py.detach(|| built(&source, coarseness)).map(Self::of)
+        let state = py.detach(|| built(&source, coarseness, &shelf.library))?;
+        Ok(Self::of(state, shelf))
     }
 
     /// Advances the kitchen by n ticks of 0.1 s, without Python's global lock.
     #[pyo3(signature = (n = 1))]
     fn step(&mut self, py: Python<'_>, n: u64) -> PyResult<()> {
+        self.whole()?;
         let mut left = n;
         while left > 0 {
             let now = left.min(TICKS_PER_LOOK);
@@ -158,6 +177,7 @@ impl PyKitchen {
     /// Advances the kitchen by n frames of 1/60 s; in every sixth, heat flows.
     #[pyo3(signature = (n = 1))]
     fn step_frames(&mut self, py: Python<'_>, n: u64) -> PyResult<()> {
+        self.whole()?;
         let mut left = n;
         while left > 0 {
             let now = left.min(TICKS_PER_LOOK);
@@ -226,26 +246,31 @@ impl PyKitchen {
     }
 
     /// The whole state as bytes, which restore gives back exactly, on any machine.
-    fn snapshot<'py>(&self, py: Python<'py>) -> Bound<'py, PyBytes> {
+    fn snapshot<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
+        self.whole()?;
         let state = Arc::clone(&self.state);
-        PyBytes::new(py, &py.detach(|| state.to_bytes()))
+        Ok(PyBytes::new(py, &py.detach(|| state.to_bytes())))
     }
 
     /// Takes over the state of a snapshot.
     fn restore(&mut self, py: Python<'_>, snapshot: &[u8]) -> PyResult<()> {
-        *self = py.detach(|| restored(snapshot)).map(Self::of)?;
+        let state = py.detach(|| restored(snapshot, &self.shelf.library))?;
+        *self = Self::of(state, self.shelf.clone());
         Ok(())
     }
 
-    /// The kitchen of a snapshot.
+    /// The kitchen of a snapshot; data is the folder that it was built with.
     #[staticmethod]
-    fn from_snapshot(py: Python<'_>, snapshot: &[u8]) -> PyResult<Self> {
-        py.detach(|| restored(snapshot)).map(Self::of)
+    #[pyo3(signature = (snapshot, data = None))]
+    fn from_snapshot(py: Python<'_>, snapshot: &[u8], data: Option<PathBuf>) -> PyResult<Self> {
+        let shelf = Shelf::of(data)?;
+        let state = py.detach(|| restored(snapshot, &shelf.library))?;
+        Ok(Self::of(state, shelf))
     }
 
     /// An independent kitchen in the same state; nothing is copied until one of them is changed.
     fn copy(&self) -> Self {
-        Self { state: Arc::clone(&self.state), before: self.before.clone() }
+        self.clone()
     }
 
     fn __copy__(&self) -> Self {
@@ -256,9 +281,9 @@ impl PyKitchen {
         self.copy()
     }
 
-    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, (Bound<'py, PyBytes>,))> {
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<Reduced<'py>> {
         let restore = py.import("saute._snapshot")?.getattr("kitchen_of")?;
-        Ok((restore, (self.snapshot(py),)))
+        Ok((restore, (self.snapshot(py)?, self.shelf.folder.clone())))
     }
 
     /// A number that is equal for equal states: all that the next step reads.

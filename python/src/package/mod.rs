@@ -5,17 +5,21 @@
 
 mod array;
 mod batch;
+mod batch_commands;
 mod commands;
 mod cook;
 mod errors;
 mod expected;
 mod kitchen;
+mod own_data;
 mod pan;
 mod piece;
 mod piece_fields;
+mod readings;
 mod recipe;
 mod render;
 mod score;
+mod seat;
 mod shelf;
 mod sweep;
 

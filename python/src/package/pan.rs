@@ -1,14 +1,55 @@
 //! What hob and pan say of themselves: readings, fields, the pan's pose and the load on the hand that holds it.
 
+use std::sync::Arc;
+
 use pyo3::prelude::*;
-use saute_kitchen::{FRAME_S, celsius};
+use saute_kitchen::dynamics::RIGID_S;
+use saute_kitchen::hands::FoodVelocities;
+use saute_kitchen::{Command, FRAME_S, Kitchen, celsius};
 
 use crate::package::array::{made, shown, shown_rows};
-use crate::package::expected::seven;
+use crate::package::errors;
+use crate::package::expected::{pose, seven};
 use crate::package::kitchen::PyKitchen;
+
+/// Lets a partner in Python see the load on the pan since the last step and the poses of the foods, and holds the pan where it says.
+fn asked(py: Python<'_>, kitchen: &mut Kitchen, last: &mut FoodVelocities, partner: &Bound<'_, PyAny>) -> PyResult<()> {
+    let wrench = kitchen.pan_wrench(last, RIGID_S);
+    last.note(kitchen);
+    let poses: Vec<f64> = kitchen.pieces().iter().flat_map(|piece| seven(&piece.pose)).collect();
+    let rows = (kitchen.pieces().len(), 7);
+    let load = made(py, [wrench.force.to_array(), wrench.torque.to_array()].concat())?;
+    let answer = partner.call1((load, made(py, poses)?.call_method1("reshape", (rows,))?))?;
+    if answer.is_none() {
+        return Ok(());
+    }
+    kitchen.apply(&Command::HoldPan { pose: pose(&answer)? }).map_err(|reason| errors::refused(&reason))
+}
 
 #[pymethods]
 impl PyKitchen {
+    /// Advances n frames together with another simulator. Before each rigid step of 1/240 s, four in a frame, partner(wrench, poses)
+    /// is called: with force [N] and torque [N·m] of foods and liquids on the pan in the last of these steps, six numbers as
+    /// `pan_wrench`, and the poses of the foods in order, n × 7. It returns the pose at which the pan is to be held, or None to
+    /// leave it. The kitchen itself must not be used in it. After an exception of the partner the frame is completed.
+    #[pyo3(signature = (partner, n = 1))]
+    fn couple(&mut self, py: Python<'_>, partner: &Bound<'_, PyAny>, n: u64) -> PyResult<()> {
+        self.whole()?;
+        let kitchen = Arc::make_mut(&mut self.state);
+        let mut last = FoodVelocities::of(kitchen);
+        for _ in 0..n {
+            self.before.note(kitchen);
+            let mut result = Ok(());
+            kitchen.advance_frame_with(|kitchen| {
+                if result.is_ok() {
+                    result = asked(py, kitchen, &mut last, partner);
+                }
+            });
+            result?;
+        }
+        py.check_signals()
+    }
+
     /// Name of the kind of pan, as "carbon-steel-26".
     #[getter]
     fn pan_name(&self) -> String {

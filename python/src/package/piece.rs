@@ -11,7 +11,6 @@ use saute_kitchen::{Kitchen, Piece, Place, celsius, doneness};
 use crate::package::array::made;
 use crate::package::expected::seven;
 use crate::package::kitchen::PyKitchen;
-use crate::package::shelf::library;
 
 /// A piece of food. It reads the present state of its kitchen; arrays show the state as it was when asked for.
 #[pyclass(name = "Piece", frozen, module = "saute")]
@@ -145,7 +144,8 @@ impl PyPiece {
     fn doneness_pct(&self, py: Python<'_>, scale: Option<&str>) -> PyResult<BTreeMap<String, f64>> {
         let (state, index) = self.found(py)?;
         let piece = &state.pieces()[index];
-        let fitting = doneness::fitting(&library()?.scales, &piece.model);
+        let library = Arc::clone(&self.kitchen.bind(py).try_borrow()?.shelf.library);
+        let fitting = doneness::fitting(&library.scales, &piece.model);
         let chosen = fitting.iter().find(|s| scale.is_none_or(|id| s.id == id));
         let Some(chosen) = chosen else {
             let known: Vec<&str> = fitting.iter().map(|s| s.id.as_str()).collect();

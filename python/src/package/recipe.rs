@@ -108,6 +108,20 @@ impl Source {
         Ok(Self { text, file, has_lines: true })
     }
 
+    /// As [`Self::of`], with the names of a library that has a user's recipes too.
+    pub(crate) fn among(recipe: &Bound<'_, PyAny>, library: &Library) -> PyResult<Self> {
+        let name = recipe.extract::<String>().ok().filter(|name| !Path::new(name).is_file());
+        if let Some((name, text)) = name.and_then(|name| library.recipes.get_key_value(&name)) {
+            return Ok(Self { text: text.clone(), file: format!("recipes/{name}.toml"), has_lines: true });
+        }
+        Self::of(recipe)
+    }
+
+    /// Reads and checks the recipe, with the foods of a library.
+    pub(crate) fn recipe(&self, library: &Library) -> PyResult<Recipe> {
+        Recipe::parse(&self.text, &self.file, library).map_err(|error| errors::input(error, self))
+    }
+
     /// The text.
     pub(crate) fn text(&self) -> &str {
         &self.text
@@ -116,11 +130,6 @@ impl Source {
     /// Name of the file for messages.
     pub(crate) fn file(&self) -> &str {
         &self.file
-    }
-
-    /// Reads and checks the recipe.
-    pub(crate) fn recipe(&self) -> PyResult<Recipe> {
-        Recipe::parse(&self.text, &self.file, library()?).map_err(|error| errors::input(error, self))
     }
 
     /// The recipe with an end, where it has no step: a kitchen needs none.

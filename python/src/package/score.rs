@@ -4,17 +4,15 @@ use std::collections::BTreeMap;
 
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use saute_kitchen::Kitchen;
+use saute_kitchen::{Kitchen, Library};
 use saute_plan::goal::{Goal, Outcome, Score, Wish};
 
 use crate::package::expected::ranged;
 use crate::package::kitchen::PyKitchen;
-use crate::package::shelf::library;
 
 /// Reads a goal: a class of a scale, or "core=54" [°C], with a crust [%].
-pub(crate) fn goal(wish: &str, crust_pct: f64, scale: &str) -> PyResult<Goal> {
+pub(crate) fn goal(wish: &str, crust_pct: f64, scale: &str, library: &Library) -> PyResult<Goal> {
     ranged(crust_pct, "crust_pct", [0.0, 100.0])?;
-    let library = library()?;
     let unknown =
         || PyValueError::new_err(format!("there is no scale \"{scale}\"; there are: {}", library.scale_names()));
     let scale = library.scale(scale).ok_or_else(unknown)?;
@@ -38,7 +36,7 @@ impl PyKitchen {
         if self.state.pieces().is_empty() {
             return Err(PyValueError::new_err("there is no food in the kitchen to score"));
         }
-        let (outcome, score) = scored(&self.state, &goal(target, crust_pct, scale)?, flips);
+        let (outcome, score) = scored(&self.state, &goal(target, crust_pct, scale, &self.shelf.library)?, flips);
         Ok(BTreeMap::from([
             ("score", score),
             ("core_peak_c", outcome.core_peak_c),

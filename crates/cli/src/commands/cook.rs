@@ -4,20 +4,22 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
+use saute_formats::{series_table, summary_table};
 use saute_kitchen::doneness::ScaleChoice;
-use saute_recipe::{Cook, StoppedBy, Summary};
+use saute_recipe::{Cook, Fired, StoppedBy, Summary};
 
 use crate::args::CookArgs;
 use crate::error::CliError;
 use crate::input::data_library::DataLibrary;
 use crate::input::recipe_source;
 use crate::input::session_source::{self, Source};
+use crate::output::field_files::FieldFiles;
 use crate::output::interruption::Interruption;
 use crate::output::out_dir::OutDir;
 use crate::output::progress::Progress;
 use crate::output::section_files::{Snapshot, pictured};
 use crate::output::session_out::SessionOut;
-use crate::output::{json, stderr, stdout, text_summary};
+use crate::output::{coloured_surfaces, json, stderr, stdout, text_summary};
 use crate::{exit_code, report};
 
 /// Cooks a recipe, writes its files and prints its numbers.
@@ -26,15 +28,17 @@ pub fn run(args: &CookArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
     let recipe = recipe_source::load(&args.recipe, data)?;
     let cook = session_source::cook(Source::Recipe(recipe), data)?;
     let pictured = if args.out.is_some() { pictured(&cook, args.every_piece) } else { Vec::new() };
-    let out = args.out.as_deref().map(OutDir::prepare).transpose()?;
+    let mut out = args.out.as_deref().map(OutDir::prepare).transpose()?;
     let begin = |path: &PathBuf| SessionOut::begin(path, cook.runner.recipe(), &data.library, &cook.kitchen);
     let session = args.record.as_ref().map(begin).transpose()?;
-    let (cook, snapshots, wall) = cook_through(cook, &pictured, out.as_ref(), session)?;
+    let fields = args.fields.map(FieldFiles::every);
+    let onlookers = Onlookers { pictured, out: out.as_mut(), fields, session };
+    let (cook, snapshots, wall) = onlookers.cook(cook)?;
     let summary = cook.summary(wall.as_secs_f64());
     if let Some(out) = out {
         let place = out.place();
         let files = files(&cook, &summary, snapshots, &scales)?;
-        let count = files.len();
+        let count = files.len() + out.kept();
         out.fill(files)?;
         stderr::say(format!("wrote {count} files to {place}; start with report.html"));
     }
@@ -42,41 +46,59 @@ pub fn run(args: &CookArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
     Ok(report_end(&cook, &summary))
 }
 
-/// Cooks to the end and takes pictures of some foods. The wall time is the time of the simulation without the pictures.
-///
-/// A signal ends a cook with an output folder early, with an error that says what is left; later it is too late to matter.
-fn cook_through(
-    mut cook: Cook,
-    pictured: &[usize],
-    out: Option<&OutDir>,
-    mut session: Option<SessionOut>,
-) -> Result<(Cook, Vec<Snapshot>, Duration), CliError> {
-    let interruption = out.map_or_else(Interruption::default, |_| Interruption::watch());
-    let progress = Progress::start(&cook);
-    let mut snapshots = Vec::new();
-    let started = Instant::now();
-    let mut painting = Duration::ZERO;
-    while cook.stopped().is_none() {
-        let fired = cook.fire()?;
-        if let Some(session) = &mut session {
-            session.on_steps(&mut cook.kitchen);
-        }
-        if !pictured.is_empty() && !fired.is_empty() {
+/// Those who look on while a recipe cooks.
+struct Onlookers<'a> {
+    /// Foods of which pictures are taken.
+    pictured: Vec<usize>,
+    out: Option<&'a mut OutDir>,
+    fields: Option<FieldFiles>,
+    session: Option<SessionOut>,
+}
+
+impl Onlookers<'_> {
+    /// Cooks to the end; returns it with its pictures and the wall time of the simulation, without pictures and fields.
+    ///
+    /// A signal ends a cook with an output folder early, with an error that says what is left; later it is too late to matter.
+    fn cook(mut self, mut cook: Cook) -> Result<(Cook, Vec<Snapshot>, Duration), CliError> {
+        let interruption = self.out.as_ref().map_or_else(Interruption::default, |_| Interruption::watch());
+        let progress = Progress::start(&cook);
+        let mut snapshots = Vec::new();
+        let (started, mut looking) = (Instant::now(), Duration::ZERO);
+        while cook.stopped().is_none() {
+            let fired = cook.fire()?;
+            if let Some(session) = &mut self.session {
+                session.on_steps(&mut cook.kitchen);
+            }
             let begun = Instant::now();
-            snapshots.extend(Snapshot::take(&cook, &fired, pictured)?);
-            painting += begun.elapsed();
+            snapshots.extend(self.look(&cook, &fired)?);
+            looking += begun.elapsed();
+            cook.tick();
+            if let Some(session) = &mut self.session {
+                session.on_tick(&cook.kitchen)?;
+            }
+            progress.show(&cook);
+            if let (true, Some(out)) = (interruption.is_asked(), &self.out) {
+                return Err(CliError::Interrupted { at_s: cook.kitchen.time_s(), left: out.left() });
+            }
         }
-        cook.tick();
-        if let Some(session) = &mut session {
-            session.on_tick(&cook.kitchen)?;
+        let wall = started.elapsed().saturating_sub(looking);
+        self.session.map_or(Ok(()), SessionOut::finish)?;
+        if let (Some(fields), Some(out)) = (self.fields, self.out) {
+            fields.end(&cook.kitchen, out)?;
         }
-        progress.show(&cook);
-        if let (true, Some(out)) = (interruption.is_asked(), out) {
-            return Err(CliError::Interrupted { at_s: cook.kitchen.time_s(), left: out.left() });
-        }
+        Ok((cook, snapshots, wall))
     }
-    session.map_or(Ok(()), SessionOut::finish)?;
-    Ok((cook, snapshots, started.elapsed().saturating_sub(painting)))
+
+    /// Takes the pictures of steps that were just carried out, and writes the fields that are due.
+    fn look(&mut self, cook: &Cook, fired: &[Fired]) -> Result<Vec<Snapshot>, CliError> {
+        if let (Some(fields), Some(out)) = (&mut self.fields, &mut self.out) {
+            fields.look(&cook.kitchen, out)?;
+        }
+        if self.pictured.is_empty() || fired.is_empty() {
+            return Ok(Vec::new());
+        }
+        Ok(Snapshot::take(cook, fired, &self.pictured)?)
+    }
 }
 
 fn files(
@@ -86,10 +108,14 @@ fn files(
     scales: &ScaleChoice,
 ) -> Result<Vec<(String, Vec<u8>)>, CliError> {
     let ids: Vec<&str> = cook.kitchen.pieces().iter().map(|p| p.id.as_str()).collect();
+    let groups = &cook.runner.recipe().groups;
     let report = report::page(cook, summary, &snapshots, scales);
     let mut files = vec![
         ("summary.json".to_owned(), json::text(summary)?.into_bytes()),
-        ("series.csv".to_owned(), cook.recorder.csv(&ids, &cook.runner.recipe().groups)?.into_bytes()),
+        ("series.csv".to_owned(), cook.recorder.csv(&ids, groups)?.into_bytes()),
+        ("summary.parquet".to_owned(), summary_table::table(summary).parquet()?),
+        ("series.parquet".to_owned(), series_table::table(&cook.recorder, &ids, groups).parquet()?),
+        (coloured_surfaces::FILE.to_owned(), coloured_surfaces::cooked(&cook.kitchen)),
         ("report.html".to_owned(), report.into_bytes()),
     ];
     files.extend(snapshots.into_iter().flat_map(Snapshot::into_files));

@@ -4,13 +4,19 @@ use std::fmt::Write;
 use std::process::ExitCode;
 use std::time::Instant;
 
-use saute_lab::{Case, LabReport, MOST_WORK};
+use saute_formats::fields::{array, product};
+use saute_formats::vtk::Collection;
+use saute_kitchen::food::NodeField;
+use saute_kitchen::heat::conduction::tensor::TensorBody;
+use saute_lab::{Case, LabReport, MOST_WORK, Watch};
 
 use crate::args::LabArgs;
 use crate::error::CliError;
 use crate::exit_code;
 use crate::input::data_library::DataLibrary;
 use crate::input::text_file;
+use crate::output::field_files::SERIES;
+use crate::output::out_dir::OutDir;
 use crate::output::{json, stderr, stdout};
 
 /// Runs a case and prints its numbers.
@@ -18,11 +24,37 @@ pub fn run(args: &LabArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
     let text = text_file::read(&args.case)?;
     let case = Case::parse(&text, &args.case.display().to_string(), &data.library)?;
     bounded(&case, &args.case.display().to_string())?;
-    let start = Instant::now();
-    let report = saute_lab::run(&case, || start.elapsed().as_secs_f64());
+    let mut out = args.out.as_deref().map(OutDir::prepare).transpose()?;
+    let report = run_with_fields(&case, args.fields, out.as_mut())?;
+    if let Some(out) = out {
+        let (place, count) = (out.place(), out.kept() + 1);
+        out.fill(vec![("report.json".to_owned(), json::text(&report)?.into_bytes())])?;
+        stderr::say(format!("wrote {count} files to {place}"));
+    }
     stdout::print(&if args.json { json::text(&report)? } else { table(&report) })?;
     report.warnings.iter().for_each(|warning| stderr::say(format!("warning: {warning}")));
     Ok(exit_code::of_goal(report.warnings.is_empty()))
+}
+
+/// Runs a case; if an interval [s] and a folder are given, its fields are written there.
+fn run_with_fields(case: &Case, every_s: Option<f64>, out: Option<&mut OutDir>) -> Result<LabReport, CliError> {
+    let start = Instant::now();
+    let clock = || start.elapsed().as_secs_f64();
+    let (Some(every_s), Some(out)) = (every_s, out) else { return Ok(saute_lab::run(case, clock)) };
+    let (mut series, mut count, mut written) = (Collection::default(), 0, Ok(()));
+    let mut tell = |time_s: f64, body: &TensorBody, fields: Vec<NodeField<'_>>| {
+        let grid = product::product(body, fields.into_iter().map(array).collect(), time_s);
+        let file = format!("fields_{count:04}.vtu");
+        series.push(time_s, 0, &case.name, &file);
+        count += 1;
+        if written.is_ok() {
+            written = out.keep(&file, &grid.vtu());
+        }
+    };
+    let report = saute_lab::run_watched(case, clock, &mut Watch::every(every_s, &mut tell));
+    written?;
+    out.keep(SERIES, series.pvd().as_bytes())?;
+    Ok(report)
 }
 
 /// Refuses a case whose work would take more than a day; `place` names its file.

@@ -1,5 +1,7 @@
 //! What the command prints and the files that it writes.
 
+pub mod coloured_surfaces;
+pub mod field_files;
 mod file_lock;
 pub mod interruption;
 pub mod json;

@@ -19,6 +19,8 @@ const PROBE: usize = 1 << 16;
 pub struct OutDir {
     path: PathBuf,
     made: Vec<PathBuf>,
+    /// Names of files that were written before the end of the run.
+    kept: Vec<String>,
     /// The files, then the lock: dropped in this order. None only while the folder is dropped.
     held: Option<(StagedFiles, FileLock)>,
 }
@@ -28,7 +30,7 @@ impl OutDir {
     /// program are reported before the run. A disk that fills up later is reported by [`OutDir::fill`].
     pub fn prepare(path: &Path) -> Result<Self, CliError> {
         let made = path.ancestors().filter(|p| !p.as_os_str().is_empty() && !p.exists()).map(Path::to_owned).collect();
-        let mut out = Self { path: path.to_owned(), made, held: None };
+        let mut out = Self { path: path.to_owned(), made, kept: Vec::new(), held: None };
         match out.hold() {
             Ok(held) => out.held = Some(held),
             Err(e) => return Err(out.error(&e)),
@@ -50,9 +52,21 @@ impl OutDir {
         self.path.display().to_string()
     }
 
-    /// Writes all files or none: they get their final names once all of them are complete.
+    /// Writes a file during the run; it gets its final name with all others.
+    pub fn keep(&mut self, name: &str, bytes: &[u8]) -> Result<(), CliError> {
+        let written = self.held.as_ref().map_or(Ok(()), |(staged, _)| staged.write(name, bytes));
+        self.kept.push(name.to_owned());
+        written.map_err(|e| self.error(&e))
+    }
+
+    /// Returns the number of files that were written during the run.
+    pub fn kept(&self) -> usize {
+        self.kept.len()
+    }
+
+    /// Writes all files or none: they get their final names, with those that were kept, once all of them are complete.
     pub fn fill(mut self, files: Vec<(String, Vec<u8>)>) -> Result<(), CliError> {
-        let names: Vec<&str> = files.iter().map(|(name, _)| name.as_str()).collect();
+        let names: Vec<&str> = files.iter().map(|(name, _)| name).chain(&self.kept).map(String::as_str).collect();
         let written = self.held.as_ref().map_or(Ok(()), |(staged, _)| {
             files.iter().try_for_each(|(name, bytes)| staged.write(name, bytes))?;
             staged.finish(&names)

@@ -7,6 +7,7 @@ use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
+use crate::output::field_files;
 use crate::output::file_lock::FileLock;
 
 /// Folder of the files without their final names.
@@ -77,7 +78,7 @@ impl StagedFiles {
         Ok(text.lines().filter(|name| !name.contains(['/', '\\']) && *name != "..").map(str::to_owned).collect())
     }
 
-    /// Removes the old pages and section pictures, then gives pictures and numbers their names, and the pages last: no
+    /// Removes the old pages, section pictures and fields, then gives pictures and numbers their names, and the pages last: no
     /// page ever stands beside pictures of another run.
     fn publish<N: AsRef<str>>(&self, names: &[N]) -> io::Result<()> {
         let (pages, others): (Vec<&str>, Vec<&str>) =
@@ -88,16 +89,17 @@ impl StagedFiles {
                 _ => Err(e),
             })?;
         }
-        self.clear_sections(names)?;
+        self.clear_old(names)?;
         let mut in_order = others.iter().chain(&pages);
         in_order.try_for_each(|name| fs::rename(self.stage.join(name), self.folder.join(name)))
     }
 
-    /// Removes the section pictures of an earlier cook, which may have had more steps.
-    fn clear_sections<N: AsRef<str>>(&self, names: &[N]) -> io::Result<()> {
+    /// Removes the section pictures and fields of an earlier cook, which may have had more steps or lasted longer.
+    fn clear_old<N: AsRef<str>>(&self, names: &[N]) -> io::Result<()> {
         for entry in fs::read_dir(&self.folder)? {
             let entry = entry?;
-            let is_old = |name: &str| is_section_picture(name) && !names.iter().any(|new| new.as_ref() == name);
+            let is_counted = |name: &str| is_section_picture(name) || is_field(name);
+            let is_old = |name: &str| is_counted(name) && !names.iter().any(|new| new.as_ref() == name);
             if entry.file_name().to_str().is_some_and(is_old) {
                 fs::remove_file(entry.path())?;
             }
@@ -120,6 +122,13 @@ fn is_page(name: &str) -> bool {
 fn is_section_picture(name: &str) -> bool {
     let digits = name.strip_prefix("section_").and_then(|rest| rest.split('_').next());
     name.ends_with(".png") && digits.is_some_and(|d| d.len() >= 2 && d.bytes().all(|b| b.is_ascii_digit()))
+}
+
+/// Returns true for the name of a file of fields, as `fields_0003_pan.vtu`, or of their times.
+fn is_field(name: &str) -> bool {
+    let digits = name.strip_prefix("fields_").and_then(|rest| rest.split(['_', '.']).next());
+    let is_counted = digits.is_some_and(|d| d.len() >= 4 && d.bytes().all(|b| b.is_ascii_digit()));
+    name == field_files::SERIES || (name.ends_with(".vtu") && is_counted)
 }
 
 #[cfg(test)]

@@ -123,11 +123,11 @@ fn seconds(text: &str) -> Result<f64, String> {
     }
 }
 
-/// Reads the time from frame to frame [s].
-fn every(text: &str) -> Result<f64, String> {
+/// Reads an interval of simulated time [s].
+pub fn every(text: &str) -> Result<f64, String> {
     match seconds(text) {
         Ok(s) if s >= TICK_S => Ok(s),
-        _ => Err(format!("write the simulated seconds from frame to frame, {TICK_S} or more, as in 5")),
+        _ => Err(format!("write the simulated seconds from one to the next, {TICK_S} or more, as in 5")),
     }
 }
 

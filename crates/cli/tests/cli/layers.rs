@@ -61,6 +61,7 @@ const ARROWS: [(&str, &[&str]); 22] = [
             "saute-plan",
             "saute-scene",
             "saute-picture",
+            "saute-surface",
             "saute-sweep",
             "saute-sweep-folder",
             "rayon",
@@ -90,6 +91,7 @@ const ARROWS: [(&str, &[&str]); 22] = [
     (
         "saute",
         &[
+            "saute-formats",
             "saute-kitchen",
             "saute-recipe",
             "saute-lab",

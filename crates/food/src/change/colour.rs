@@ -120,7 +120,12 @@ impl Palette {
 
     /// Colour of lean flesh: the raw colour shifted by the changes, then from golden to crust and char.
     pub fn lean(&self, a: Appearance) -> Lab {
-        self.browned(self.lean_unbrowned(a), Lab(self.colours.golden), Lab(self.colours.crust), a)
+        self.lean_over(self.lean_unbrowned(a), a)
+    }
+
+    /// Browns and chars a colour of lean flesh.
+    pub fn lean_over(&self, base: Lab, a: Appearance) -> Lab {
+        self.browned(base, Lab(self.colours.golden), Lab(self.colours.crust), a)
     }
 
     /// Colour of lean flesh without browning.
@@ -147,7 +152,11 @@ impl Palette {
 
     /// Colour of fat: from waxy (raw) over translucent (molten) to brown and charred.
     pub fn fat(&self, a: Appearance) -> Lab {
-        let base = self.fat_unbrowned(a);
+        self.fat_over(self.fat_unbrowned(a), a)
+    }
+
+    /// Browns and chars a colour of fat.
+    pub fn fat_over(&self, base: Lab, a: Appearance) -> Lab {
         let brown = Lab(self.colours.fat_brown);
         self.browned(base, base.lerp(brown, 0.6), brown, a)
     }

@@ -254,7 +254,7 @@ impl Readings {
     }
 
     fn resting(&self) -> (Happening, Option<Cue>) {
-        let is_over = matches!(self.advice, Some(Advice::Rested { .. }));
+        let is_over = matches!(self.advice, Some(Advice::Rested { .. } | Advice::Resting { warms: false, .. }));
         let core_c = self.situation.core_c;
         if is_over { (Happening::Rested, None) } else { (Happening::CarriesOver { core_c }, Some(Cue::WarmOnTop)) }
     }
@@ -331,7 +331,7 @@ mod tests {
         assert_eq!(soft(40.0), (Happening::Softens { share_pct: 40.0 }, Some(Cue::KnifeSlides)));
         assert_eq!(in_pan(|r| (r.situation.underside_c, r.curls) = (95.0, true)).1, Some(Cue::CurlsOpaque));
         let rests = |advice| at(|r| (r.situation.place, r.advice) = (Place::Rest(RestOn::Board), Some(advice)));
-        assert_eq!(rests(Advice::Resting { peak_c: 60.0 }).1, Some(Cue::WarmOnTop));
+        assert_eq!(rests(Advice::Resting { peak_c: 60.0, warms: true }).1, Some(Cue::WarmOnTop));
         assert_eq!(rests(Advice::Rested { peak_c: 60.0 }), (Happening::Rested, None));
         assert_eq!(
             Readings { situation: Situation { place: Place::Held, ..WAITING.situation }, ..WAITING }.coaching(),

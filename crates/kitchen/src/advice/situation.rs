@@ -168,8 +168,10 @@ impl Situation {
 
     fn off_the_pan(&self) -> Vec<Advice> {
         let peak_c = self.core_peak_c;
-        let rests =
-            if self.core_c > peak_c - RESTED_K { Advice::Resting { peak_c } } else { Advice::Rested { peak_c } };
+        let rests = match self.core_c {
+            c if c > peak_c - RESTED_K => Advice::Resting { peak_c, warms: c >= peak_c },
+            _ => Advice::Rested { peak_c },
+        };
         let idle = self.hob_w > 0.0 && !self.pan_is_used;
         idle.then_some(Advice::TurnOff).into_iter().chain([rests]).collect()
     }
@@ -327,13 +329,14 @@ mod tests {
         assert_eq!(cold.advice(None)[0], Advice::TooCold { power_w: 1100.0 });
         assert!(!Situation { hob_w: 1100.0, ..cold }.advice(None)[0].is_due(), "it is being heated");
         let out = Situation { place: Place::Rest(RestOn::Board), pan_is_used: false, ..FRYING };
-        assert_eq!(out.advice(None), [Advice::TurnOff, Advice::Resting { peak_c: 40.0 }]);
+        assert_eq!(out.advice(None), [Advice::TurnOff, Advice::Resting { peak_c: 40.0, warms: true }]);
     }
 
     #[test]
     fn food_rests_until_its_core_cools_and_held_food_needs_no_advice() {
         let at = |place, core_c| Situation { place, core_c, hob_w: 0.0, ..FRYING }.advice(None);
-        assert_eq!(at(Place::Rest(RestOn::Board), 40.0), [Advice::Resting { peak_c: 40.0 }]);
+        assert_eq!(at(Place::Rest(RestOn::Board), 40.0), [Advice::Resting { peak_c: 40.0, warms: true }]);
+        assert_eq!(at(Place::Rest(RestOn::Board), 39.9), [Advice::Resting { peak_c: 40.0, warms: false }]);
         assert_eq!(at(Place::Rest(RestOn::Board), 39.6), [Advice::Rested { peak_c: 40.0 }]);
         assert_eq!(at(Place::Held, 40.0), []);
     }

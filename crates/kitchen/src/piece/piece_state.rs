@@ -301,6 +301,11 @@ impl Piece {
         self.touch.resize(self.model.patches().len(), Touch::default());
     }
 
+    /// Returns the contact of every patch in the last tick; empty before its first one.
+    pub fn touches(&self) -> &[Touch] {
+        &self.touch
+    }
+
     /// Returns the contact of a patch in this tick.
     pub(crate) fn touch(&self, patch: u32) -> Touch {
         self.touch[patch as usize]

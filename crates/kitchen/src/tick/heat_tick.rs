@@ -30,8 +30,15 @@ const NEW_SHAPE: f64 = 0.1e-3;
 impl Kitchen {
     pub(crate) fn heat_tick(&mut self) {
         let fixed = Arc::clone(&self.fixed);
+        self.food_tick(&fixed);
+        self.step_pan(&fixed, Lapse::TICK);
+        self.clock.count(Lapse::TICK);
+    }
+
+    /// Advances the pieces by a tick to which the pan is not advanced yet.
+    pub(super) fn food_tick(&mut self, fixed: &Fixed) {
         self.load.clear();
-        self.follow_pan(&fixed);
+        self.follow_pan(fixed);
         if !self.world.is_settled() {
             for piece in self.pieces.iter_mut().filter(|p| p.is_out()) {
                 piece.contacts = self.world.contacts(piece.key);
@@ -44,10 +51,8 @@ impl Kitchen {
         }
         self.exchange_between_foods(&fixed.room, Lapse::TICK);
         for index in 0..self.pieces.len() {
-            self.step_piece(&fixed, index, Lapse::TICK);
+            self.step_piece(fixed, index, Lapse::TICK);
         }
-        self.step_pan(&fixed, Lapse::TICK);
-        self.clock.count(Lapse::TICK);
     }
 
     /// Advances the pan with the load of all pieces.

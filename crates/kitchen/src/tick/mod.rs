@@ -10,3 +10,4 @@ mod heat_tick;
 pub(crate) mod lapse;
 pub(crate) mod low_pass;
 mod motion;
+mod rest;

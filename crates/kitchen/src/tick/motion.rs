@@ -18,11 +18,7 @@ impl Kitchen {
         self.take_up_task();
         let mut moved = false;
         for _ in 0..STEPS_PER_FRAME {
-            if self.world.is_settled()
-                && self.pan_hold.gesture.is_none()
-                && !self.second_hand.hand.is_active()
-                && self.is_home()
-            {
+            if self.is_at_rest() {
                 break;
             }
             self.rigid_step();
@@ -36,6 +32,32 @@ impl Kitchen {
             self.heat_tick();
         }
         is_tick
+    }
+
+    /// As [`Self::advance_frame`], with a partner, as another simulator is: before each rigid step of 1/240 s it reads the kitchen as
+    /// the last one left it, and may send commands.
+    pub fn advance_frame_with(&mut self, mut partner: impl FnMut(&mut Self)) -> bool {
+        self.take_up_task();
+        for _ in 0..STEPS_PER_FRAME {
+            partner(self);
+            if !self.is_at_rest() {
+                self.rigid_step();
+                self.follow_bodies();
+            }
+        }
+        let is_tick = self.clock.count_frame();
+        if is_tick {
+            self.heat_tick();
+        }
+        is_tick
+    }
+
+    /// Returns true if nothing moves or is about to: no rigid step is computed then.
+    fn is_at_rest(&self) -> bool {
+        self.world.is_settled()
+            && self.pan_hold.gesture.is_none()
+            && !self.second_hand.hand.is_active()
+            && self.is_home()
     }
 
     fn is_home(&self) -> bool {

@@ -2,9 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use saute_food::{Exchange, FoodModel, FoodSolver, FoodState, FreeAir, Lab, Surroundings, Touch};
+use saute_food::{Exchange, FoodModel, FoodSolver, FoodState, FreeAir, Lab, NodeField, Surroundings, Touch};
 use saute_heat::conduction::axis::End;
 use saute_heat::conduction::boundary::Boundary;
+use saute_heat::conduction::tensor::TensorBody;
 
 use crate::case::{Case, CookingCase, Medium, Phase, Radiation, Until};
 use crate::case::{Contact, Shape};
@@ -13,6 +14,7 @@ use crate::result::report::LabReport;
 use crate::solve::body::vertical;
 use crate::solve::cooking_body::FoodBody;
 use crate::solve::solver::opposite;
+use crate::solve::watch::Watch;
 use saute_kitchen::piece::contact::{FaceContact, PatchGap, wetness};
 use saute_kitchen::{TICK_S, celsius};
 
@@ -24,21 +26,24 @@ const MOST_OF_AIR: f64 = 100.0;
 const INSULATED: f64 = 1e-12;
 
 /// Runs a case with the full food model. `clock` returns wall time [s], for the report only.
-pub fn cook(case: &Case, cooking: &CookingCase, clock: &impl Fn() -> f64) -> LabReport {
+pub fn cook(case: &Case, cooking: &CookingCase, clock: &impl Fn() -> f64, watch: &mut Watch) -> LabReport {
     // The library checks composition and names of changes, the case everything else, so this cannot fail.
     let Ok(body) = FoodBody::new(case, cooking) else { return LabReport::empty(case) };
     let mut run = Cooking::new(case, cooking, body);
     let start = clock();
     run.read();
+    watch.look(run.time(), || run.fields());
     for &output in &case.outputs {
         while run.stopped_at.is_none() && run.time() < output - 0.5 * run.dt {
             run.step();
+            watch.look(run.time(), || run.fields());
         }
         run.read();
         if run.stopped_at.is_some() {
             break;
         }
     }
+    watch.end(run.time(), || run.fields());
     run.report(clock() - start)
 }
 
@@ -96,6 +101,11 @@ impl<'a> Cooking<'a> {
         };
         run.meet();
         run
+    }
+
+    /// Returns the body with the fields of its nodes.
+    fn fields(&self) -> (&TensorBody, Vec<NodeField<'_>>) {
+        (&self.body.tensor, self.body.model.node_fields(&self.state))
     }
 
     fn time(&self) -> f64 {

@@ -7,6 +7,7 @@ mod edge_system;
 pub mod material;
 mod run;
 pub mod solver;
+pub mod watch;
 pub mod work;
 
-pub use run::run;
+pub use run::{run, run_watched};

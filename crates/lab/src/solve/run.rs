@@ -6,29 +6,36 @@ use crate::result::recording::Recording;
 use crate::result::report::LabReport;
 use crate::solve::cooking::cook;
 use crate::solve::solver::Solver;
+use crate::solve::watch::Watch;
 
 /// Runs a case. `clock` returns wall time [s], for the report only.
 pub fn run(case: &Case, clock: impl Fn() -> f64) -> LabReport {
-    let mut report = run_one(case, &clock);
-    report.compared = case.compare.as_ref().map(|other| Box::new(run_one(other, &clock)));
+    run_watched(case, clock, &mut Watch::none())
+}
+
+/// As [`run`], with a watch that is told the fields on the way; the case that it is compared with is not watched.
+pub fn run_watched(case: &Case, clock: impl Fn() -> f64, watch: &mut Watch) -> LabReport {
+    let mut report = run_one(case, &clock, watch);
+    report.compared = case.compare.as_ref().map(|other| Box::new(run_one(other, &clock, &mut Watch::none())));
     report
 }
 
-fn run_one(case: &Case, clock: &impl Fn() -> f64) -> LabReport {
-    match case.physics {
-        Physics::Conduction => conduct(case, clock),
-        Physics::Cooking => case.cooking.as_ref().map_or_else(|| conduct(case, clock), |c| cook(case, c, clock)),
+fn run_one(case: &Case, clock: &impl Fn() -> f64, watch: &mut Watch) -> LabReport {
+    match (case.physics, &case.cooking) {
+        (Physics::Cooking, Some(cooking)) => cook(case, cooking, clock, watch),
+        _ => conduct(case, clock, watch),
     }
 }
 
-fn conduct(case: &Case, clock: &impl Fn() -> f64) -> LabReport {
+fn conduct(case: &Case, clock: &impl Fn() -> f64, watch: &mut Watch) -> LabReport {
     let solver = Solver::new(case);
     let recording = Recording::new(case, &solver);
     let start = clock();
     let mut run = Run { case, solver, recording, phase: 0, flips: 0 };
+    watch.look(run.solver.time, || run.solver.fields());
     for &output in &case.outputs {
         while !run.is_over() && run.solver.time < output {
-            run.advance_to(output.min(run.next_event()));
+            run.advance_to(output.min(run.next_event()), watch);
             run.meet_events();
         }
         if run.is_over() {
@@ -39,6 +46,7 @@ fn conduct(case: &Case, clock: &impl Fn() -> f64) -> LabReport {
     if run.is_over() {
         run.recording.read(case, &run.solver);
     }
+    watch.end(run.solver.time, || run.solver.fields());
     run.recording.report(case, &run.solver, clock() - start)
 }
 
@@ -91,7 +99,7 @@ impl Run<'_> {
     }
 
     /// Advances to `until` [s], or to the end of the run if that comes first.
-    fn advance_to(&mut self, until: f64) {
+    fn advance_to(&mut self, until: f64, watch: &mut Watch) {
         while self.solver.time < until {
             let dt = self.solver.next_step(until, self.case);
             self.solver.advance(dt, self.case);
@@ -104,6 +112,7 @@ impl Run<'_> {
                 self.solver.rewind(share, self.case);
             }
             self.recording.observe(self.case, &self.solver);
+            watch.look(self.solver.time, || self.solver.fields());
             if crossed.is_some() {
                 self.end_phase();
             }

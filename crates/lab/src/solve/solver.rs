@@ -1,5 +1,6 @@
 //! Time integration of conduction: Runge–Kutta–Legendre super-steps on the product mesh (method of lines).
 
+use saute_food::NodeField;
 use saute_heat::Rule;
 use saute_heat::conduction::axis::End;
 use saute_heat::conduction::boundary::Boundary;
@@ -242,6 +243,22 @@ impl Solver {
             System::Edges(edges) if edges.boils() => Some(edges.dried()),
             _ => None,
         }
+    }
+
+    /// Returns the body with the fields of its nodes.
+    pub(crate) fn fields(&self) -> (&TensorBody, Vec<NodeField<'_>>) {
+        let mut fields = vec![
+            NodeField::celsius("temperature_c", &self.temperature),
+            NodeField::point("temperature_k", "K", &self.temperature),
+            NodeField::amount("volume_m3", "m³", &self.body.volume),
+        ];
+        if let System::Edges(edges) = &self.system
+            && edges.boils()
+        {
+            let dried = (0..self.temperature.len()).map(|node| edges.dried_share(node)).collect();
+            fields.push(NodeField::computed("dried", "", dried));
+        }
+        (&self.body, fields)
     }
 
     /// Returns the thermal conductivity of a layer at a node [W/(m·K)].

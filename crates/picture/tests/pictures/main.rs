@@ -3,6 +3,7 @@
 mod exposure;
 mod looks;
 mod marbling;
+mod painted;
 mod perceptual;
 mod rim;
 mod truth;

@@ -1,8 +1,8 @@
 //! Keeps the forecasts of one piece fresh, in small parts of work.
 //!
-//! A round asks all questions from one present, on coarse meshes; the next begins from a newer present. "As it is" runs the
-//! full model beside, from the present at which something was done last, and anew every ten seconds. The desk has no clock:
-//! the shell gives it the present when it [`wants`](Desk::wants) it, and calls [`Desk::advance`] while it has time.
+//! A round asks some or all questions from one present, on coarse meshes; the next begins from a newer present. "As it is" runs
+//! the full model beside, from the present at which something was done last, and ten seconds further every ten seconds. The desk has no
+//! clock: the shell gives it the present when it [`wants`](Desk::wants) it, and calls [`Desk::advance`] while it has time.
 
 use std::sync::Arc;
 
@@ -16,8 +16,11 @@ use crate::forecast::exact::{EXACT_S, Exact};
 use crate::forecast::outlook::Outlook;
 use crate::forecast::question::{Ask, Question};
 
-/// Age at which "as it is" is computed anew with the full model [s].
+/// Age at which "as it is" with the full model looks further [s].
 const EXACT_AGE_S: f64 = 10.0;
+/// Difference of the core from that of "as it is" with the full model up to which that is still the course of the kitchen [K] (chosen:
+/// between two samples the core is not quite linear).
+const SAME_K: f64 = 0.05;
 /// Steps on coarse meshes that cost as much as a tick of the full model [-] (measured with a steak of 120 × 80 × 25 mm: 0.07
 /// and 0.49 ms).
 const STEPS_PER_TICK: u64 = 7;
@@ -92,11 +95,7 @@ impl Desk {
         }
         match self.present {
             Some(present) if self.round.is_empty() && present == (frame, done) => {
-                if self.exact.is_some() {
-                    Wanted::Time
-                } else {
-                    Wanted::Nothing
-                }
+                if self.exact.as_ref().is_some_and(|exact| !exact.is_done()) { Wanted::Time } else { Wanted::Nothing }
             }
             // An older frame is that of a cook that went back.
             Some((then, was_done)) if !self.round.is_empty() && was_done == done && frame >= then => Wanted::Time,
@@ -104,29 +103,64 @@ impl Desk {
         }
     }
 
-    /// Begins a round from a kitchen, given a count of what was done there so far. While a hand moves food there is none, and
-    /// the last answers age.
+    /// Begins a round of all questions from a kitchen, given a count of what was done there so far.
     ///
     /// # Errors
     /// If a coarse mesh cannot be built.
     pub fn begin(&mut self, kitchen: &Kitchen, done: u64) -> Result<(), BuildError> {
+        self.begin_with(kitchen, done, &Question::ALL)
+    }
+
+    /// Begins a round of some questions from a kitchen, given a count of what was done there so far; the last answers to the others age.
+    /// While a hand moves food there is none, and all of them age.
+    ///
+    /// # Errors
+    /// If a coarse mesh cannot be built.
+    pub fn begin_with(&mut self, kitchen: &Kitchen, done: u64, questions: &[Question]) -> Result<(), BuildError> {
         let Some((food, scale)) = self.watched.clone() else { return Ok(()) };
         let ask = |question| Ask { food: food.clone(), question, scale: scale.clone() };
         let frame = kitchen.frame();
         if self.present.is_some_and(|(then, _)| frame < then) {
-            (self.answers, self.exact_answer, self.exact_from) = (Vec::new(), None, None);
+            (self.answers, self.exact, self.exact_answer, self.exact_from) = (Vec::new(), None, None, None);
         }
         self.present = Some((frame, done));
-        let asks = Question::ALL.map(ask);
+        let asks: Vec<Ask> = questions.iter().copied().map(ask).collect();
         self.round = self.asked(kitchen, &asks)?;
-        let possible = |answer: &Answer| asks.iter().any(|ask| is_of(answer, ask) && is_possible(kitchen, ask));
+        let all = Question::ALL.map(ask);
+        let possible = |answer: &Answer| all.iter().any(|ask| is_of(answer, ask) && is_possible(kitchen, ask));
         self.answers.retain(possible);
-        if self.is_exact_due(frame, done) {
+        if self.is_exact_due(frame, done) && !self.looks_further(kitchen, done) {
             self.exact_from = Some((frame, done));
             // A kitchen refuses nothing to one that does nothing.
             self.exact = Exact::begin(kitchen, &ask(Question::AsItIs), EXACT_S).ok().flatten();
         }
         Ok(())
+    }
+
+    /// Lets the full model look further from a later present that it has passed; returns false if it has to begin anew.
+    fn looks_further(&mut self, kitchen: &Kitchen, done: u64) -> bool {
+        let (Some((then, was_done)), Some(exact)) = (self.exact_from, &mut self.exact) else { return false };
+        let age_s = kitchen.frame().saturating_sub(then) as f64 * FRAME_S;
+        if was_done != done || kitchen.frame() < then || age_s >= EXACT_S {
+            return false;
+        }
+        if !exact.is_done() {
+            return true;
+        }
+        let piece = self.watched.as_ref().and_then(|(food, _)| kitchen.piece(food));
+        let off = piece.map_or(f64::INFINITY, |piece| piece.core() - exact.outlook().core_at(age_s));
+        if off.abs() > SAME_K {
+            return false;
+        }
+        let by_s = EXACT_AGE_S * libm::floor(age_s / EXACT_AGE_S);
+        exact.look_further(by_s);
+        self.exact_from = Some((then + (by_s / FRAME_S).round() as u64, done));
+        true
+    }
+
+    /// What the full model still has to run; nothing once it is done.
+    fn open_exact(&mut self) -> Option<&mut Exact> {
+        self.exact.as_mut().filter(|exact| !exact.is_done())
     }
 
     /// What a round asks; nothing while a hand moves food: on coarse meshes it would stay where it is.
@@ -157,7 +191,7 @@ impl Desk {
     fn work_a_tick(&mut self) -> bool {
         self.parts += 1;
         let turn_of_exact = self.round.is_empty() || self.parts.is_multiple_of(ROUND_PARTS + 1);
-        if self.exact.is_some() && turn_of_exact {
+        if turn_of_exact && self.open_exact().is_some() {
             self.work_exact();
             return true;
         }
@@ -165,13 +199,11 @@ impl Desk {
     }
 
     fn work_exact(&mut self) {
-        let Some(exact) = &mut self.exact else { return };
+        let done = self.exact_from.map_or(0, |(_, done)| done);
+        let Some(exact) = self.open_exact() else { return };
         exact.advance(1);
         if exact.is_done() {
-            let outlook = exact.outlook().clone();
-            let done = self.exact_from.map_or(0, |(_, done)| done);
-            self.exact_answer = Some(Answer { outlook, done });
-            self.exact = None;
+            self.exact_answer = Some(Answer { outlook: exact.outlook().clone(), done });
         }
     }
 

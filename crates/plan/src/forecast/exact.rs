@@ -1,6 +1,6 @@
 //! Forecast with the full model: the present kitchen, run on.
 
-use saute_kitchen::{Kitchen, Refused, TICK_S};
+use saute_kitchen::{FRAME_S, Kitchen, Refused, TICK_S};
 
 use crate::forecast::outlook::{Outlook, SAMPLE_S, Sample};
 use crate::forecast::question::Ask;
@@ -49,6 +49,13 @@ impl Exact {
             }
         }
         todo
+    }
+
+    /// Looks as far from a later present that it has passed, up to which nothing else was done: `by_s` later, a multiple of the time between
+    /// two samples. What it knows from there on stays, and only the rest is still to run.
+    pub fn look_further(&mut self, by_s: f64) {
+        self.ticks -= (by_s / TICK_S).round() as u64;
+        self.outlook.begin_later(by_s, (by_s / FRAME_S).round() as u64);
     }
 
     /// Returns true once it has run as far as it was asked for.

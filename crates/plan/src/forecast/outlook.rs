@@ -81,6 +81,19 @@ impl Outlook {
         }
     }
 
+    /// Lets it begin later [s, and as frames]: samples before that are dropped, and a peak among them is that of the others.
+    pub(super) fn begin_later(&mut self, by_s: f64, frames: u64) {
+        self.frame += frames;
+        self.samples.retain(|sample| sample.after_s >= by_s);
+        self.samples.iter_mut().for_each(|sample| sample.after_s -= by_s);
+        self.peak.after_s -= by_s;
+        if self.peak.after_s < 0.0 {
+            let hottest = self.samples.iter().max_by(|a, b| a.core.total_cmp(&b.core));
+            let (core, after_s) = hottest.map_or((0.0, 0.0), |sample| (sample.core, sample.after_s));
+            (self.peak.core, self.peak.after_s) = (core, after_s);
+        }
+    }
+
     /// Class in which the core ends, given what a scale measures there now [K or -]: the class of the highest core temperature so far
     /// and ahead; where the scale measures a share, the class that most of the last section is in, if sections were shared out.
     pub fn class(&self, scale: &Scale, reached: f64) -> Option<usize> {

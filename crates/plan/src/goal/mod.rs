@@ -6,7 +6,7 @@ mod course;
 mod grey_band;
 mod judgement;
 mod outcome;
-pub(crate) mod score;
+pub mod score;
 mod target;
 
 pub use better::Better;

@@ -33,7 +33,9 @@ const MISS: f64 = 5.0;
 const OFF_AIM: f64 = 0.5;
 const LOST: f64 = 0.1;
 const HOT: f64 = 0.5;
-pub(crate) const HOT_C: f64 = 295.0;
+/// Temperature of the hottest place of a pan that no cook should pass [°C]: oils flash at 310–320 °C, and a hob may give 10 % more than it
+/// says. Above it the window speaks of danger, whatever a plan says.
+pub const HOT_C: f64 = 295.0;
 const FLIP: f64 = 0.1;
 const FIRE: f64 = 100.0;
 /// Points of a share that weigh as much as a kelvin [-] (chosen: 5 °C and 25 % are each half of a class).

@@ -1,9 +1,10 @@
 //! A job that is under way, second by second: it can be left and gone on with.
 
-use saute_kitchen::{Kitchen, Library, Piece, celsius};
+use saute_kitchen::{Command, Kitchen, Library, Piece, celsius};
 use saute_recipe::Cook;
 
 use crate::goal::Score;
+use crate::goal::score::HOT_C;
 use crate::schedule::fork::{self, Rested, Resting};
 use crate::schedule::job::TICKS_PER_S;
 use crate::schedule::{Cue, Job, JobError, JobResult, Pull, Schedule};
@@ -13,6 +14,9 @@ const SETTLED_S: u32 = 5;
 /// Share of what is missing at the aim after a rest that the next one starts with [-] (chosen: the core rises a little more in the
 /// rest of a hotter piece).
 const NEXT_SHARE: f64 = 0.9;
+/// Temperature of the hottest place of the pan at which the hob is turned down before its time [°C] (chosen: 10 K below what the window
+/// warns of, so that a hand may be some seconds late).
+const TURN_DOWN_C: f64 = HOT_C - 10.0;
 
 /// A job that is under way.
 #[derive(Clone, Debug)]
@@ -22,6 +26,8 @@ pub struct Cooking {
     cook: Cook,
     masses: Vec<f64>,
     cues: Vec<Cue>,
+    /// Hottest place of the pan a second ago [°C].
+    hottest_c: f64,
     at_s: u32,
     work: u64,
     /// Foods that rest at present.
@@ -39,14 +45,17 @@ impl Cooking {
     ///
     /// If the order or the schedule makes no recipe.
     pub fn begin(job: Job, library: &Library) -> Result<Self, JobError> {
-        let schedule = job.schedule.pulled_at(job.schedule.pull_s, job.schedule.rest_s);
+        // The powers are set here, since they may be set earlier than the schedule says.
+        let schedule =
+            Schedule { powers: Vec::new(), ..job.schedule.pulled_at(job.schedule.pull_s, job.schedule.rest_s) };
         let mut recipe = schedule.recipe(&job.order, library)?;
         recipe.foods.iter_mut().for_each(|food| food.coarseness = job.coarseness);
         let cook = Cook::new(recipe, library)?;
         let masses = cook.kitchen.pieces().iter().map(Piece::mass).collect();
         let next = if let Pull::ToAim { rise, .. } = job.pull { job.order.goal.aim - rise } else { f64::INFINITY };
         let (cues, resting, best) = (Vec::new(), None, None);
-        Ok(Self { job, cook, masses, cues, at_s: 0, work: 0, resting, next, rests: 0, best })
+        let hottest_c = f64::INFINITY;
+        Ok(Self { job, cook, masses, cues, hottest_c, at_s: 0, work: 0, resting, next, rests: 0, best })
     }
 
     /// Cooks or rests for a second; returns what came of the job once it is over.
@@ -75,12 +84,27 @@ impl Cooking {
         if self.at_s == *put_s || flips_s.contains(&self.at_s) {
             self.cues.push(self.cue());
         }
+        self.set_hob();
         for _ in 0..TICKS_PER_S {
             self.cook.advance()?;
         }
         self.work += fork::work_of_second(&self.cook.kitchen);
         self.at_s += 1;
         Ok(())
+    }
+
+    /// Sets the hob as the schedule says; in a search it is turned down where the pan becomes hot, and the schedule with it.
+    fn set_hob(&mut self) {
+        let hottest_c = celsius(self.cook.kitchen.hottest_temperature());
+        let still_heats = hottest_c >= TURN_DOWN_C && hottest_c > self.hottest_c;
+        if still_heats && matches!(self.job.pull, Pull::ToAim { .. }) {
+            self.job.schedule.turn_down(self.at_s);
+        }
+        self.hottest_c = hottest_c;
+        if let Some(power) = self.job.schedule.powers.iter().find(|power| power.at_s == self.at_s) {
+            // Every hob can be set to the powers of an order.
+            let _ = self.cook.kitchen.apply(&Command::Hob(power.hob_w));
+        }
     }
 
     fn cue(&self) -> Cue {

@@ -13,8 +13,8 @@ pub struct Draft {
     pub change_s: u32,
     /// Index of the power after the change.
     pub then: usize,
-    /// True if the second face gets the first power for the same time, after the first flip.
-    pub both: bool,
+    /// How often the first power is given for that time: when the food goes in, and after the next flips [-].
+    pub sears: usize,
     /// Time from putting in to the first flip [s].
     pub first_flip_s: u32,
     /// Time between flips [s].
@@ -24,10 +24,23 @@ pub struct Draft {
 }
 
 impl Draft {
-    /// Returns true if the power rises again for the second face: a longer first power lasts until then anyway.
-    pub(crate) fn sears_both(&self) -> bool {
+    /// Returns true if the power rises again after each flip that it is to rise after: a longer first power lasts until then anyway.
+    pub(crate) fn is_distinct(&self) -> bool {
         let changes = self.change_s > 0 && self.first != self.then;
-        self.both && changes && self.flips > 0 && self.change_s < self.first_flip_s
+        self.sears <= 1 || (changes && self.flips + 1 >= self.sears && self.change_s < self.shortest_s())
+    }
+
+    /// Shortest time for which a face that is seared lies in the pan, but the last one [s].
+    pub(crate) fn shortest_s(&self) -> u32 {
+        if self.sears > 2 { self.first_flip_s.min(self.every_s) } else { self.first_flip_s }
+    }
+
+    /// Returns the time for which a cook of the draft had its first power [s], where the pan became too hot for all of it.
+    pub(crate) fn changed_s(&self, cooked: &Schedule, order: &Order) -> Option<u32> {
+        let (first, then) = (order.hob_w.get(self.first)?, order.hob_w.get(self.then)?);
+        let pairs = cooked.powers.windows(2).filter(|pair| pair[0].hob_w == *first && pair[1].hob_w == *then);
+        let longest = pairs.map(|pair| pair[1].at_s - pair[0].at_s.max(cooked.put_s).min(pair[1].at_s)).max()?;
+        (self.change_s > 0 && longest < self.change_s).then_some(longest)
     }
 
     /// Returns the schedule, given the time at which the pan has the temperature of the draft [s] and the latest time to pull [s
@@ -45,11 +58,13 @@ impl Draft {
             set(put_s, power(self.first));
         }
         set(put_s + self.change_s, power(self.then));
-        if self.sears_both() {
-            set(put_s + self.first_flip_s, power(self.first));
-            set(put_s + self.first_flip_s + self.change_s, power(self.then));
-        }
         let flip = |k: usize| put_s + self.first_flip_s + k as u32 * self.every_s;
+        if self.is_distinct() {
+            for turned_s in (0..self.sears.saturating_sub(1)).map(flip) {
+                set(turned_s, power(self.first));
+                set(turned_s + self.change_s, power(self.then));
+            }
+        }
         let flips_s = (0..self.flips).map(flip).collect();
         let pull_s = put_s + limit_s;
         Schedule { powers, put_s, flips_s, pull_s, rest_s: 0 }.pulled_at(pull_s, 60)
@@ -79,7 +94,7 @@ mod tests {
     }
 
     const DRAFT: Draft =
-        Draft { preheat_c: 200, first: 1, change_s: 40, then: 0, both: true, first_flip_s: 300, every_s: 30, flips: 1 };
+        Draft { preheat_c: 200, first: 1, change_s: 40, then: 0, sears: 2, first_flip_s: 300, every_s: 30, flips: 1 };
 
     fn powers(draft: Draft) -> Vec<(u32, f64)> {
         draft.schedule(&order(), 60, 900).powers.iter().map(|p| (p.at_s, p.hob_w)).collect()
@@ -89,7 +104,9 @@ mod tests {
     fn a_draft_preheats_sears_each_face_and_goes_on_gently() {
         let sear = [(0, 2000.0), (60, 1100.0), (100, 400.0), (360, 1100.0), (400, 400.0)];
         assert_eq!(powers(DRAFT), sear);
-        assert_eq!(powers(Draft { both: false, ..DRAFT }), sear[..3]);
+        assert_eq!(powers(Draft { sears: 1, ..DRAFT }), sear[..3]);
+        let third = Draft { sears: 3, first_flip_s: 60, every_s: 50, flips: 2, ..DRAFT };
+        assert_eq!(powers(third)[3..], [(120, 1100.0), (160, 400.0), (170, 1100.0), (210, 400.0)]);
         // Without a change, and when the first power lasts beyond the flip, the second face needs no other power.
         assert_eq!(powers(Draft { change_s: 0, ..DRAFT }), [(0, 2000.0), (60, 400.0)]);
         assert_eq!(powers(Draft { change_s: 320, ..DRAFT }), [(0, 2000.0), (60, 1100.0), (380, 400.0)]);

@@ -59,8 +59,9 @@ impl Resting {
     pub(crate) fn second(&mut self) -> bool {
         let lasts = self.rest_s.map_or_else(|| goes_on(&self.kitchen, self.elapsed_s), |end| self.elapsed_s < end);
         if lasts {
-            (0..TICKS_PER_S).for_each(|_| self.kitchen.step());
-            self.work += work_of_second(&self.kitchen);
+            let pan = if self.kitchen.only_rests() { 0 } else { NODES_OF_PAN };
+            self.work += u64::from(TICKS_PER_S) * (nodes_of_food(&self.kitchen) + pan);
+            (0..TICKS_PER_S).for_each(|_| self.kitchen.step_rest());
             self.elapsed_s += 1;
         }
         lasts
@@ -98,8 +99,11 @@ pub(crate) fn core_now(kitchen: &Kitchen, goal: &Goal) -> f64 {
 
 /// Work of the last second [-].
 pub(crate) fn work_of_second(kitchen: &Kitchen) -> u64 {
-    let nodes: usize = kitchen.pieces().iter().map(|p| p.model.mesh().node_count()).sum();
-    u64::from(TICKS_PER_S) * work_of_tick(nodes)
+    u64::from(TICKS_PER_S) * (nodes_of_food(kitchen) + NODES_OF_PAN)
+}
+
+fn nodes_of_food(kitchen: &Kitchen) -> u64 {
+    kitchen.pieces().iter().map(|p| p.model.mesh().node_count() as u64).sum()
 }
 
 /// Work of a tick with a number of nodes of food [-].

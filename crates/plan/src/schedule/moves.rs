@@ -8,6 +8,11 @@ const PREHEAT_C: [u32; 2] = [140, 230];
 /// Longest time until the power changes [s] (chosen).
 const LATEST_CHANGE_S: u32 = 900;
 
+/// How often the food may be seared [-] (chosen: twice is once a face; nobody wants to turn a knob more often).
+const SEARS: [usize; 3] = [1, 2, 4];
+/// Time that is left between the end of a sear and the next flip [s] (chosen: the pan cools a little).
+const BETWEEN_S: u32 = 15;
+
 /// Sizes of the steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Stride {
@@ -28,11 +33,12 @@ impl Stride {
     ];
 }
 
-/// Returns the neighbours of a draft, in a fixed order; some may be equal to it or to each other.
-pub(crate) fn neighbours(draft: &Draft, order: &Order, stride: Stride) -> Vec<Draft> {
-    let mut all = powers(draft, order.hob_w.len(), stride);
+/// Returns the neighbours of a draft, in a fixed order; some may be equal to it or to each other. Where its power had to change earlier,
+/// since the pan became too hot, that time is given [s].
+pub(crate) fn neighbours(draft: &Draft, changed_s: Option<u32>, order: &Order, stride: Stride) -> Vec<Draft> {
+    let mut all = powers(draft, changed_s, order.hob_w.len(), stride);
     // Where it makes no difference there is only one draft.
-    all.retain(|draft| !draft.both || draft.sears_both());
+    all.retain(Draft::is_distinct);
     let [low, high] = PREHEAT_C;
     all.push(Draft { preheat_c: (draft.preheat_c + stride.preheat_k).min(high), ..*draft });
     all.push(Draft { preheat_c: (draft.preheat_c - stride.preheat_k).max(low), ..*draft });
@@ -47,7 +53,7 @@ pub(crate) fn combined(from: &Draft, better: &[Draft]) -> Draft {
         all.preheat_c = if draft.preheat_c == from.preheat_c { all.preheat_c } else { draft.preheat_c };
         if (draft.first, draft.change_s, draft.then) != (from.first, from.change_s, from.then) {
             (all.first, all.change_s, all.then) = (draft.first, draft.change_s, draft.then);
-            all.both = draft.both;
+            all.sears = draft.sears;
         }
         if (draft.first_flip_s, draft.every_s) != (from.first_flip_s, from.every_s) {
             (all.first_flip_s, all.every_s) = (draft.first_flip_s, draft.every_s);
@@ -56,7 +62,7 @@ pub(crate) fn combined(from: &Draft, better: &[Draft]) -> Draft {
     all
 }
 
-fn powers(draft: &Draft, count: usize, stride: Stride) -> Vec<Draft> {
+fn powers(draft: &Draft, changed_s: Option<u32>, count: usize, stride: Stride) -> Vec<Draft> {
     let last = count.saturating_sub(1);
     let changed = |first: usize, change_s: u32, then: usize| {
         // Without a change there is only one power.
@@ -65,19 +71,26 @@ fn powers(draft: &Draft, count: usize, stride: Stride) -> Vec<Draft> {
         Draft { first, change_s, then, ..*draft }
     };
     let Draft { first, change_s, then, .. } = *draft;
-    let mut all = vec![
-        changed(first, change_s + stride.change_s, then),
-        changed(first, change_s.saturating_sub(stride.change_s), then),
-    ];
+    let mut all = vec![changed(first, changed_s.unwrap_or(change_s).saturating_sub(stride.change_s), then)];
+    if changed_s.is_none() {
+        all.push(changed(first, change_s + stride.change_s, then));
+    }
     if stride.powers {
         let sear_s = change_s.max(stride.change_s);
-        all.push(Draft { both: !draft.both, ..*draft });
+        all.extend(SEARS.into_iter().filter(|sears| *sears != draft.sears).map(|sears| seared(draft, sears)));
         all.push(changed((first + 1).min(last), sear_s, then));
         all.push(changed(first.saturating_sub(1), sear_s, then));
         all.push(changed(first, sear_s, (then + 1).min(last)));
         all.push(changed(first, sear_s, then.saturating_sub(1)));
     }
     all
+}
+
+/// Returns the draft with so many sears, none of which lasts until the next flip.
+fn seared(draft: &Draft, sears: usize) -> Draft {
+    let draft = Draft { sears, ..*draft };
+    let longest_s = if sears > 1 { draft.shortest_s().saturating_sub(BETWEEN_S) } else { LATEST_CHANGE_S };
+    Draft { change_s: draft.change_s.min(longest_s), ..draft }
 }
 
 fn rhythms(draft: &Draft, order: &Order, stride: Stride) -> Vec<Draft> {
@@ -101,7 +114,7 @@ mod tests {
     use super::*;
 
     const FROM: Draft =
-        Draft { preheat_c: 200, first: 1, change_s: 60, then: 0, both: false, first_flip_s: 50, every_s: 40, flips: 8 };
+        Draft { preheat_c: 200, first: 1, change_s: 60, then: 0, sears: 1, first_flip_s: 50, every_s: 40, flips: 8 };
 
     #[test]
     fn what_was_better_alone_is_joined_and_the_best_wins_where_two_change_the_same() {
@@ -113,8 +126,16 @@ mod tests {
     }
 
     #[test]
+    fn a_sear_that_the_pan_ended_is_not_made_longer() {
+        let sears = |changed_s| -> Vec<u32> {
+            powers(&FROM, changed_s, 2, Stride::ALL[1]).iter().map(|draft| draft.change_s).collect()
+        };
+        assert_eq!((sears(None), sears(Some(50))), (vec![20, 100], vec![10]));
+    }
+
+    #[test]
     fn powers_stay_on_the_list_and_a_single_power_has_no_change() {
-        for draft in powers(&FROM, 2, Stride::ALL[0]) {
+        for draft in powers(&FROM, None, 2, Stride::ALL[0]) {
             assert!(draft.first < 2 && draft.then < 2, "{draft:?}");
             assert_eq!(draft.change_s == 0, draft.first == draft.then, "{draft:?}");
         }

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use saute_kitchen::Library;
 use serde::{Deserialize, Serialize};
 
+use crate::goal::score::HOT_C;
 use crate::goal::{Goal, Score, Shortfall};
 use crate::schedule::fork::work_of_tick;
 use crate::schedule::heating::Heating;
@@ -185,10 +186,12 @@ impl Planner {
         open.reduce(|best, next| if self.rank(next.1) > self.rank(best.1) { next } else { best })
     }
 
-    /// Rank of a result on the coarse mesh: faces as they are wanted first, then the score. The core is left to the finish.
-    fn rank(&self, result: &JobResult) -> (bool, Score) {
+    /// Rank of a result on the coarse mesh: faces as they are wanted first, then a pan that does not become too hot, then the score.
+    /// The core is left to the finish.
+    fn rank(&self, result: &JobResult) -> ([bool; 2], Score) {
         let is_core = |s: &Shortfall| matches!(s, Shortfall::Undercooked | Shortfall::Overcooked);
-        (Shortfall::of(&result.outcome, &self.search.goal).iter().all(is_core), result.score)
+        let faces = Shortfall::of(&result.outcome, &self.search.goal).iter().all(is_core);
+        ([faces, stays_cool(result)], result.score)
     }
 
     /// Returns the job of a draft on the coarse mesh.
@@ -211,10 +214,10 @@ impl Planner {
     fn neighbours(&mut self, stride: Stride) -> Vec<Draft> {
         let Some((best, _)) = self.best() else { return Vec::new() };
         let best = *best;
-        let mut around: BTreeSet<Draft> = neighbours(&best, &self.search, stride).into_iter().collect();
+        let mut around: BTreeSet<Draft> = self.around(&best, stride).into_iter().collect();
         if let Some(centre) = self.centre.replace(best).filter(|centre| *centre != best) {
             let score = self.tried.get(&centre).map(|result| result.score);
-            let near = neighbours(&centre, &self.search, stride).into_iter();
+            let near = self.around(&centre, stride).into_iter();
             let mut better: Vec<(Draft, f64)> =
                 near.filter_map(|d| Some((d, self.tried.get(&d).filter(|r| Some(r.score) > score)?.score.0))).collect();
             // What is best counts last, so that it wins where two change the same.
@@ -225,13 +228,19 @@ impl Planner {
         around.into_iter().filter(|draft| !self.tried.contains_key(draft)).collect()
     }
 
+    /// Returns the neighbours of a draft that was cooked.
+    fn around(&self, draft: &Draft, stride: Stride) -> Vec<Draft> {
+        let changed_s = self.tried.get(draft).and_then(|cooked| draft.changed_s(&cooked.schedule, &self.order));
+        neighbours(draft, changed_s, &self.search, stride)
+    }
+
     /// Goes on at the same stride while it finds something better, then at the next one, until the work is done.
     fn refine(&mut self, stride: usize, results: Vec<JobResult>) {
         let before = self.best().map(|(draft, result)| (*draft, self.rank(result)));
         self.keep(results);
         let after = self.best().map(|(draft, result)| (*draft, self.rank(result)));
         let (Some((from, before)), Some((to, after))) = (before, after) else { return };
-        let gains = (after.0 && !before.0) || after.1.0 >= before.1.0 + GAIN;
+        let gains = after.0 > before.0 || after.1.0 >= before.1.0 + GAIN;
         let other_powers = (from.first, from.then) != (to.first, to.then);
         let stays = gains && (other_powers || !Stride::ALL[stride].powers);
         let next = if stays { stride } else { stride + 1 };
@@ -261,8 +270,11 @@ impl Planner {
         let (Some((draft, coarse)), [full, changed @ ..]) = (finalist, results.as_slice()) else {
             return self.stage = Stage::Done;
         };
-        let missing = |result: &JobResult| Shortfall::of(&result.outcome, &self.order.goal).len();
-        let is_met = missing(full) == 0;
+        // A pan that becomes too hot counts less than anything that is missing.
+        let missing = |result: &JobResult| {
+            (Shortfall::of(&result.outcome, &self.order.goal).len(), usize::from(!stays_cool(result)))
+        };
+        let is_met = missing(full) == (0, 0);
         let paler = (coarse.outcome.least_crust_pct - full.outcome.least_crust_pct).max(0.0);
         let is_best = self.finished.as_ref().is_none_or(|best| {
             let (new, old) = (missing(full), missing(best));
@@ -290,4 +302,9 @@ impl Planner {
             result.score = Score::of(&result.outcome, result.schedule.flips_s.len(), goal);
         }
     }
+}
+
+/// True if no place of the pan became hotter than a cook should let it.
+fn stays_cool(result: &JobResult) -> bool {
+    result.outcome.hottest_c <= HOT_C
 }

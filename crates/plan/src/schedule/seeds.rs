@@ -22,7 +22,7 @@ pub(crate) fn seeds(order: &Order) -> BTreeSet<Draft> {
     let flips = rhythm(order);
     let draft = |(first, change_s, then)| Draft { preheat_c: PREHEAT_C, first, change_s, then, ..flips };
     let plain: BTreeSet<Draft> = powers(order.hob_w.len()).into_iter().map(draft).collect();
-    let both = plain.iter().map(|draft| Draft { both: true, ..*draft }).filter(Draft::sears_both);
+    let both = plain.iter().map(|draft| Draft { sears: 2, ..*draft }).filter(Draft::is_distinct);
     both.chain(plain.iter().copied()).collect()
 }
 
@@ -34,7 +34,9 @@ fn powers(count: usize) -> Vec<(usize, u32, usize)> {
     let alone = chosen.iter().filter(|p| **p < last || count == 1);
     let mut powers: Vec<_> = alone.map(|p| (*p, 0, *p)).collect();
     for first in chosen.iter().skip(1) {
-        powers.extend(CHANGES_S.map(|change_s| (*first, change_s, 0)));
+        // The largest power, which has heated the pan, makes it too hot before long.
+        let changes = if *first == last { &CHANGES_S[..1] } else { &CHANGES_S[..] };
+        powers.extend(changes.iter().map(|change_s| (*first, *change_s, 0)));
     }
     powers
 }
@@ -43,7 +45,7 @@ fn powers(count: usize) -> Vec<(usize, u32, usize)> {
 fn rhythm(order: &Order) -> Draft {
     let guess_s = GUESS_S_MM * order.thickness_mm();
     let flips = order.most_flips;
-    let none = Draft { preheat_c: 0, first: 0, change_s: 0, then: 0, both: false, first_flip_s: 0, every_s: 0, flips };
+    let none = Draft { preheat_c: 0, first: 0, change_s: 0, then: 0, sears: 1, first_flip_s: 0, every_s: 0, flips };
     let even_s = ((guess_s / (flips + 1) as f64) as u32).max(RHYTHM_S);
     match flips {
         0 => none,

@@ -51,6 +51,18 @@ impl Schedule {
         pulled
     }
 
+    /// Turns the hob down now [s] to the next power, if that is a lower one.
+    pub(crate) fn turn_down(&mut self, now_s: u32) {
+        let Some(next) = self.powers.iter().position(|p| p.at_s > now_s).filter(|next| *next > 0) else { return };
+        if self.powers[next].hob_w < self.powers[next - 1].hob_w {
+            self.powers[next].at_s = now_s;
+            // A power that would be set at the same time is not set at all.
+            if self.powers[next - 1].at_s == now_s {
+                self.powers.remove(next - 1);
+            }
+        }
+    }
+
     /// Returns the text of the recipe that is cooked by this schedule.
     pub fn recipe_text(&self, order: &Order) -> String {
         let end_s = self.pull_s + self.rest_s;
@@ -84,5 +96,25 @@ impl Schedule {
     /// If the order or a power is not what a recipe may state.
     pub fn recipe(&self, order: &Order, library: &Library) -> Result<Recipe, InputError> {
         Recipe::parse(&self.recipe_text(order), "plan", library)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn turned_down(now_s: u32) -> Vec<(u32, f64)> {
+        let powers = [(0, 2000.0), (60, 1100.0), (100, 400.0), (200, 1100.0)];
+        let powers = powers.map(|(at_s, hob_w)| Setting { at_s, hob_w }).to_vec();
+        let mut schedule = Schedule { powers, put_s: 60, flips_s: vec![200], pull_s: 300, rest_s: 60 };
+        schedule.turn_down(now_s);
+        schedule.powers.iter().map(|power| (power.at_s, power.hob_w)).collect()
+    }
+
+    #[test]
+    fn a_hot_pan_brings_the_next_lower_power_forward_and_no_higher_one() {
+        assert_eq!(turned_down(80), [(0, 2000.0), (60, 1100.0), (80, 400.0), (200, 1100.0)]);
+        assert_eq!(turned_down(60), [(0, 2000.0), (60, 400.0), (200, 1100.0)], "what would be set now is not set");
+        assert_eq!(turned_down(150), [(0, 2000.0), (60, 1100.0), (100, 400.0), (200, 1100.0)]);
     }
 }

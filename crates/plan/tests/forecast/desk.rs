@@ -57,7 +57,7 @@ fn it_answers_every_question_from_one_present() {
 }
 
 #[test]
-fn it_begins_anew_after_something_was_done_and_the_full_model_every_ten_seconds() {
+fn it_begins_anew_after_something_was_done_and_the_full_model_looks_further_every_ten_seconds() {
     let library = Library::embedded().unwrap();
     let mut kitchen = kitchen(&library);
     let mut desk = Desk::default();
@@ -79,7 +79,12 @@ fn it_begins_anew_after_something_was_done_and_the_full_model_every_ten_seconds(
     (0..80).for_each(|_| kitchen.step());
     desk.begin(&kitchen, 0).unwrap();
     work(&mut desk);
-    assert_eq!(desk.exact_answer().unwrap().outlook.frame, kitchen.frame());
+    let exact = &desk.exact_answer().unwrap().outlook;
+    assert_eq!(exact.frame, began + 600, "of a present that it had passed it runs what is missing");
+    let mut later = kitchen.clone();
+    (0..599).for_each(|_| later.step());
+    let cores = (exact.samples[0].after_s, exact.samples.last().unwrap().core);
+    assert_eq!(cores, (0.0, later.piece(FOOD).unwrap().core()));
     // On a cold hob nobody lowers the heat.
     kitchen.apply(&Command::Hob(0.0)).unwrap();
     desk.begin(&kitchen, 1).unwrap();

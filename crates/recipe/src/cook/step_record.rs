@@ -46,6 +46,6 @@ impl Serialize for StepRecord {
 }
 
 /// Returns a time without the rounding error of binary fractions [s].
-pub(crate) fn rounded(time_s: f64) -> f64 {
+pub fn rounded(time_s: f64) -> f64 {
     libm::round(time_s * 1000.0) / 1000.0
 }

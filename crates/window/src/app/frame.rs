@@ -14,6 +14,7 @@ use crate::act::{Act, Acts, Card};
 use crate::panels;
 use crate::panels::ways::way_words;
 use crate::panels::window_state::WindowState;
+use crate::session::forecasts::Shown;
 use crate::ui::fingers;
 use crate::ui::layout::Layout;
 
@@ -174,8 +175,12 @@ impl SauteApp {
         }
         self.do_what_waited(ctx);
         // Studies and lessons ask what will come.
-        let foresees = self.settings.foresees() && self.guided.is_none();
-        self.session.foresee(now, foresees, &self.settings.scale);
+        let shown = match self.settings.foresees() && self.guided.is_none() {
+            true if self.settings.curves_open => Shown::Table,
+            true => Shown::Line,
+            false => Shown::Nothing,
+        };
+        self.session.foresee(now, shown, &self.settings.scale);
         self.keep_ways_beside(wall);
         self.keep_up(passes);
         if let Err(error) = passed {

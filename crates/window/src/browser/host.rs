@@ -16,6 +16,14 @@ extern "C" {
     #[wasm_bindgen(method, js_name = keepCook)]
     fn keep_cook(this: &Host, begins: bool, bytes: &[u8]) -> Option<String>;
 
+    /// Rows of the participant of a study that were kept before, as CSV; none where rows cannot be kept.
+    #[wasm_bindgen(method, js_name = keptRows)]
+    pub(super) fn kept_rows(this: &Host) -> Option<String>;
+
+    /// Keeps the rows of a study, as CSV; returns why it could not.
+    #[wasm_bindgen(method, js_name = keepRows)]
+    pub(super) fn keep_rows(this: &Host, text: &str) -> Option<String>;
+
     /// Numbers of the first gamepad; none where none is plugged in.
     #[wasm_bindgen(method, js_name = readPad)]
     pub(super) fn read_pad(this: &Host) -> Option<Vec<f64>>;

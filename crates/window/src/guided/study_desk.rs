@@ -16,6 +16,9 @@ enum Keeper {
     /// A log on the disk.
     #[cfg(not(target_arch = "wasm32"))]
     File(super::log_file::LogFile),
+    /// A log in the browser's storage.
+    #[cfg(target_arch = "wasm32")]
+    Page(crate::browser::PageLog),
     /// They are kept here and offered as a download.
     Memory,
 }
@@ -41,7 +44,7 @@ impl std::fmt::Debug for StudyStart {
 }
 
 impl StudyStart {
-    /// A study whose rows are kept in memory, as in a page.
+    /// A study whose rows are kept in memory, as in a page without storage.
     pub fn in_memory(protocol: Arc<Protocol>, participant: Participant) -> Self {
         let study = Study::begin(protocol, participant).started_at(outside::time_of_day());
         Self { study, earlier: Vec::new(), keeper: Keeper::Memory }
@@ -62,6 +65,23 @@ impl StudyStart {
         let study = Study::begin(protocol, participant).started_at(outside::time_of_day());
         let study = study.resume(&earlier).map_err(|error| error.to_string())?;
         Ok(Self { study, earlier, keeper: Keeper::File(file) })
+    }
+}
+
+#[cfg(target_arch = "wasm32")]
+impl StudyStart {
+    /// A study whose log is in the browser's storage, in memory where there is none; one that is there is gone on with.
+    ///
+    /// # Errors
+    ///
+    /// If what is there is no log, or one of another participant or protocol.
+    pub fn in_page(protocol: Arc<Protocol>, participant: Participant, host: &outside::Host) -> Result<Self, String> {
+        let Some((log, earlier)) = crate::browser::PageLog::open(host)? else {
+            return Ok(Self::in_memory(protocol, participant));
+        };
+        let study = Study::begin(protocol, participant).started_at(outside::time_of_day());
+        let study = study.resume(&earlier).map_err(|error| error.to_string())?;
+        Ok(Self { study, earlier, keeper: Keeper::Page(log) })
     }
 }
 
@@ -131,9 +151,13 @@ impl StudyDesk {
         self.trouble.as_deref()
     }
 
-    /// True if rows are kept in memory only.
+    /// True if rows are where only the page reaches them.
     pub fn offers_download(&self) -> bool {
-        matches!(self.keeper, Keeper::Memory) && !self.rows.is_empty()
+        #[cfg(not(target_arch = "wasm32"))]
+        if matches!(self.keeper, Keeper::File(_)) {
+            return false;
+        }
+        !self.rows.is_empty()
     }
 
     /// The log as CSV.
@@ -189,13 +213,17 @@ impl StudyDesk {
 
     /// Writes rows that are not kept yet; says why if it cannot.
     pub(super) fn keep_rows(&mut self) {
-        match &mut self.keeper {
+        let rows = &self.rows[self.kept..];
+        let kept = match &mut self.keeper {
             #[cfg(not(target_arch = "wasm32"))]
-            Keeper::File(file) => match file.append(&self.rows[self.kept..]) {
-                Ok(()) => (self.kept, self.trouble) = (self.rows.len(), None),
-                Err(error) => self.trouble = Some(error.to_string()),
-            },
-            Keeper::Memory => self.kept = self.rows.len(),
+            Keeper::File(file) => file.append(rows).map_err(|error| error.to_string()),
+            #[cfg(target_arch = "wasm32")]
+            Keeper::Page(log) => log.append(rows),
+            Keeper::Memory => Ok(()),
+        };
+        self.trouble = kept.err();
+        if self.trouble.is_none() {
+            self.kept = self.rows.len();
         }
     }
 

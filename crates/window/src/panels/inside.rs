@@ -308,18 +308,24 @@ pub fn show_advice(state: &WindowState, ui: &mut Ui, lines: u8, acts: &mut Acts)
         do_it(state, &mut child, watts, rect, acts);
     }
     for (place, advice) in state.advice.iter().take(told).enumerate() {
-        // The second one has one line.
-        one_advice(state, &mut child, *advice, place == 0 && (!coached || told == 1));
+        // The second one has what the first one leaves, or one line.
+        one_advice(state, &mut child, *advice, [place == 0 && (!coached || told == 1), place > 0 && !coached]);
     }
     coach::show(state, &mut child, lines < ADVICE_LINES);
 }
 
-/// One advice, whole or in one line.
-fn one_advice(state: &WindowState, ui: &mut Ui, advice: Advice, whole: bool) {
+/// One advice: whole, or where it fits, else in one line.
+fn one_advice(state: &WindowState, ui: &mut Ui, advice: Advice, [whole, where_it_fits]: [bool; 2]) {
     let words = advice_words(advice, state);
     let text = RichText::new(&words).size(13.5);
     let text = if advice.is_due() { text.color(theme::of(ui).accent).strong() } else { text };
-    let label = egui::Label::new(if advice.hob_w().is_some() { text.underline() } else { text });
+    let text = if advice.hob_w().is_some() { text.underline() } else { text };
+    let height = |ui: &Ui| {
+        let text = egui::WidgetText::from(text.clone());
+        text.into_galley(ui, Some(egui::TextWrapMode::Wrap), ui.available_width(), egui::TextStyle::Body).size().y
+    };
+    let whole = whole || (where_it_fits && height(ui) <= ui.available_height());
+    let label = egui::Label::new(text);
     ui.add(if whole { label } else { label.truncate() }).on_hover_text(words);
 }
 
@@ -373,7 +379,8 @@ pub(crate) fn advice_words(advice: Advice, state: &WindowState) -> String {
         }
         Advice::WouldPeak { peak_c, wet: true } => at("advice.would_peak_wet", peak_c),
         Advice::WouldPeak { peak_c, wet: false } => at("advice.would_peak", peak_c),
-        Advice::Resting { peak_c } => resting_words("advice.resting", peak_c, state),
+        Advice::Resting { peak_c, warms: true } => resting_words("advice.resting", peak_c, state),
+        Advice::Resting { peak_c, warms: false } => resting_words("advice.highest", peak_c, state),
         Advice::Rested { peak_c } => resting_words("advice.rested", peak_c, state),
     }
 }

@@ -76,9 +76,12 @@ impl Guidance {
         }
     }
 
-    /// Number of steps that are behind.
-    pub fn behind(&self) -> usize {
-        self.steps.iter().filter(|f| !is_open(f)).count()
+    /// Which of the plan's times comes next, from 1 on, and how many there are: steps that share a time count once.
+    pub fn place(&self) -> [usize; 2] {
+        let mut times: Vec<u32> = self.steps.iter().map(|f| f.step.at_s).collect();
+        times.dedup();
+        let next = self.next.first().and_then(|f| times.iter().position(|at_s| *at_s == f.step.at_s));
+        [next.unwrap_or(times.len() - 1) + 1, times.len()]
     }
 }
 
@@ -208,7 +211,9 @@ impl Live {
             session.set_speed(1.0);
             self.slowed = (from > 1.0).then_some(Slowed { at_s: next, from });
             let is_said = std::mem::replace(&mut self.slowing_is_said, true);
-            return (!is_said).then(|| News::Slowed(guidance.next.clone(), from));
+            // After the last step time stands still.
+            let to = if guidance.place()[0] < guidance.place()[1] { from } else { 1.0 };
+            return (!is_said).then(|| News::Slowed(guidance.next.clone(), to));
         }
         let slowed = self.slowed.as_mut()?;
         if session.speed != 1.0 {

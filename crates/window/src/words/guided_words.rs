@@ -8,13 +8,14 @@ use saute_plan::study::Measures;
 use saute_plan::study::protocol_file::Entered;
 
 use crate::settings::Settings;
+use crate::words::judgement_words::points;
 use crate::words::language::Language;
 
 /// What came of a cook, in two sentences.
 pub fn outcome(measures: &Measures, settings: &Settings) -> String {
     let l = settings.language;
     let met = l.text(if measures.is_met { "guided.met" } else { "guided.missed" });
-    let (share, score) = (format!("{:.0}", measures.target_share_pct), format!("{:.0}", measures.score));
+    let (share, score) = (format!("{:.0}", measures.target_share_pct), points(measures.score));
     let peak = settings.temperature(measures.core_peak_c);
     let parts: [(&str, &dyn Display); 4] = [("met", &met), ("share", &share), ("score", &score), ("peak", &peak)];
     l.fill("guided.outcome", &parts)

@@ -62,7 +62,7 @@ impl ResultWords {
             verdict: l.fill(key, &[("goal", &name)]),
             missed,
             points: judgement.score.0,
-            score: l.fill("result.score", &[("points", &format!("{:.0}", judgement.score.0))]),
+            score: teller.score(),
             table: teller.table(),
             measures: teller.measures(),
             better: [l.text("result.better").to_owned(), teller.better()],
@@ -83,6 +83,12 @@ pub(crate) fn span(seconds: f64, l: Language) -> String {
     }
     let whole = (HALF_MINUTE_S * (seconds / HALF_MINUTE_S).round()) as u64;
     l.fill("better.span_min", &[("minutes", &(whole / 60)), ("seconds", &format!("{:02}", whole % 60))])
+}
+
+/// A score in whole points, with a minus sign.
+pub(crate) fn points(score: f64) -> String {
+    let whole = score.round();
+    format!("{}{:.0}", if whole < 0.0 { "−" } else { "" }, whole.abs())
 }
 
 /// What it is told of.
@@ -125,6 +131,12 @@ impl Teller<'_> {
     fn class(&self) -> String {
         let name = self.goal.scale.class.get(self.goal.class).map_or("", |class| class.name.as_str());
         self.settings.language.called("class", name).to_owned()
+    }
+
+    /// The score, and what would have 100 points.
+    fn score(&self) -> String {
+        let key = if self.goal.counts == Counted::Faces { "result.score_faces" } else { "result.score" };
+        self.fill(key, &[("points", &points(self.judgement.score.0)), ("class", &self.class())])
     }
 
     fn missing(&self, shortfall: Shortfall) -> String {
@@ -267,5 +279,13 @@ impl Teller<'_> {
                 self.fill("better.flip_more", &[("had", &had), ("seconds", &every_s)])
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn a_score_below_nothing_has_a_minus_sign() {
+        assert_eq!([-12.4, -0.4, 47.5].map(super::points), ["−12", "0", "48"]);
     }
 }

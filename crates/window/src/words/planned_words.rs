@@ -4,7 +4,7 @@ use saute_plan::schedule::kept::Kept;
 use saute_plan::schedule::{Deed, Plan};
 
 use crate::settings::Settings;
-use crate::words::judgement_words::{ResultWords, span};
+use crate::words::judgement_words::{ResultWords, points, span};
 use crate::words::language::Language;
 use crate::words::{cue_words, plan_words};
 
@@ -19,8 +19,8 @@ impl ResultWords {
             (false, _) => "result.missed",
         };
         self.verdict = l.fill(key, &[("goal", &goal)]);
-        let (points, promised) = (format!("{:.0}", self.points), format!("{:.0}", plan.score.0));
-        self.score = l.fill("planned.score", &[("points", &points), ("promised", &promised)]);
+        let [had, promised] = [self.points, plan.score.0].map(points);
+        self.score = l.fill("planned.score", &[("points", &had), ("promised", &promised)]);
         self.better[1] = better(kept, plan, l);
         self
     }

@@ -3,6 +3,7 @@
 mod bad_input;
 pub mod cooked;
 mod doneness;
+mod fields;
 mod groups;
 mod out_folder;
 mod output;

@@ -106,7 +106,8 @@ fn there_is_a_picture_of_the_cross_section_for_every_step_from_the_put_on() {
     let pictures = ["02_put", "03_hob_w", "04_flip", "05_rest", "06_hob_w", "07_end"];
     let mut expected: Vec<String> =
         pictures.iter().flat_map(|p| [format!("section_{p}.png"), format!("section_{p}_temperature.png")]).collect();
-    expected.extend(["report.html", "series.csv", "summary.json"].map(str::to_owned));
+    let others = ["cooked.glb", "report.html", "series.csv", "series.parquet", "summary.json", "summary.parquet"];
+    expected.extend(others.map(str::to_owned));
     expected.sort();
     assert_eq!(names, expected);
 }

@@ -26,6 +26,11 @@ pub struct Facet {
 }
 
 impl Facet {
+    /// Returns the corners, counter-clockwise seen from outside [m].
+    pub fn corners(&self) -> &[DVec3] {
+        &self.corners
+    }
+
     /// Returns the area [m²].
     pub fn area(&self) -> f64 {
         let first = self.corners[0];

@@ -6,7 +6,8 @@ use crate::conduction::graph::Graph;
 use crate::mesh::cells::cell::{Cell, Wall};
 use crate::mesh::cells::layer::{Node, nodes};
 use crate::mesh::cells::point_grid::PointGrid;
-use crate::mesh::cells::sample::{Sample, convex, samples};
+use crate::mesh::cells::sample::{Sample, samples};
+use crate::mesh::cells::sites::Sites;
 use crate::mesh::cells::skin::Skin;
 use crate::mesh::surface::{DepthFinder, Surface};
 /// The resolution of a cell mesh, as two lengths [m].
@@ -92,6 +93,8 @@ pub struct CellMesh {
     pub fit: [f64; 2],
     pub(super) grid: PointGrid,
     pub(super) normals: Vec<DVec3>,
+    /// Index of the surface sample above each node, which is the node there.
+    pub(super) samples: Vec<u32>,
 }
 
 /// Admissible relative error of the cells' volume and area before correction [-] (chosen).
@@ -173,34 +176,11 @@ impl Cells {
 
     /// Returns the Voronoi cell of a node, cut off at the planes of the surface samples near it.
     fn cell(&self, node: u32, spacing: f64) -> Cell {
-        let Node { position, sample, .. } = self.nodes[node as usize];
-        let mut reach = 1.7 * spacing;
-        let mut cell = loop {
-            let mut cell = Cell::cube(2.0 * spacing);
-            self.clip_skin(&mut cell, position, sample);
-            self.grid.clip_bisectors(&mut cell, position, reach, Some(node));
-            if 2.0 * cell.reach() <= reach || reach > 8.0 * spacing {
-                break cell;
-            }
-            reach = 2.0 * cell.reach();
+        let site = |node: u32| {
+            let Node { position, sample, .. } = self.nodes[node as usize];
+            (position, sample)
         };
-        let neighbours: std::collections::BTreeSet<u32> = cell
-            .facets
-            .iter()
-            .filter_map(|f| if let Wall::Node(n) = f.wall { Some(self.nodes[n as usize].sample) } else { None })
-            .filter(|&s| s != sample && convex(&self.samples[sample as usize], &self.samples[s as usize]))
-            .collect();
-        neighbours.into_iter().for_each(|s| self.clip_skin(&mut cell, position, s));
-        cell
-    }
-
-    /// Clips a cell at the plane of a sample, unless the node itself lies outside of it.
-    fn clip_skin(&self, cell: &mut Cell, position: DVec3, sample: u32) {
-        let plane = &self.samples[sample as usize];
-        let offset = (plane.position - position).dot(plane.normal);
-        if offset >= 0.0 {
-            cell.clip(plane.normal, offset, Wall::Skin(sample));
-        }
+        Sites { grid: &self.grid, site, sample: |sample: u32| self.samples[sample as usize] }.cell(node, spacing)
     }
 
     /// Adds the volume, the faces and the patches of a cell.
@@ -257,6 +237,7 @@ impl Cells {
             positions: self.nodes.iter().map(|n| n.position.to_array()).collect(),
             depth: self.nodes.iter().map(|n| n.depth).collect(),
             normals: self.nodes.iter().map(|n| self.samples[n.sample as usize].normal).collect(),
+            samples: self.nodes.iter().map(|n| n.sample).collect(),
             graph,
             patches,
             fineness,

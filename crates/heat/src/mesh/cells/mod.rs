@@ -31,6 +31,7 @@ mod cell_mesh;
 mod layer;
 mod point_grid;
 mod sample;
+mod sites;
 mod skin;
 mod slice;
 mod weights;

@@ -1,12 +1,11 @@
 //! The refined surface of a cell mesh for drawing, with interpolation weights from the nodes on it.
 
-use std::collections::BTreeMap;
-
 use glam::DVec3;
 
 use crate::mesh::cells::point_grid::PointGrid;
 use crate::mesh::cells::sample::Sample;
 use crate::mesh::surface::Surface;
+use crate::mesh::surface::refine::halve_long_edges;
 
 /// Longest edge of a drawn triangle ÷ spacing of the surface nodes [-] (chosen: smaller triangles show no more detail).
 const LONGEST: f64 = 1.0;
@@ -32,11 +31,13 @@ impl Skin {
     /// Returns the surface refined to the spacing of its nodes [m]; sample i is node i.
     pub(super) fn new(surface: &Surface, samples: &[Sample], spacing: f64) -> Self {
         let mut fine = Surface::clone(surface);
+        let mut triangles = std::mem::take(&mut fine.triangles);
         for _ in 0..HALVINGS {
-            if !halve_long_edges(&mut fine, LONGEST * spacing) {
+            if !halve_long_edges(&mut fine, &mut triangles, LONGEST * spacing) {
                 break;
             }
         }
+        fine.triangles = triangles;
         let (vertices, normals, triangles) = split_at_creases(&fine);
         let positions: Vec<DVec3> = samples.iter().map(|s| s.position).collect();
         let grid = PointGrid::of(&positions, spacing);
@@ -50,53 +51,6 @@ impl Skin {
     #[inline]
     pub fn read(&self, vertex: usize, field: &[f64]) -> f64 {
         (0..4).map(|k| self.weights[vertex][k] * field[self.nodes[vertex][k] as usize]).sum()
-    }
-}
-
-/// Bisects every edge longer than `longest` [m]; returns true if there was one.
-fn halve_long_edges(surface: &mut Surface, longest: f64) -> bool {
-    let mut middles = BTreeMap::<[u32; 2], u32>::new();
-    let mut triangles = Vec::with_capacity(surface.triangles.len());
-    for t in std::mem::take(&mut surface.triangles) {
-        let mids = [0, 1, 2].map(|k| {
-            let (a, b) = (t[k], t[(k + 1) % 3]);
-            let [p, q] = [a, b].map(|v| surface.vertex(v));
-            (p.distance(q) > longest).then(|| {
-                *middles.entry([a.min(b), a.max(b)]).or_insert_with(|| {
-                    surface.vertices.push(((p + q) * 0.5).to_array());
-                    surface.vertices.len() as u32 - 1
-                })
-            })
-        });
-        split(surface, t, mids, &mut triangles);
-    }
-    surface.triangles = triangles;
-    !middles.is_empty()
-}
-
-/// Divides a triangle at the midpoints of its bisected edges into two, three or four.
-fn split(surface: &Surface, t: [u32; 3], mids: [Option<u32>; 3], triangles: &mut Vec<[u32; 3]>) {
-    if let [Some(p), Some(q), Some(r)] = mids {
-        triangles.extend([[t[0], p, r], [p, t[1], q], [r, q, t[2]], [p, q, r]]);
-        return;
-    }
-    let first = (0..3).find_map(|k| mids[k].filter(|_| mids[(k + 2) % 3].is_none()).map(|p| (k, p)));
-    let Some((k, p)) = first else {
-        triangles.push(t);
-        return;
-    };
-    let [a, b, c] = [t[k], t[(k + 1) % 3], t[(k + 2) % 3]];
-    let Some(q) = mids[(k + 1) % 3] else {
-        triangles.extend([[a, p, c], [p, b, c]]);
-        return;
-    };
-    triangles.push([p, b, q]);
-    let d = |u: u32, v: u32| surface.vertex(u).distance(surface.vertex(v));
-    // The shorter diagonal gives the better aspect ratio.
-    if d(a, q) < d(p, c) {
-        triangles.extend([[a, p, q], [a, q, c]]);
-    } else {
-        triangles.extend([[a, p, c], [p, q, c]]);
     }
 }
 

@@ -4,6 +4,7 @@ mod crossing;
 mod defect;
 mod distance;
 mod feature;
+pub mod refine;
 mod triangle_tree;
 mod weld;
 

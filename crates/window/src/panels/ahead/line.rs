@@ -3,7 +3,7 @@
 use egui::{Label, RichText, Sense, Ui, UiBuilder, vec2};
 use saute_plan::forecast::Question;
 
-use super::{age_words, class};
+use super::{age_words, class, class_of_peak};
 use crate::panels::window_state::WindowState;
 use crate::ui::theme;
 
@@ -39,8 +39,9 @@ fn words(state: &WindowState) -> Option<(String, bool)> {
     let expected = state.session.expected_peak_c();
     let peak = expected.map_or_else(|| shown(last.answer.outlook.peak.core), |c| settings.temperature(c));
     let age = age_words(state, &as_it_is);
+    let class = expected.and_then(|c| class_of_peak(state, c)).or_else(|| class(state, &last.answer.outlook));
     // An age takes the room of the class.
-    let peak = match class(state, &last.answer.outlook).filter(|_| age.is_none()) {
+    let peak = match class.filter(|_| age.is_none()) {
         Some(class) => l.fill("ahead.peak_class", &[("peak", &peak), ("class", &class)]),
         None => peak,
     };

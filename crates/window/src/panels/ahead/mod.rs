@@ -4,8 +4,9 @@ pub mod future_curves;
 pub mod line;
 pub mod table;
 
-use saute_kitchen::celsius;
 use saute_kitchen::doneness::at_core;
+use saute_kitchen::food::change::doneness::Measure;
+use saute_kitchen::{celsius, kelvin};
 use saute_plan::forecast::{Outlook, Question};
 
 use crate::panels::window_state::WindowState;
@@ -22,6 +23,13 @@ fn class(state: &WindowState, outlook: &Outlook) -> Option<String> {
     let (piece, scale) = (state.session.steak()?, state.scale()?);
     let class = outlook.class(&scale, at_core(piece, &scale))?;
     Some(state.settings.language.called("class", &scale.class[class].name).to_owned())
+}
+
+/// The class of a highest core temperature [°C], in the cook's words; none where no scale tells doneness by it.
+fn class_of_peak(state: &WindowState, peak_c: f64) -> Option<String> {
+    let scale = state.scale().filter(|scale| scale.measure() == Measure::Peak)?;
+    let class = &scale.class[scale.class_of(kelvin(peak_c))];
+    Some(state.settings.language.called("class", &class.name).to_owned())
 }
 
 /// A temperature [K] as a number in the chosen unit.

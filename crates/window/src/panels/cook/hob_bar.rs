@@ -1,6 +1,7 @@
 //! Hob, cloth, hands and time.
 
 use egui::{RichText, Ui};
+use saute_kitchen::advice::Advice;
 use saute_kitchen::doneness::core_class;
 use saute_kitchen::{Place, celsius};
 
@@ -110,7 +111,8 @@ fn hands(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let in_pan = matches!(place, Some(Place::Pan(_)));
     let outside = |id: &String| state.session.kitchen.piece(id).is_some_and(|p| !p.in_pan());
     let some_outside = state.session.its_group().iter().any(outside);
-    let next_is_put = matches!(place, Some(Place::Waiting));
+    // Not before the pan is hot: a button that is lit asks to be pressed.
+    let next_is_put = state.advice.iter().any(|advice| matches!(advice, Advice::PutIn { .. }));
     let food_in = l.fill("hob.food_in", &[("food", &capitalised(l.called("noun", &state.session.noun())))]);
     button(state, ui, acts, &food_in, next_is_put, some_outside, Act::Put);
     button(state, ui, acts, l.text("hob.flip"), false, in_pan, Act::Flip);

@@ -78,7 +78,8 @@ fn next(state: &WindowState, live: &Live, guidance: &Guidance, ui: &mut Ui, acts
         let words = l.fill("plan.do_it", &[("deed", &deeds)]);
         button(ui, acts, (l.text("plan.do_it_short"), &words), due_in_s <= 0.0, can_do, PlanAct::DoStep);
         let hurry = l.text("plan.hurry");
-        if state.session.paused {
+        // Doing the step starts the clock too: there is one way to go on.
+        if state.session.paused && !can_do {
             let start = l.text("plan.start");
             if ui.add(theme::of(ui).button(start, due_in_s > 0.0).min_size(size(ui))).clicked() {
                 acts.push(Act::Pause);
@@ -134,9 +135,11 @@ fn countdown(state: &WindowState, guidance: &Guidance, ui: &mut Ui) {
 /// That the plan is left or time slowed down, else whether the last step was early or late and that the others keep their times.
 fn said(state: &WindowState, live: &Live, guidance: &Guidance, ui: &mut Ui) {
     let l = state.settings.language;
-    let all = guidance.steps.len();
-    let place = l.fill("plan.step_of", &[("step", &(guidance.behind() + 1).min(all)), ("all", &all)]);
-    let (text, ink) = match (left_words(live.keeping(state.session), l), live.returns_to()) {
+    let [step, all] = guidance.place();
+    let place = l.fill("plan.step_of", &[("step", &step), ("all", &all)]);
+    // After the last step time stands still.
+    let returns_to = live.returns_to().filter(|_| step < all);
+    let (text, ink) = match (left_words(live.keeping(state.session), l), returns_to) {
         (Some(left), _) => (left, theme::of(ui).accent),
         (None, Some(speed)) => (l.fill("plan.returns_to", &[("speed", &format!("{speed:.0}"))]), theme::of(ui).quiet),
         (None, None) => (last_words(guidance, l), theme::of(ui).quiet),

@@ -40,14 +40,15 @@ impl Foreseeing {
     }
 
     fn begin(&mut self, order: &[u8]) -> Option<Taken> {
-        let (Present { number, cook, done, food, scale }, kitchen) = postcard::take_from_bytes(order).ok()?;
+        let (Present { number, cook, done, food, scale, questions }, kitchen) =
+            postcard::take_from_bytes(order).ok()?;
         let kitchen = Kitchen::from_bytes_with(kitchen, &self.library, &mut self.models).ok()?;
         if self.present.is_none_or(|before| before.cook != cook) {
             self.desk.watch(None, None);
         }
         self.desk.watch(Some(&food), scale.and_then(|id| self.library.scale(&id).cloned()));
         // Without coarse meshes nothing is foreseen of this present.
-        self.desk.begin(&kitchen, done).ok()?;
+        self.desk.begin_with(&kitchen, done, &questions).ok()?;
         Some(Taken { number, cook, frame: kitchen.frame(), done })
     }
 

@@ -14,6 +14,13 @@ use crate::work::Helper;
 
 /// Wall time between two presents at least [s]: two rounds a second.
 const APART_S: f64 = 0.5;
+/// How late a present may be that still counts as on time, so that frames that do not meet half a second make no round fewer [s] (chosen:
+/// some frames).
+const LATE_S: f64 = 0.1;
+/// What the line and the curves show: asked in every round.
+const IN_LINE: [Question; 2] = [Question::AsItIs, Question::TakeOut];
+/// Rounds from one with all questions to the next where only the line is shown [-] (chosen: the table opens with answers that are not old).
+const ALL_EVERY: u64 = 4;
 /// Age from which an answer says how old it is [simulated s].
 const OLD_S: f64 = 2.0;
 
@@ -29,6 +36,8 @@ struct Present {
     food: String,
     /// Id of the scale in whose classes its section is shared out.
     scale: Option<String>,
+    /// What is asked.
+    questions: Vec<Question>,
 }
 
 impl Present {
@@ -58,6 +67,17 @@ struct Watched {
     scale: Option<String>,
 }
 
+/// What of the forecasts is shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shown {
+    /// Nothing.
+    Nothing,
+    /// The line.
+    Line,
+    /// The table of all questions, too.
+    Table,
+}
+
 /// What was asked last.
 #[derive(Clone, Debug)]
 struct Asked {
@@ -78,8 +98,10 @@ pub struct Forecasts {
     /// The number from which on orders are about what is watched now.
     since: u64,
     rounds: u64,
+    /// Presents since the last one of which everything was asked [-].
+    since_all: u64,
     /// What is to be asked at the end of the tick, and the wall time at which that became due [s].
-    due: Option<(Watched, f64)>,
+    due: Option<(Watched, f64, Shown)>,
     answers: Vec<Answer>,
     exact: Option<Answer>,
 }
@@ -176,23 +198,37 @@ impl Forecasts {
         })
     }
 
-    fn ask(&mut self, watched: Watched, kitchen: &Kitchen, done: u64, now_s: f64) {
+    /// What is asked of the next present: after something was done, everything.
+    fn questions(&mut self, shown: Shown, done: u64) -> Vec<Question> {
+        let goes_on = self.asked.as_ref().is_some_and(|asked| asked.done == done);
+        self.since_all += 1;
+        if shown == Shown::Line && goes_on && self.since_all < ALL_EVERY {
+            return IN_LINE.to_vec();
+        }
+        self.since_all = 0;
+        Question::ALL.to_vec()
+    }
+
+    fn ask(&mut self, (watched, now_s, shown): (Watched, f64, Shown), kitchen: &Kitchen, done: u64) {
+        let questions = self.questions(shown, done);
         let Some(helper) = &mut self.helper else { return };
         self.number += 1;
         let Watched { cook, food, scale } = watched.clone();
-        let present = Present { number: self.number, cook, done, food, scale };
-        self.asked = Some(Asked { watched, at_s: now_s, frame: kitchen.frame(), done, is_over: false });
+        let present = Present { number: self.number, cook, done, food, scale, questions };
+        let due_s = self.asked.as_ref().map(|asked| asked.at_s + APART_S);
+        let at_s = due_s.filter(|due_s| (0.0..LATE_S).contains(&(now_s - due_s))).unwrap_or(now_s);
+        self.asked = Some(Asked { watched, at_s, frame: kitchen.frame(), done, is_over: false });
         helper.ask(present.order(kitchen));
     }
 }
 
 impl Session {
     /// Keeps the forecasts fresh at a wall time: those of the piece that the panels show, in the classes of the scale with an id.
-    /// Where they are not wanted, while time is turned, and for food in its packet there are none.
-    pub fn foresee(&mut self, now_s: f64, wanted: bool, scale: &str) {
+    /// Where none is shown, while time is turned, and for food in its packet there are none.
+    pub fn foresee(&mut self, now_s: f64, shown: Shown, scale: &str) {
         self.forecasts.take_answers();
         let is_turned = self.is_travelling() || self.timeline.is_held;
-        let piece = self.steak().filter(|piece| wanted && !is_turned && piece.is_out());
+        let piece = self.steak().filter(|piece| shown != Shown::Nothing && !is_turned && piece.is_out());
         let Some(food) = piece.map(|piece| piece.id.clone()).filter(|_| self.forecasts.are_made()) else {
             return self.forecasts.rest();
         };
@@ -204,7 +240,7 @@ impl Session {
         if self.behind_s().is_some() || !self.forecasts.want(&watched, self.kitchen.frame(), self.done(), now_s) {
             return;
         }
-        self.forecasts.due = Some((watched, now_s));
+        self.forecasts.due = Some((watched, now_s, shown));
         if self.paused || self.kitchen.is_between_ticks() {
             self.hand_over_present();
         }
@@ -212,9 +248,9 @@ impl Session {
 
     /// Hands the present over if it is due.
     pub(super) fn hand_over_present(&mut self) {
-        let Some((watched, at_s)) = self.forecasts.due.take() else { return };
+        let Some(due) = self.forecasts.due.take() else { return };
         let done = self.done();
-        self.forecasts.ask(watched, &self.kitchen, done, at_s);
+        self.forecasts.ask(due, &self.kitchen, done);
     }
 
     /// A count of what was done in this cook so far, by hands and by its recipe.
@@ -257,4 +293,19 @@ impl Session {
 pub fn is_whole(answer: &[u8]) -> bool {
     let found = postcard::from_bytes::<Found>(answer);
     found.is_ok_and(|found| found.answers.len() == Question::ALL.len() && found.exact.is_some())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_not_shown_is_asked_every_fourth_round_and_after_something_was_done() {
+        let watched = Watched { cook: 0, food: "steak".into(), scale: None };
+        let asked = Asked { watched, at_s: 0.0, frame: 0, done: 1, is_over: true };
+        let mut forecasts = Forecasts { asked: Some(asked), ..Forecasts::default() };
+        let mut count = |shown, done| forecasts.questions(shown, done).len();
+        assert_eq!([0; 8].map(|_| count(Shown::Line, 1)), [2, 2, 2, 4, 2, 2, 2, 4]);
+        assert_eq!([count(Shown::Line, 1), count(Shown::Table, 1), count(Shown::Line, 2)], [2, 4, 4]);
+    }
 }

@@ -165,6 +165,7 @@ fn time_slows_down_for_a_step_says_why_and_comes_back_to_its_speed() {
         harness.state().said().iter().filter(|said| said.contains("Time runs at 1× now")).count()
     };
     assert!(says(&harness, "Step 1 of"), "steps count from 1");
+    assert!(!says(&harness, "Start the clock"), "doing the step that is due starts it");
     go(&mut harness, 30.0);
     act(&mut harness, Act::SpeedSet(20.0));
     wait(&mut harness, 41.0);
@@ -213,7 +214,7 @@ fn a_plan_that_was_followed_opens_its_result_as_planned_and_cooking_again_can_be
     harness.get_by_label_contains("One thing to do better");
     save(&mut harness, "plan-result");
     harness.get_by_label_contains("Goal met as planned: a core of 46");
-    assert!(says(&harness, &format!("The plan promised {:.0}", plan.score.0)));
+    assert!(says(&harness, &format!("promised {:.0}", plan.score.0)));
     harness.get_by_label("Nothing: it came out as the plan promised.");
     assert!(!says(&harness, "less power") && !says(&harness, "Flip more often"));
     harness.get_by_label("Done").click();

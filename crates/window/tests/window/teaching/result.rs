@@ -50,7 +50,8 @@ fn the_result_that_is_switched_off_stays_away_and_one_of_rare_medium_and_overcoo
         save(&mut harness, &format!("result-{name}"));
         let judgement = judged(harness.state());
         let points: f64 = judgement.terms.iter().map(|term| term.value * term.weight).sum();
-        let score = format!("Score: {points:.0} of 100 points");
+        let sign = if points.round() < 0.0 { "−" } else { "" };
+        let score = format!("Score: {sign}{:.0}. 100 would be medium from edge to edge.", points.round().abs());
         assert!(says(&harness, &score), "{name}: {score}");
         let expected = match name {
             "rare" => Some(Shortfall::Undercooked),

@@ -1,9 +1,6 @@
 //! Promise: a session is played again bit by bit: recipes, hands that take over, devices, foods that come and go, and undone deeds;
 //! through its file too, however often that was appended to.
 
-#[path = "../../kitchen/tests/draws/mod.rs"]
-mod draws;
-
 use std::sync::Arc;
 
 use saute_kitchen::dynamics::{Pose, Tool};
@@ -12,7 +9,7 @@ use saute_kitchen::{Command, Library, PieceOrder, RestOn, kelvin};
 use saute_recipe::session::{SetOutFood, set_out};
 use saute_recipe::{Cook, Recipe, Recording, Replay};
 
-use draws::{Draws, count, seed};
+use crate::draws::{Draws, count, seed};
 
 /// A recipe that plays while a hand may take over.
 const RECIPE: &str = r#"

@@ -1,14 +1,12 @@
 //! Promise: a kitchen that was restored from bytes goes on bit by bit as the one that never stopped, at any instant of a dish of
 //! 23 pieces; bytes of something else are refused with a reason.
 
-mod draws;
-
 use saute_kitchen::bytes::{BytesError, Models};
 use saute_kitchen::dynamics::{Pose, Tool};
 use saute_kitchen::{Command, Kitchen, Library, OwnFiles, Place, RestOn, kelvin};
 use saute_recipe::Recipe;
 
-use draws::{Draws, count, seed};
+use crate::draws::{Draws, count, seed};
 
 /// The dish: a steak, eleven carrot coins and eleven leek rings.
 const DISH: &str = "steak-carrots-leeks";

@@ -1,0 +1,22 @@
+//! What the kitchen promises, in one program: one is linked sooner than many.
+
+mod advice;
+mod bytes;
+mod contact;
+mod doneness;
+mod draws;
+mod dynamics;
+mod fond;
+mod frying;
+mod goals;
+mod heat_tint;
+mod hob;
+mod inside_colour;
+mod kitchen;
+mod knife;
+mod led_turner;
+mod liquids;
+mod press;
+mod properties;
+mod reduced;
+mod ridges;

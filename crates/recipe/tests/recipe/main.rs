@@ -1,0 +1,10 @@
+//! What recipes and sessions promise, in one program.
+
+mod actions;
+mod conditions;
+#[path = "../../../kitchen/tests/kitchen/draws/mod.rs"]
+mod draws;
+mod recipes;
+mod repeat;
+mod sessions;
+mod shipped;

@@ -1,0 +1,39 @@
+//! A participant's log in the browser's storage: rows are kept there before the next trial begins.
+
+use saute_plan::study::{LogRow, from_csv, to_csv};
+
+use super::host::Host;
+
+/// The log that the page's script keeps.
+#[derive(Debug)]
+pub(crate) struct PageLog {
+    host: Host,
+    text: String,
+}
+
+impl PageLog {
+    /// Opens the log, with the rows that it holds; none where the browser gives the page no storage.
+    ///
+    /// # Errors
+    ///
+    /// If what is there is no log.
+    pub fn open(host: &Host) -> Result<Option<(Self, Vec<LogRow>)>, String> {
+        let Some(text) = host.kept_rows() else { return Ok(None) };
+        let rows = from_csv("the browser's storage", &text).map_err(|error| error.to_string())?;
+        Ok(Some((Self { host: host.clone(), text }, rows)))
+    }
+
+    /// Appends rows; they are kept whole or not at all.
+    ///
+    /// # Errors
+    ///
+    /// If the storage does not take them.
+    pub fn append(&mut self, rows: &[LogRow]) -> Result<(), String> {
+        let text = format!("{}{}", self.text, to_csv(rows, self.text.is_empty()));
+        if let Some(error) = self.host.keep_rows(&text) {
+            return Err(error);
+        }
+        self.text = text;
+        Ok(())
+    }
+}

@@ -1,0 +1,106 @@
+//! The library of a kitchen: what the package carries, or that with a folder of the user's files, as the command's `--data`.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use pyo3::prelude::*;
+use saute_kitchen::data::library::surface_file;
+use saute_kitchen::{Library, LibraryError, OwnFiles};
+
+use crate::package::errors;
+use crate::package::shelf::library;
+
+/// Folders and files that are read, as by the command.
+const FOLDERS: [&str; 6] = ["foods", "pans", "recipes", "kinetics", "coatings", "oils"];
+const FILES: [&str; 3] = ["doneness.toml", "goals.toml", "kitchen-at-home.toml"];
+/// Larger files are not read [bytes] (chosen: those of the command's limits: texts have a few kB, surfaces some MB).
+const LARGEST_TEXT: u64 = 4 << 20;
+const LARGEST_SURFACE: u64 = 128 << 20;
+
+/// Where foods, pans and scales of a kitchen come from.
+#[derive(Clone)]
+pub(crate) struct Shelf {
+    /// The user's folder.
+    pub(crate) folder: Option<PathBuf>,
+    pub(crate) library: Arc<Library>,
+}
+
+impl Shelf {
+    /// Opens the shelf with a user's folder, or the one that the package carries. A broken file is refused with its line.
+    pub(crate) fn of(folder: Option<PathBuf>) -> PyResult<Self> {
+        let library = folder.as_deref().map_or_else(|| library().cloned(), opened)?;
+        Ok(Self { folder, library })
+    }
+}
+
+fn wrong(path: &Path, message: &str) -> PyErr {
+    let remedy = "name a folder with foods/, pans/, recipes/, kinetics/, coatings/ or oils/ that contain .toml files, or with \
+                  doneness.toml, goals.toml or kitchen-at-home.toml";
+    errors::argument(format!("{}: {message}", path.display()), remedy.to_owned())
+}
+
+fn opened(dir: &Path) -> PyResult<Arc<Library>> {
+    if !dir.is_dir() {
+        return Err(wrong(dir, "data is no folder"));
+    }
+    let mut names: Vec<String> = FILES.into_iter().filter(|f| dir.join(f).is_file()).map(str::to_owned).collect();
+    let folders: Vec<&str> = FOLDERS.into_iter().filter(|folder| dir.join(folder).is_dir()).collect();
+    if names.is_empty() && folders.is_empty() {
+        return Err(wrong(dir, "data contains none of the folders that are read"));
+    }
+    for folder in folders {
+        names.extend(toml_names(dir, folder)?);
+    }
+    let texts = names.into_iter().map(|name| Ok((name.clone(), text(&dir.join(name))?))).collect::<PyResult<_>>()?;
+    let own = OwnFiles { surfaces: surfaces(dir, &texts)?, texts, ..OwnFiles::default() };
+    let (library, faults) = Library::with_own(&own).map_err(|error| fault(dir, &error))?;
+    faults.first().map_or(Ok(Arc::new(library)), |error| Err(fault(dir, error)))
+}
+
+fn fault(dir: &Path, error: &LibraryError) -> PyErr {
+    let file = dir.join(&error.file).display().to_string();
+    errors::data(error.message.trim(), file, error.line)
+}
+
+/// Names of the .toml files in a folder, as `foods/mine.toml`.
+fn toml_names(dir: &Path, folder: &str) -> PyResult<Vec<String>> {
+    let unreadable = |error: std::io::Error| wrong(&dir.join(folder), &format!("cannot be read: {error}"));
+    let entries = std::fs::read_dir(dir.join(folder)).map_err(unreadable)?;
+    let names = entries.map(|entry| Ok(entry?.file_name().to_string_lossy().into_owned()));
+    let mut names = names.collect::<Result<Vec<String>, _>>().map_err(unreadable)?;
+    names.retain(|name| name.ends_with(".toml") && !name.starts_with('.'));
+    names.sort();
+    Ok(names.into_iter().map(|name| format!("{folder}/{name}")).collect())
+}
+
+fn bytes(path: &Path, largest: u64) -> PyResult<Vec<u8>> {
+    let unreadable = |error: std::io::Error| wrong(path, &format!("cannot be read: {error}"));
+    let about = path.metadata().map_err(unreadable)?;
+    if !about.is_file() || about.len() > largest {
+        return Err(wrong(path, &format!("is no file of at most {} MiB", largest >> 20)));
+    }
+    std::fs::read(path).map_err(unreadable)
+}
+
+fn text(path: &Path) -> PyResult<String> {
+    String::from_utf8(bytes(path, LARGEST_TEXT)?).map_err(|_| wrong(path, "is no text in UTF-8"))
+}
+
+/// Triangles of the surfaces that the foods name.
+fn surfaces(dir: &Path, texts: &BTreeMap<String, String>) -> PyResult<BTreeMap<String, saute_surface::Soup>> {
+    let foods = texts.iter().filter(|(path, _)| path.starts_with("foods/"));
+    let named = foods.filter_map(|(path, text)| Some((path.clone(), surface_file(text)?)));
+    named.map(|(path, file)| Ok((path.clone(), surface(&dir.join(path).with_file_name(file))?))).collect()
+}
+
+fn surface(path: &Path) -> PyResult<saute_surface::Soup> {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    // What a surface file names lies beside it.
+    let beside = |other: &str| {
+        let is_plain = !other.contains(['/', '\\', ':']) && other != "..";
+        is_plain.then(|| bytes(&path.with_file_name(other), LARGEST_SURFACE).ok()).flatten()
+    };
+    saute_surface::read(&name, &bytes(path, LARGEST_SURFACE)?, beside)
+        .map_err(|error| errors::argument(format!("{}: {}", path.display(), error.message), error.remedy))
+}
