@@ -15,7 +15,8 @@ def sweep(spec, out, engine="local", address=None, jobs=None):
     """Cooks all rows of a sweep that are not in a folder yet; returns how many there are.
 
     Args:
-        spec: the specification, as `saute sweep` reads it: the path of a file, its text, or a dict.
+        spec: the specification, as `saute sweep` reads it: the path of a file, its text, or a dict,
+            whose values under `vary` go by their names.
         out: the folder of the results, `rows/part-*.parquet` in it. A sweep that was broken off goes on where it was.
         engine: "local" for the cores of this machine, "ray" for those of a Ray cluster. The files are the same.
         address: of the Ray cluster, as "10.0.0.1:6379"; by default the one that this program is connected to, that of the

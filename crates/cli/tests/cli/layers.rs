@@ -96,7 +96,6 @@ const ARROWS: [(&str, &[&str]); 22] = [
             "saute-recipe",
             "saute-lab",
             "saute-plan",
-            "saute-formats",
             "saute-sweep",
             "saute-sweep-folder",
             "saute-surface",
