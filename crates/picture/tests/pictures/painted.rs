@@ -23,6 +23,7 @@ fn fried(kind: &str, size: [f64; 3], seconds: u32) -> Kitchen {
         outline: OutlineKind::Natural,
     };
     kitchen.add(&library, &order).unwrap();
+    kitchen.apply(&Command::Hob(1500.0)).unwrap();
     kitchen.apply(&Command::Put { food: "food".to_owned(), at: [0.0; 2], heap: false }).unwrap();
     (0..10 * seconds).for_each(|_| kitchen.step());
     kitchen
@@ -87,7 +88,7 @@ fn every_kind_of_skin_encloses_its_food_and_looks_outwards() {
 /// The lower face of lean beef, of which the core tells a mean colour: the mean of what is painted there is that.
 #[test]
 fn the_colour_of_a_browned_face_is_that_of_the_core() {
-    let kitchen = fried("beef-lean", [0.08, 0.06, 0.02], 60);
+    let kitchen = fried("beef-lean", [0.08, 0.06, 0.02], 120);
     let piece = &kitchen.pieces()[0];
     let reading = piece.model.face_reading(&piece.state, piece.up());
     assert!(reading.browning > 0.3, "{}", reading.browning);
