@@ -47,6 +47,7 @@ test("a study goes on after a reload where it was, and in one tab only", { timeo
   await clickLabel(page, "I agree and begin");
   await shows(page, "Trial 1 of 4");
   await clickLabel(page, "Begin");
+  await until(page, "the trial runs", (now) => now.time_s > 0);
   await page.locator("#canvas").focus();
   await press(page, "a");
   await until(page, "the steak is in", (now) => now.pieces[0].place === "pan");
