@@ -1,7 +1,7 @@
 //! A sweep on this machine: its folder, and the threads that cook its rows.
 //!
 //! A [`SweepFolder`] hands out rows and takes results, whoever cooks them, and writes all files. [`cooking::cook_all`] cooks them on
-//! threads. Each result is in a [`journal`] as soon as it is there; when a part is complete its journal becomes a Parquet file. So
+//! threads. Each result is in a `journal` as soon as it is there; when a part is complete its journal becomes a Parquet file. So
 //! a program that is killed loses only the rows that it was cooking.
 
 pub mod cooking;

@@ -25,7 +25,7 @@ pub struct ResultWords {
     pub verdict: String,
     /// What is missing.
     pub missed: Vec<String>,
-    /// The score [points].
+    /// The score [points, at most 100].
     pub points: f64,
     /// The score in words.
     pub score: String,
