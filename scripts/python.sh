@@ -52,34 +52,31 @@ lay_package() {
     done
 }
 
-# test_python: the tests of the package in an environment of their own.
-test_python() {
-    local target="${CARGO_TARGET_DIR:-target}" folder
-    folder="$target/python-test"
-    python_environment "$folder" python/requirements-test.txt
+# with_package NAME: an environment with the packages of python/requirements-NAME.txt and the package; sets PYTHON to its program.
+with_package() {
+    local folder="${CARGO_TARGET_DIR:-target}/python-$1"
+    python_environment "$folder" "python/requirements-$1.txt"
     lay_package "$folder"
-    SAUTE_PROGRAM="$(realpath "$target/release/saute")" \
-        "$folder/bin/python" -m pytest --quiet -p no:cacheprovider python/tests "$@"
+    PYTHON="$folder/bin/python"
 }
 
-# test_python_on_ray: sweeps on a Ray cluster on this machine, in an environment of their own.
-test_python_on_ray() {
-    local target="${CARGO_TARGET_DIR:-target}" folder
-    folder="$target/python-ray"
-    python_environment "$folder" python/requirements-ray.txt
-    lay_package "$folder"
-    RAY_USAGE_STATS_ENABLED=0 "$folder/bin/python" -m pytest --quiet -p no:cacheprovider python/tests_ray "$@"
+# pytest_in NAME ARGUMENTS...: tests of the package in the environment of that name.
+pytest_in() {
+    with_package "$1"
+    SAUTE_PROGRAM="$(realpath "${CARGO_TARGET_DIR:-target}/release/saute")" RAY_USAGE_STATS_ENABLED=0 \
+        "$PYTHON" -m pytest --quiet -p no:cacheprovider "${@:2}"
 }
 
-# test_vtk: VTK reads what the program writes for it, and PyVista what the package gives, in an environment of their own.
+# test_python: the tests of the package that need little besides.
+test_python() { pytest_in test python/tests "$@"; }
+
+# test_python_on_ray: sweeps on a Ray cluster on this machine.
+test_python_on_ray() { pytest_in ray python/tests_ray "$@"; }
+
+# test_vtk: VTK reads what the program writes for it, and PyVista what the package gives.
 test_vtk() {
-    local target="${CARGO_TARGET_DIR:-target}" folder
-    folder="$target/python-vtk"
-    python_environment "$folder" python/requirements-vtk.txt
-    lay_package "$folder"
-    SAUTE_PROGRAM="$(realpath "$target/release/saute")" \
-        "$folder/bin/python" -m pytest --quiet -p no:cacheprovider python/tests_vtk "$@"
-    "$folder/bin/python" -m pytest --quiet -p no:cacheprovider python/tests/test_arrays.py -k pyvista
+    pytest_in vtk python/tests_vtk "$@"
+    pytest_in vtk python/tests/test_arrays.py -k pyvista
 }
 
 # test_wheel: the package as `pip install ./python` makes it, in a clean environment with NumPy alone.
@@ -91,8 +88,6 @@ test_wheel() {
 
 # train_briefly: the training example with a third of its updates; it must score what a careful cook does with one turn.
 train_briefly() {
-    local folder="${CARGO_TARGET_DIR:-target}/python-test"
-    python_environment "$folder" python/requirements-test.txt
-    lay_package "$folder"
-    "$folder/bin/python" python/examples/train_steak.py --seed 2 --updates "$CAMPAIGN_TRAINING_UPDATES" --wanted 25
+    with_package test
+    "$PYTHON" python/examples/train_steak.py --seed 2 --updates "$CAMPAIGN_TRAINING_UPDATES" --wanted 25
 }

@@ -19,8 +19,8 @@ use crate::wording::duration;
 /// Style of the pages.
 pub const STYLE: &str = include_str!("report.css");
 
-/// Returns the whole page.
-pub fn page(cook: &Cook, summary: &Summary, snapshots: &[Snapshot], scales: &ScaleChoice) -> String {
+/// Returns a whole page with what stands in its `main`; `own_style` follows the style that all pages share.
+pub fn whole(title: &str, own_style: &str, content: &Markup) -> String {
     let page = html! {
         (DOCTYPE)
         html lang="en" {
@@ -28,27 +28,31 @@ pub fn page(cook: &Cook, summary: &Summary, snapshots: &[Snapshot], scales: &Sca
                 meta charset="utf-8";
                 meta name="viewport" content="width=device-width, initial-scale=1";
                 meta name="color-scheme" content="light dark";
-                title { (summary.title) }
-                style { (PreEscaped(STYLE)) (PreEscaped(doneness::style())) }
+                title { (title) }
+                style { (PreEscaped(STYLE)) (PreEscaped(own_style)) }
             }
-            body {
-                main {
-                    (header(cook, summary))
-                    @for entry in summary.foods_and_groups() { (key_numbers::section(summary, &entry)) }
-                    (doneness::section(summary, scales))
-                    (curves::section(cook, summary))
-                    (sections::section(cook, summary, snapshots))
-                    (numbers::section(cook, summary))
-                    section { h2 { "Recipe" } pre { (cook.runner.recipe().text) } }
-                    footer {
-                        "saute " (env!("CARGO_PKG_VERSION"))
-                        ". A simulation: for learning, not for judging whether food is safe to eat."
-                    }
-                }
-            }
+            body { main { (content) } }
         }
     };
     page.into_string()
+}
+
+/// Returns the page of a cook.
+pub fn page(cook: &Cook, summary: &Summary, snapshots: &[Snapshot], scales: &ScaleChoice) -> String {
+    let content = html! {
+        (header(cook, summary))
+        @for entry in summary.foods_and_groups() { (key_numbers::section(summary, &entry)) }
+        (doneness::section(summary, scales))
+        (curves::section(cook, summary))
+        (sections::section(cook, summary, snapshots))
+        (numbers::section(cook, summary))
+        section { h2 { "Recipe" } pre { (cook.runner.recipe().text) } }
+        footer {
+            "saute " (env!("CARGO_PKG_VERSION"))
+            ". A simulation: for learning, not for judging whether food is safe to eat."
+        }
+    };
+    whole(&summary.title, &doneness::style(), &content)
 }
 
 fn header(cook: &Cook, summary: &Summary) -> Markup {

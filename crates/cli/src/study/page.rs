@@ -1,40 +1,26 @@
 //! The report of a study: a page that needs no other file.
 
-use maud::{DOCTYPE, Markup, PreEscaped, html};
+use maud::{Markup, html};
 use saute_plan::study::Analysis;
 use saute_plan::study::analysis::Quantity;
 
 use super::{curves_plot, tables};
-use crate::report::STYLE;
+use crate::report;
 
 /// Returns the whole page.
 pub fn page(analysis: &Analysis) -> String {
     let title = format!("Study {}: {}", analysis.study, tables::who(analysis));
-    let page = html! {
-        (DOCTYPE)
-        html lang="en" {
-            head {
-                meta charset="utf-8";
-                meta name="viewport" content="width=device-width, initial-scale=1";
-                meta name="color-scheme" content="light dark";
-                title { (title) }
-                style { (PreEscaped(STYLE)) }
-            }
-            body {
-                main {
-                    (header(analysis, &title))
-                    @for quantity in Quantity::ALL {
-                        section { h2 { (tables::quantity(quantity)) } (curves_plot::figure(analysis, quantity)) }
-                    }
-                    (changes(analysis))
-                    (participants(analysis))
-                    (method(analysis))
-                    footer { "saute " (env!("CARGO_PKG_VERSION")) }
-                }
-            }
+    let content = html! {
+        (header(analysis, &title))
+        @for quantity in Quantity::ALL {
+            section { h2 { (tables::quantity(quantity)) } (curves_plot::figure(analysis, quantity)) }
         }
+        (changes(analysis))
+        (participants(analysis))
+        (method(analysis))
+        footer { "saute " (env!("CARGO_PKG_VERSION")) }
     };
-    page.into_string()
+    report::whole(&title, "", &content)
 }
 
 fn header(analysis: &Analysis, title: &str) -> Markup {

@@ -27,11 +27,7 @@ impl Kitchen {
         if moved {
             self.follow_bodies();
         }
-        let is_tick = self.clock.count_frame();
-        if is_tick {
-            self.heat_tick();
-        }
-        is_tick
+        self.end_frame()
     }
 
     /// As [`Self::advance_frame`], with a partner, as another simulator is: before each rigid step of 1/240 s it reads the kitchen as
@@ -45,6 +41,11 @@ impl Kitchen {
                 self.follow_bodies();
             }
         }
+        self.end_frame()
+    }
+
+    /// Counts the frame, and lets heat flow if it ended a tick; returns true then.
+    fn end_frame(&mut self) -> bool {
         let is_tick = self.clock.count_frame();
         if is_tick {
             self.heat_tick();

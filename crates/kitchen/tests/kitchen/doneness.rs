@@ -7,11 +7,9 @@ use saute_kitchen::doneness::{ScaleChoice, core_class, fitting};
 use saute_kitchen::food::{FoodModel, Rules, Scale};
 use saute_kitchen::{Kitchen, Library, MeshSize, OutlineKind, Piece, PieceOrder, kelvin};
 
-const OF_MEAT: [&str; 3] = ["paper-2013", "chefs", "academic"];
+use crate::stove::library;
 
-fn library() -> Library {
-    Library::embedded().expect("embedded data")
-}
+const OF_MEAT: [&str; 3] = ["paper-2013", "chefs", "academic"];
 
 /// A kitchen with one raw piece.
 fn with_piece(library: &Library, kind: &str, rules: Rules) -> Kitchen {

@@ -7,9 +7,7 @@ use saute_kitchen::{
     Command, FRAME_S, Kitchen, Library, MeshSize, OutlineKind, PieceOrder, Place, TICK_S, food::Rules, kelvin,
 };
 
-fn library() -> Library {
-    Library::embedded().expect("embedded data")
-}
+use crate::stove::library;
 
 fn order(id: &str, kind: &str, library: &Library, seed: u64) -> PieceOrder {
     let food = &library.foods[kind];

@@ -2,20 +2,10 @@
 //! kept, and nothing else in the kitchen feels them.
 
 use saute_kitchen::food::Rules;
-use saute_kitchen::{Command, Kitchen, Library, MeshSize, OutlineKind, PieceOrder, RestOn, TICK_S, kelvin};
+use saute_kitchen::{Command, Kitchen, Library, MeshSize, OutlineKind, PieceOrder, RestOn, kelvin};
 use saute_recipe::{Cook, Recipe};
 
-fn library() -> Library {
-    Library::embedded().expect("embedded data")
-}
-
-fn run(kitchen: &mut Kitchen, seconds: f64) {
-    (0..(seconds / TICK_S).round() as usize).for_each(|_| kitchen.step());
-}
-
-fn apply(kitchen: &mut Kitchen, command: Command) {
-    kitchen.apply(&command).expect("accepted");
-}
+use crate::stove::{apply, library, run};
 
 /// A steak that fries for a while in a hot pan.
 fn frying(library: &Library, watts: f64, seconds: f64) -> Kitchen {

@@ -3,9 +3,7 @@
 use saute_kitchen::{Kitchen, Library, celsius};
 use saute_recipe::{Cook, Recipe, Summary};
 
-fn library() -> Library {
-    Library::embedded().expect("embedded data")
-}
+use crate::stove::library;
 
 /// Runs a recipe to its end, with a look at the kitchen after every tick.
 fn watched(library: &Library, text: &str, mut look: impl FnMut(&Kitchen)) -> Cook {

@@ -2,16 +2,10 @@
 
 use saute_kitchen::{Command, Kitchen, Library, TICK_S, celsius, kelvin};
 
+use crate::stove::{library, run};
+
 const TINTED: [&str; 5] =
     ["carbon-steel-26", "stainless-clad-26", "cast-iron-26", "cast-iron-grill-26", "carbon-steel-26-nonstick"];
-
-fn library() -> Library {
-    Library::embedded().expect("embedded data")
-}
-
-fn run(kitchen: &mut Kitchen, seconds: f64) {
-    (0..(seconds / TICK_S).round() as usize).for_each(|_| kitchen.step());
-}
 
 /// How far the middle of the floor is from its colour when new [-].
 fn tint(kitchen: &Kitchen) -> f64 {

@@ -3,21 +3,15 @@
 
 use saute_kitchen::advice::NoPower;
 use saute_kitchen::food::Rules;
-use saute_kitchen::{Command, Kitchen, Library, MeshSize, OutlineKind, PieceOrder, TICK_S, celsius, kelvin};
+use saute_kitchen::{Command, Kitchen, MeshSize, OutlineKind, PieceOrder, celsius, kelvin};
 use saute_recipe::{Cook, Recipe};
 
-fn library() -> Library {
-    Library::embedded().expect("embedded data")
-}
+use crate::stove::{library, run};
 
 fn empty_pan(celsius: f64, power: f64) -> Kitchen {
     let mut kitchen = Kitchen::new(&library(), "carbon-steel-26", kelvin(celsius)).expect("pan");
     kitchen.apply(&Command::Hob(power)).expect("power");
     kitchen
-}
-
-fn run(kitchen: &mut Kitchen, seconds: f64) {
-    (0..(seconds / TICK_S).round() as usize).for_each(|_| kitchen.step());
 }
 
 #[test]

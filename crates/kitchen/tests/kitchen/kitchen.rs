@@ -3,14 +3,10 @@
 
 use saute_kitchen::food::Rules;
 use saute_kitchen::piece::carry_over::foreseen_peak;
-use saute_kitchen::{
-    Command, Kitchen, Library, MeshSize, OutlineKind, PieceOrder, Refused, RestOn, TICK_S, celsius, kelvin,
-};
+use saute_kitchen::{Command, Kitchen, Library, MeshSize, OutlineKind, PieceOrder, Refused, RestOn, celsius, kelvin};
 use saute_recipe::{Cook, Recipe};
 
-fn library() -> Library {
-    Library::embedded().expect("embedded data")
-}
+use crate::stove::{apply, library, run};
 
 fn steak(size_mm: [f64; 3], initial_c: f64) -> PieceOrder {
     PieceOrder {
@@ -31,14 +27,6 @@ fn kitchen(pan: &str, pan_c: f64, order: &PieceOrder) -> Kitchen {
     let mut kitchen = Kitchen::new(&library, pan, kelvin(pan_c)).expect("pan");
     kitchen.add(&library, order).expect("food");
     kitchen
-}
-
-fn run(kitchen: &mut Kitchen, seconds: f64) {
-    (0..(seconds / TICK_S).round() as usize).for_each(|_| kitchen.step());
-}
-
-fn apply(kitchen: &mut Kitchen, command: Command) {
-    kitchen.apply(&command).expect("accepted");
 }
 
 fn put() -> Command {

@@ -2,14 +2,10 @@
 //! faster, and the energy account of the cook stays balanced.
 
 use saute_kitchen::food::Rules;
-use saute_kitchen::{
-    Command, EventKind, Kitchen, Library, MeshSize, OutlineKind, PieceOrder, Refused, RestOn, TICK_S, kelvin,
-};
+use saute_kitchen::{Command, EventKind, Kitchen, MeshSize, OutlineKind, PieceOrder, Refused, RestOn, kelvin};
 use saute_recipe::{Action, Cook, FoodAction, Recipe};
 
-fn library() -> Library {
-    Library::embedded().expect("embedded data")
-}
+use crate::stove::{apply, library, run};
 
 fn order(kind: &str, size_mm: [f64; 3]) -> PieceOrder {
     PieceOrder {
@@ -23,14 +19,6 @@ fn order(kind: &str, size_mm: [f64; 3]) -> PieceOrder {
         mesh: MeshSize::Default,
         outline: OutlineKind::Plain,
     }
-}
-
-fn run(kitchen: &mut Kitchen, seconds: f64) {
-    (0..(seconds / TICK_S).round() as usize).for_each(|_| kitchen.step());
-}
-
-fn apply(kitchen: &mut Kitchen, command: Command) {
-    kitchen.apply(&command).expect("accepted");
 }
 
 fn put() -> Command {

@@ -7,20 +7,10 @@ use saute_kitchen::liquids::water_film::WATER_DENSITY;
 use saute_kitchen::pan::LEVEL;
 use saute_kitchen::{Command, EventKind, Kitchen, Library, PieceOrder, Refused, TICK_S, celsius, kelvin};
 
-fn library() -> Library {
-    Library::embedded().expect("embedded data")
-}
+use crate::stove::{apply, library, run};
 
 fn pan_at(celsius: f64) -> Kitchen {
     Kitchen::new(&library(), "carbon-steel-26", kelvin(celsius)).expect("pan")
-}
-
-fn run(kitchen: &mut Kitchen, seconds: f64) {
-    (0..(seconds / TICK_S).round() as usize).for_each(|_| kitchen.step());
-}
-
-fn apply(kitchen: &mut Kitchen, command: Command) {
-    kitchen.apply(&command).expect("accepted");
 }
 
 fn pour(kitchen: &mut Kitchen, kind: &str, grams: f64) {

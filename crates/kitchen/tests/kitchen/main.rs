@@ -20,3 +20,4 @@ mod press;
 mod properties;
 mod reduced;
 mod ridges;
+mod stove;

@@ -5,22 +5,12 @@ use glam::DQuat;
 use saute_kitchen::dynamics::{Pose, Tool};
 use saute_kitchen::food::{Face, Rules};
 use saute_kitchen::piece::sear_lines::SearLines;
-use saute_kitchen::{Command, Kitchen, Library, MeshSize, OutlineKind, PieceOrder, TICK_S, celsius, kelvin};
+use saute_kitchen::{Command, Kitchen, Library, MeshSize, OutlineKind, PieceOrder, celsius, kelvin};
 use saute_recipe::{Cook, Recipe, StoppedBy};
 
+use crate::stove::{apply, library, run};
+
 const GRILL: &str = "cast-iron-grill-26";
-
-fn library() -> Library {
-    Library::embedded().expect("embedded data")
-}
-
-fn run(kitchen: &mut Kitchen, seconds: f64) {
-    (0..(seconds / TICK_S).round() as usize).for_each(|_| kitchen.step());
-}
-
-fn apply(kitchen: &mut Kitchen, command: Command) {
-    kitchen.apply(&command).expect("accepted");
-}
 
 fn frying(pan: &str, pan_c: f64, seconds: f64) -> Kitchen {
     let mut kitchen = Kitchen::new(&library(), pan, kelvin(pan_c)).expect("pan");

@@ -53,12 +53,10 @@ impl Passed {
 
     /// Finds the controls that were pressed in the present panels; what is gone by now is not pressed.
     fn find(&mut self, now: &[Control]) {
-        let (done, missed): (Vec<_>, Vec<_>) = std::mem::take(&mut self.found)
-            .into_iter()
-            .partition(|(id, asked)| asked.control.find(now).is_none_or(|control| control.id == *id));
-        drop(done);
-        // The panels had numbered anew in the very frame in which it was done.
-        let asked = missed.into_iter().map(|(_, asked)| asked).chain(self.asked.drain(..));
+        // Where the panels had numbered anew in the very frame in which it was done, it was missed.
+        let is_missed = |id: &str, asked: &Asked| asked.control.find(now).is_some_and(|control| control.id != id);
+        let missed = std::mem::take(&mut self.found).into_iter().filter(|(id, asked)| is_missed(id, asked));
+        let asked = missed.map(|(_, asked)| asked).chain(self.asked.drain(..));
         self.found = asked.filter_map(|asked| Some((asked.control.find(now)?.id.clone(), asked))).collect();
     }
 }

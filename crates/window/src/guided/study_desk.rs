@@ -50,6 +50,17 @@ impl StudyStart {
         Self { study, earlier: Vec::new(), keeper: Keeper::Memory }
     }
 
+    /// Goes on after the rows that a log holds.
+    fn resumed(
+        protocol: Arc<Protocol>,
+        participant: Participant,
+        (keeper, earlier): (Keeper, Vec<LogRow>),
+    ) -> Result<Self, String> {
+        let study = Self::in_memory(protocol, participant).study;
+        let study = study.resume(&earlier).map_err(|error| error.to_string())?;
+        Ok(Self { study, earlier, keeper })
+    }
+
     /// A study whose log is a file in a folder; one that is there is gone on with.
     ///
     /// # Errors
@@ -62,9 +73,7 @@ impl StudyStart {
         folder: &std::path::Path,
     ) -> Result<Self, String> {
         let (file, earlier) = super::log_file::LogFile::open(folder, &participant)?;
-        let study = Study::begin(protocol, participant).started_at(outside::time_of_day());
-        let study = study.resume(&earlier).map_err(|error| error.to_string())?;
-        Ok(Self { study, earlier, keeper: Keeper::File(file) })
+        Self::resumed(protocol, participant, (Keeper::File(file), earlier))
     }
 }
 
@@ -79,9 +88,7 @@ impl StudyStart {
         let Some((log, earlier)) = crate::browser::PageLog::open(host)? else {
             return Ok(Self::in_memory(protocol, participant));
         };
-        let study = Study::begin(protocol, participant).started_at(outside::time_of_day());
-        let study = study.resume(&earlier).map_err(|error| error.to_string())?;
-        Ok(Self { study, earlier, keeper: Keeper::Page(log) })
+        Self::resumed(protocol, participant, (Keeper::Page(log), earlier))
     }
 }
 

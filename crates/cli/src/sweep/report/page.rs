@@ -1,38 +1,24 @@
 //! The report of a sweep: a page that needs no other file.
 
-use maud::{DOCTYPE, Markup, PreEscaped, html};
+use maud::{Markup, html};
 use saute_sweep::Manifest;
 use saute_sweep::design::DesignKind;
 
 use super::{Found, Sensitivity, bars, tables};
-use crate::report::STYLE;
+use crate::report;
 
 /// Returns the whole page.
 pub fn page(manifest: &Manifest, found: &[Sensitivity], plotted: &[String]) -> String {
     let title = format!("What matters in {}", manifest.recipe);
     let shown: Vec<&Sensitivity> = found.iter().filter(|one| plotted.contains(&one.heading.name)).collect();
-    let page = html! {
-        (DOCTYPE)
-        html lang="en" {
-            head {
-                meta charset="utf-8";
-                meta name="viewport" content="width=device-width, initial-scale=1";
-                meta name="color-scheme" content="light dark";
-                title { (title) }
-                style { (PreEscaped(STYLE)) }
-            }
-            body {
-                main {
-                    header { h1 { (title) } p { (rows(manifest)) } }
-                    @if shown.is_empty() { p.notice { "None of the numbers varied, or too few rows have one." } }
-                    @for one in shown { (section(manifest, one)) }
-                    (method(manifest))
-                    footer { "saute " (manifest.version) ". All numbers are in sensitivity.csv." }
-                }
-            }
-        }
+    let content = html! {
+        header { h1 { (title) } p { (rows(manifest)) } }
+        @if shown.is_empty() { p.notice { "None of the numbers varied, or too few rows have one." } }
+        @for one in shown { (section(manifest, one)) }
+        (method(manifest))
+        footer { "saute " (manifest.version) ". All numbers are in sensitivity.csv." }
     };
-    page.into_string()
+    report::whole(&title, "", &content)
 }
 
 fn rows(manifest: &Manifest) -> String {
