@@ -214,7 +214,7 @@ fn a_plan_that_was_followed_opens_its_result_as_planned_and_cooking_again_can_be
     harness.get_by_label_contains("One thing to do better");
     save(&mut harness, "plan-result");
     harness.get_by_label_contains("Goal met as planned: a core of 46");
-    assert!(says(&harness, &format!("promised {:.0}", plan.score.0)));
+    assert!(says(&harness, &format!("The plan, the best that was found, promised {:.0}.", plan.score.0)));
     harness.get_by_label("Nothing: it came out as the plan promised.");
     assert!(!says(&harness, "less power") && !says(&harness, "Flip more often"));
     harness.get_by_label("Done").click();
