@@ -52,8 +52,8 @@ export async function reaches(page, state) {
   if (found !== state) throw new Error(`the page is ${found}, not ${state}: ${cover}`);
 }
 
-/** Warnings about a machine without a graphics card. */
-const OF_THE_MACHINE = [/No available adapters/, /Software rasterizer detected/];
+/** Warnings about a machine without a graphics card, and what its drawing by software says about its own speed. */
+const OF_THE_MACHINE = [/No available adapters/, /Software rasterizer detected/, /GL Driver Message \(OpenGL, Performance,/];
 
 /** Problems of the console. */
 export function trouble(seen) {

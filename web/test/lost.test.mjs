@@ -69,7 +69,7 @@ for (const [backend, args, lose] of LOSSES) {
       const after = await stats(page);
       const { png, ...again } = await settled(page);
       writeFileSync(join(PICTURES, `${backend}-lost-and-back.png`), png);
-      console.log(`${backend}: the picture was away for ${away} ms`);
+      console.log(`${backend}: the picture was away for ${away} ms, and is back with ${after.backend}`);
       assert.ok(away <= BACK_MS, `${away} ms`);
       assert.deepEqual([after.time_s, after.pan_c, after.pieces], [before.time_s, before.pan_c, before.pieces]);
       const { p99 } = difference(picture, again);
