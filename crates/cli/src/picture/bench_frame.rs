@@ -36,6 +36,9 @@ pub struct BenchFrameArgs {
     /// Simulated time over wall time.
     #[arg(long, value_name = "TIMES", default_value_t = 1.0, value_parser = speed)]
     pub speed: f64,
+    /// Simulated time from which frames are measured [s] [default: 60, or when the foods of the scene lie].
+    #[arg(long = "from", value_name = "SECONDS", value_parser = from)]
+    pub from_s: Option<f64>,
     /// Makes forecasts meanwhile, as the window does.
     #[arg(long)]
     pub forecasts: bool,
@@ -47,6 +50,11 @@ pub struct BenchFrameArgs {
 fn speed(text: &str) -> Result<f64, String> {
     let speed = text.parse::<f64>().map_err(|e| e.to_string())?;
     if (0.1..=100.0).contains(&speed) { Ok(speed) } else { Err("state a number from 0.1 to 100".to_owned()) }
+}
+
+fn from(text: &str) -> Result<f64, String> {
+    let from_s = text.parse::<f64>().map_err(|e| e.to_string())?;
+    if (0.0..=3600.0).contains(&from_s) { Ok(from_s) } else { Err("state a number from 0 to 3600".to_owned()) }
 }
 
 /// Built-in scenes.
@@ -68,7 +76,7 @@ pub fn run(args: &BenchFrameArgs, data: &DataLibrary, process_start: Instant) ->
     let quality = args.quality.map_or(QualityChoice::Automatic, |name| QualityChoice::Always(name.into()));
     let library = Some(Arc::new(data.library.clone()));
     let start = Start { library, recipe: Some(recipe), threads: args.forecasts, ..Start::default() };
-    let case = FrameCase { size: args.size, from_s, quality, speed: args.speed };
+    let case = FrameCase { size: args.size, from_s: args.from_s.unwrap_or(from_s), quality, speed: args.speed };
     let bench = bench_frame(start, case, process_start)?;
     if args.json {
         stdout::print(&json::text(&bench)?)?;

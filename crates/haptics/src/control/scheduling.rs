@@ -17,9 +17,9 @@ pub fn request_fifo() {
     }
 }
 
-/// Priority of work that others go before, 0 to 99, of which 50 is the usual one (chosen: on Linux a niceness of 5. At the lowest one,
+/// Priority of work that others go before, 0 to 99, of which 50 is the usual one (chosen: on Linux a niceness of 9. At the lowest one,
 /// forecasts came every ten seconds on two cores that draw by software and build programs).
-const BEHIND: u8 = 36;
+const BEHIND: u8 = 24;
 
 /// Lets other threads go first: the calling one gets a lower ordinary priority.
 pub fn yield_to_others() {

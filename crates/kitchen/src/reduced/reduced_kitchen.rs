@@ -134,6 +134,18 @@ impl ReducedKitchen {
 
     /// Advances it by [`LAPSE_S`].
     pub fn step(&mut self) {
+        self.step_by(LAPSE);
+    }
+
+    /// Advances it by `steps` at once if all food rests on wood, where nothing changes fast, else by one; returns how many it took.
+    pub fn step_resting(&mut self, steps: u64) -> u64 {
+        let rests = |piece: &Piece| matches!(piece.place, Place::Rest(_));
+        let steps = if self.kitchen.pieces.iter().all(rests) { steps } else { 1 };
+        self.step_by(Lapse { ticks: steps * TICKS });
+        steps
+    }
+
+    fn step_by(&mut self, lapse: Lapse) {
         self.lay_down();
         let kitchen = &mut self.kitchen;
         let fixed = Arc::clone(&kitchen.fixed);
@@ -142,15 +154,15 @@ impl ReducedKitchen {
             piece.free_all();
             piece.follow_shape();
         }
-        kitchen.exchange_between_foods(&fixed.room, LAPSE);
+        kitchen.exchange_between_foods(&fixed.room, lapse);
         for index in 0..kitchen.pieces.len() {
-            kitchen.step_piece(&fixed, index, LAPSE);
+            kitchen.step_piece(&fixed, index, lapse);
         }
         // A pan without food, to which none comes back, matters to no piece.
         if kitchen.pieces.iter().any(Piece::in_pan) || !self.lifted.is_empty() {
-            kitchen.step_pan(&fixed, LAPSE);
+            kitchen.step_pan(&fixed, lapse);
         }
-        kitchen.clock.count(LAPSE);
+        kitchen.clock.count(lapse);
     }
 
     /// Lays down the pieces that have been in the air for long enough.

@@ -1,7 +1,8 @@
 //! Keeps the forecasts of one piece fresh, in small parts of work.
 //!
-//! A round asks some or all questions from one present, on coarse meshes; the next begins from a newer present. "As it is" runs
-//! the full model beside, from the present at which something was done last, and ten seconds further every ten seconds. The desk has no
+//! A round asks some or all questions from one present, on coarse meshes; the next begins from a newer present. While nothing is done, "as
+//! it is" goes on from where it is instead, and begins anew every half minute. It runs the full model beside, from the present at which
+//! something was done last, and ten seconds further every ten seconds. The desk has no
 //! clock: the shell gives it the present when it [`wants`](Desk::wants) it, and calls [`Desk::advance`] while it has time.
 
 use std::sync::Arc;
@@ -18,8 +19,11 @@ use crate::forecast::question::{Ask, Question};
 
 /// Age at which "as it is" with the full model looks further [s].
 const EXACT_AGE_S: f64 = 10.0;
-/// Difference of the core from that of "as it is" with the full model up to which that is still the course of the kitchen [K] (chosen:
-/// between two samples the core is not quite linear).
+/// Age at which "as it is" on coarse meshes begins anew, if its core is still that of the kitchen [s] (chosen: its other errors have not grown
+/// by then, and the work of beginning is spread over many rounds).
+const COURSE_AGE_S: f64 = 30.0;
+/// Difference of the core from that of "as it is" up to which that is still the course of the kitchen [K] (chosen: between two samples
+/// the core is not quite linear).
 const SAME_K: f64 = 0.05;
 /// Steps on coarse meshes that cost as much as a tick of the full model [-] (measured with a steak of 120 × 80 × 25 mm: 0.07
 /// and 0.49 ms).
@@ -67,6 +71,8 @@ pub struct Desk {
     reductions: Reductions,
     /// What of the round is still to do, the next one last.
     round: Vec<Ahead>,
+    /// "As it is" on coarse meshes once it is through, and what had been done when it began: it can look further.
+    course: Option<(Ahead, u64)>,
     exact: Option<Exact>,
     /// Frame and what had been done at the last present.
     present: Option<(u64, u64)>,
@@ -121,11 +127,12 @@ impl Desk {
         let ask = |question| Ask { food: food.clone(), question, scale: scale.clone() };
         let frame = kitchen.frame();
         if self.present.is_some_and(|(then, _)| frame < then) {
-            (self.answers, self.exact, self.exact_answer, self.exact_from) = (Vec::new(), None, None, None);
+            (self.answers, self.course, self.exact, self.exact_answer, self.exact_from) =
+                (Vec::new(), None, None, None, None);
         }
         self.present = Some((frame, done));
         let asks: Vec<Ask> = questions.iter().copied().map(ask).collect();
-        self.round = self.asked(kitchen, &asks)?;
+        self.round = self.asked(kitchen, &asks, done)?;
         let all = Question::ALL.map(ask);
         let possible = |answer: &Answer| all.iter().any(|ask| is_of(answer, ask) && is_possible(kitchen, ask));
         self.answers.retain(possible);
@@ -147,9 +154,7 @@ impl Desk {
         if !exact.is_done() {
             return true;
         }
-        let piece = self.watched.as_ref().and_then(|(food, _)| kitchen.piece(food));
-        let off = piece.map_or(f64::INFINITY, |piece| piece.core() - exact.outlook().core_at(age_s));
-        if off.abs() > SAME_K {
+        if !is_course_of(exact.outlook(), kitchen, age_s) {
             return false;
         }
         let by_s = EXACT_AGE_S * libm::floor(age_s / EXACT_AGE_S);
@@ -164,12 +169,29 @@ impl Desk {
     }
 
     /// What a round asks; nothing while a hand moves food: on coarse meshes it would stay where it is.
-    fn asked(&mut self, kitchen: &Kitchen, asks: &[Ask]) -> Result<Vec<Ahead>, BuildError> {
+    fn asked(&mut self, kitchen: &Kitchen, asks: &[Ask], done: u64) -> Result<Vec<Ahead>, BuildError> {
+        let mut course = self.course_from(kitchen, done);
         if kitchen.is_moving_food() {
             return Ok(Vec::new());
         }
         let reduced = kitchen.reduced(&mut self.reductions)?;
-        Ok(asks.iter().rev().filter_map(|ask| Ahead::from(kitchen, reduced.clone(), ask)).collect())
+        let of = |ask: &Ask| {
+            let going_on = if ask.question == Question::AsItIs { course.take() } else { None };
+            going_on.or_else(|| Ahead::from(kitchen, reduced.clone(), ask))
+        };
+        Ok(asks.iter().rev().filter_map(of).collect())
+    }
+
+    /// Takes "as it is" on coarse meshes, to look further from a later present; none if it has to begin anew.
+    fn course_from(&mut self, kitchen: &Kitchen, done: u64) -> Option<Ahead> {
+        let (mut course, was_done) = self.course.take()?;
+        let by_s = kitchen.frame().saturating_sub(course.outlook().frame) as f64 * FRAME_S;
+        let is_young = course.since_begun_s() + by_s < COURSE_AGE_S;
+        let goes_on = was_done == done && is_young && is_course_of(course.outlook(), kitchen, by_s);
+        goes_on.then(|| {
+            course.look_further(kitchen);
+            course
+        })
     }
 
     fn is_exact_due(&self, frame: u64, done: u64) -> bool {
@@ -210,14 +232,20 @@ impl Desk {
     fn work_round(&mut self) -> bool {
         let Some(ahead) = self.round.last_mut() else { return false };
         ahead.advance(STEPS_PER_TICK);
-        if ahead.is_done() {
-            let outlook = ahead.outlook().clone();
-            let done = self.present.map_or(0, |(_, done)| done);
-            self.answers.retain(|answer| answer.outlook.question != outlook.question);
-            self.answers.push(Answer { outlook, done });
-            self.round.pop();
+        if let Some(ahead) = self.round.pop_if(|ahead| ahead.is_done()) {
+            self.keep(ahead);
         }
         true
+    }
+
+    fn keep(&mut self, ahead: Ahead) {
+        let outlook = ahead.outlook().clone();
+        let done = self.present.map_or(0, |(_, done)| done);
+        self.answers.retain(|answer| answer.outlook.question != outlook.question);
+        if outlook.question == Question::AsItIs {
+            self.course = Some((ahead, done));
+        }
+        self.answers.push(Answer { outlook, done });
     }
 
     /// The last answer to a question, five minutes ahead on coarse meshes.
@@ -229,6 +257,11 @@ impl Desk {
     pub fn exact_answer(&self) -> Option<&Answer> {
         self.exact_answer.as_ref()
     }
+}
+
+/// Returns true if a kitchen has come, `by_s` after the present of "as it is", to where that said.
+fn is_course_of(outlook: &Outlook, kitchen: &Kitchen, by_s: f64) -> bool {
+    kitchen.piece(&outlook.food).is_some_and(|piece| (piece.core() - outlook.core_at(by_s)).abs() <= SAME_K)
 }
 
 fn is_of(answer: &Answer, ask: &Ask) -> bool {

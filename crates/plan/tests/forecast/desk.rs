@@ -94,6 +94,43 @@ fn it_begins_anew_after_something_was_done_and_the_full_model_looks_further_ever
 }
 
 #[test]
+fn as_it_is_goes_on_from_round_to_round_and_says_what_a_new_one_would() {
+    let library = Library::embedded().unwrap();
+    let mut kitchen = kitchen(&library);
+    let [mut desk, mut anew] = [Desk::default(), Desk::default()];
+    desk.watch(Some(FOOD), None);
+    let round = |desk: &mut Desk, kitchen: &Kitchen| {
+        desk.begin_with(kitchen, 0, &[Question::AsItIs]).unwrap();
+        work(desk)
+    };
+    let first = round(&mut desk, &kitchen);
+    for lasts in [23, 4, 31] {
+        (0..lasts).for_each(|_| kitchen.step());
+        let worked = round(&mut desk, &kitchen);
+        assert!(worked < first / 20, "{worked} of {first}");
+        anew.watch(None, None);
+        anew.watch(Some(FOOD), None);
+        round(&mut anew, &kitchen);
+        let [went_on, begun] = [&desk, &anew].map(|desk| &desk.answer(Question::AsItIs).unwrap().outlook);
+        assert_eq!((went_on.frame, went_on.samples[0]), (begun.frame, begun.samples[0]));
+        for after_s in [0.0, 60.0, 120.0, HORIZON_S] {
+            let [one, other] = [went_on, begun].map(|outlook| outlook.core_at(after_s));
+            assert!((one - other).abs() < 0.1, "{one} K and {other} K after {after_s} s");
+        }
+        let last_s = went_on.samples.last().unwrap().after_s;
+        assert!((HORIZON_S - 1e-3..HORIZON_S + 0.5).contains(&last_s), "{last_s} s");
+        assert!(went_on.samples.windows(2).all(|pair| pair[0].after_s < pair[1].after_s));
+    }
+    // After half a minute it begins anew, as if nothing had gone before.
+    (0..250).for_each(|_| kitchen.step());
+    round(&mut desk, &kitchen);
+    anew.watch(None, None);
+    anew.watch(Some(FOOD), None);
+    round(&mut anew, &kitchen);
+    assert_eq!(desk.answer(Question::AsItIs), anew.answer(Question::AsItIs));
+}
+
+#[test]
 fn it_drops_what_it_found_of_another_piece() {
     let library = Library::embedded().unwrap();
     let kitchen = kitchen(&library);

@@ -17,10 +17,6 @@ const APART_S: f64 = 0.5;
 /// How late a present may be that still counts as on time, so that frames that do not meet half a second make no round fewer [s] (chosen:
 /// some frames).
 const LATE_S: f64 = 0.1;
-/// What the line and the curves show: asked in every round.
-const IN_LINE: [Question; 2] = [Question::AsItIs, Question::TakeOut];
-/// Rounds from one with all questions to the next where only the line is shown [-] (chosen: the table opens with answers that are not old).
-const ALL_EVERY: u64 = 4;
 /// Age from which an answer says how old it is [simulated s].
 const OLD_S: f64 = 2.0;
 
@@ -68,14 +64,25 @@ struct Watched {
 }
 
 /// What of the forecasts is shown.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Shown {
     /// Nothing.
     Nothing,
-    /// The line.
+    /// The line and the curves.
     Line,
     /// The table of all questions, too.
     Table,
+}
+
+impl Shown {
+    /// What it shows the answers to.
+    fn questions(self) -> &'static [Question] {
+        match self {
+            Self::Nothing => &[],
+            Self::Line => &[Question::AsItIs, Question::TakeOut],
+            Self::Table => &Question::ALL,
+        }
+    }
 }
 
 /// What was asked last.
@@ -85,6 +92,7 @@ struct Asked {
     at_s: f64,
     frame: u64,
     done: u64,
+    shown: Shown,
     is_over: bool,
 }
 
@@ -98,8 +106,6 @@ pub struct Forecasts {
     /// The number from which on orders are about what is watched now.
     since: u64,
     rounds: u64,
-    /// Presents since the last one of which everything was asked [-].
-    since_all: u64,
     /// What is to be asked at the end of the tick, and the wall time at which that became due [s].
     due: Option<(Watched, f64, Shown)>,
     answers: Vec<Answer>,
@@ -191,33 +197,21 @@ impl Forecasts {
     }
 
     /// Returns true if the desk wants this present.
-    fn want(&self, watched: &Watched, frame: u64, done: u64, now_s: f64) -> bool {
+    fn want(&self, watched: &Watched, shown: Shown, (frame, done): (u64, u64), now_s: f64) -> bool {
         self.asked.as_ref().is_none_or(|asked| {
-            let is_new = asked.watched != *watched || asked.done != done || frame < asked.frame;
+            let is_new = asked.watched != *watched || asked.done != done || frame < asked.frame || shown > asked.shown;
             (now_s - asked.at_s).abs() >= APART_S && (is_new || asked.is_over && frame != asked.frame)
         })
     }
 
-    /// What is asked of the next present: after something was done, everything.
-    fn questions(&mut self, shown: Shown, done: u64) -> Vec<Question> {
-        let goes_on = self.asked.as_ref().is_some_and(|asked| asked.done == done);
-        self.since_all += 1;
-        if shown == Shown::Line && goes_on && self.since_all < ALL_EVERY {
-            return IN_LINE.to_vec();
-        }
-        self.since_all = 0;
-        Question::ALL.to_vec()
-    }
-
     fn ask(&mut self, (watched, now_s, shown): (Watched, f64, Shown), kitchen: &Kitchen, done: u64) {
-        let questions = self.questions(shown, done);
         let Some(helper) = &mut self.helper else { return };
         self.number += 1;
         let Watched { cook, food, scale } = watched.clone();
-        let present = Present { number: self.number, cook, done, food, scale, questions };
+        let present = Present { number: self.number, cook, done, food, scale, questions: shown.questions().to_vec() };
         let due_s = self.asked.as_ref().map(|asked| asked.at_s + APART_S);
         let at_s = due_s.filter(|due_s| (0.0..LATE_S).contains(&(now_s - due_s))).unwrap_or(now_s);
-        self.asked = Some(Asked { watched, at_s, frame: kitchen.frame(), done, is_over: false });
+        self.asked = Some(Asked { watched, at_s, frame: kitchen.frame(), done, shown, is_over: false });
         helper.ask(present.order(kitchen));
     }
 }
@@ -237,7 +231,8 @@ impl Session {
         self.forecasts.watch(&watched);
         self.forecasts.due = None;
         // A clock that lags has no time for what is to come.
-        if self.behind_s().is_some() || !self.forecasts.want(&watched, self.kitchen.frame(), self.done(), now_s) {
+        let present = (self.kitchen.frame(), self.done());
+        if self.behind_s().is_some() || !self.forecasts.want(&watched, shown, present, now_s) {
             return;
         }
         self.forecasts.due = Some((watched, now_s, shown));
@@ -300,12 +295,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_not_shown_is_asked_every_fourth_round_and_after_something_was_done() {
+    fn a_standing_kitchen_is_asked_again_once_more_is_shown() {
         let watched = Watched { cook: 0, food: "steak".into(), scale: None };
-        let asked = Asked { watched, at_s: 0.0, frame: 0, done: 1, is_over: true };
-        let mut forecasts = Forecasts { asked: Some(asked), ..Forecasts::default() };
-        let mut count = |shown, done| forecasts.questions(shown, done).len();
-        assert_eq!([0; 8].map(|_| count(Shown::Line, 1)), [2, 2, 2, 4, 2, 2, 2, 4]);
-        assert_eq!([count(Shown::Line, 1), count(Shown::Table, 1), count(Shown::Line, 2)], [2, 4, 4]);
+        let asked =
+            Asked { watched: watched.clone(), at_s: 0.0, frame: 60, done: 1, shown: Shown::Line, is_over: true };
+        let forecasts = Forecasts { asked: Some(asked), ..Forecasts::default() };
+        let wanted = |shown| forecasts.want(&watched, shown, (60, 1), 3.0);
+        assert_eq!([Shown::Line, Shown::Table].map(wanted), [false, true]);
+        assert_eq!([Shown::Line, Shown::Table].map(|shown| shown.questions().len()), [2, 4]);
     }
 }
