@@ -203,11 +203,12 @@ impl Planner {
         self.tried.iter().reduce(|best, next| if self.rank(next.1) > self.rank(best.1) { next } else { best })
     }
 
-    /// The best of the drafts that were not cooked on the full mesh yet: each further one for more crust, so that one meets the goal if the
-    /// coarse mesh browned too much.
+    /// The best of the drafts that were not cooked on the full mesh yet; if the goal wants crust, with a further one for more of it, so that one
+    /// meets the goal if the coarse mesh browned too much.
     fn next_finalists(&self) -> Vec<Draft> {
         let mut chosen: Vec<Draft> = Vec::new();
-        for further in 0..AT_ONCE {
+        let at_once = if self.order.goal.crust_pct > 0.0 { AT_ONCE } else { 1 };
+        for further in 0..at_once {
             let goal = with_more_crust(&self.search.goal, further as f64 * NEXT_CRUST);
             let rank = |result: &JobResult| {
                 let score = Score::of(&result.outcome, result.schedule.flips_s.len(), &goal);
