@@ -38,6 +38,7 @@ const MOST_TRIED: usize = 64;
 #[derive(Debug)]
 pub struct Sweep {
     text: String,
+    file: String,
     base: Base,
     documents: Documents,
     library: Arc<Library>,
@@ -81,6 +82,7 @@ impl Sweep {
             coarseness: ranged("coarseness", &spec.coarseness, 1.0, 1.0, 8.0)?,
             manifest: Manifest::new(hash(text, &base, &documents), spec.recipe.get_ref(), varied, design, rows),
             text: text.to_owned(),
+            file: file.to_owned(),
             base,
             documents,
             library,
@@ -99,6 +101,16 @@ impl Sweep {
     /// Text of the specification.
     pub fn text(&self) -> &str {
         &self.text
+    }
+
+    /// Name of the specification's file in messages.
+    pub(crate) fn file(&self) -> &str {
+        &self.file
+    }
+
+    /// Recipe and data files.
+    pub(crate) fn base(&self) -> &Base {
+        &self.base
     }
 
     /// Text of the recipe.
