@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import sys
 import time
+import warnings
 
 from . import _core
 
@@ -41,6 +42,8 @@ def sweep(spec, out, engine="local", address=None, jobs=None, data=None):
         raise ValueError(f"jobs must be a whole number of 1 or more, not {jobs!r}")
     begun = time.monotonic()
     planned = _core.Sweep(spec, data)
+    for doubt in planned.doubts:
+        warnings.warn(f"some rows will fail: {doubt}", stacklevel=2)
     progress = Progress()
     try:
         if engine == "ray":

@@ -63,6 +63,7 @@ def files(folder):
     return {path.name: path.read_bytes() for path in sorted(pathlib.Path(folder).iterdir())}
 
 
+@pytest.mark.filterwarnings("ignore:some rows will fail")
 def test_own_data_travel_to_machines_that_do_not_have_them(cluster, tmp_path, monkeypatch):
     from saute import _sweep
 

@@ -37,7 +37,8 @@ impl Sweep {
 
     /// Makes a sweep from its bytes; none if they are not those of one of this version.
     pub fn from_bytes(bytes: &[u8]) -> Option<Result<Self, InputError>> {
-        let Parcel { text, file, recipe, recipe_file, texts, surfaces, unreadable } = postcard::from_bytes(bytes).ok()?;
+        let Parcel { text, file, recipe, recipe_file, texts, surfaces, unreadable } =
+            postcard::from_bytes(bytes).ok()?;
         let soup = |(vertices, triangles, unit_mm)| Soup { vertices, triangles, unit_mm };
         let surfaces = surfaces.into_iter().map(|(path, surface)| (path, soup(surface))).collect();
         let own = OwnFiles { texts, surfaces, unreadable };

@@ -74,6 +74,12 @@ impl PySweep {
         self.0.manifest().rows
     }
 
+    /// Values that cannot be cooked, with file, line and remedy: rows with them will fail.
+    #[getter]
+    fn doubts(&self) -> Vec<String> {
+        self.0.doubts().iter().map(ToString::to_string).collect()
+    }
+
     /// Cooks rows; returns their results as bytes, for `SweepFolder.take`.
     fn run<'py>(&self, py: Python<'py>, rows: Vec<u64>) -> PyResult<Vec<Bound<'py, PyBytes>>> {
         let rows_of_all = self.rows();
