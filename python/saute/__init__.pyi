@@ -267,4 +267,5 @@ def sweep(
     engine: Literal["local", "ray"] = "local",
     address: Optional[str] = None,
     jobs: Optional[int] = None,
+    data: Optional[Union[str, PathLike[str]]] = None,
 ) -> dict[str, Any]: ...

@@ -5,13 +5,14 @@ from __future__ import annotations
 import os
 import sys
 import time
+import warnings
 
 from . import _core
 
 ENGINES = ("local", "ray")
 
 
-def sweep(spec, out, engine="local", address=None, jobs=None):
+def sweep(spec, out, engine="local", address=None, jobs=None, data=None):
     """Cooks all rows of a sweep that are not in a folder yet; returns how many there are.
 
     Args:
@@ -22,13 +23,14 @@ def sweep(spec, out, engine="local", address=None, jobs=None):
         address: of the Ray cluster, as "10.0.0.1:6379"; by default the one that this program is connected to, that of the
             variable RAY_ADDRESS, or a new one on this machine.
         jobs: cooks at the same time; by default as many as there are cores.
+        data: a folder of your own foods, pans and recipes, as the command's `--data`. Only this machine needs it.
 
     Returns:
         A dict: `path` of the Parquet files, numbers of `rows`, those that are `done`, `failed` and were `cooked` in this call, and
         `wall_s` [s].
 
     Raises:
-        InputError: the specification, its recipe or the folder cannot be used.
+        InputError: the specification, its recipe, the data or the folder cannot be used.
         ImportError: the engine is "ray", and Ray is not installed.
         ConnectionError: no Ray cluster answers, or none of its machines can cook.
     """
@@ -39,7 +41,9 @@ def sweep(spec, out, engine="local", address=None, jobs=None):
     if jobs is not None and (not isinstance(jobs, int) or jobs < 1):
         raise ValueError(f"jobs must be a whole number of 1 or more, not {jobs!r}")
     begun = time.monotonic()
-    planned = _core.Sweep(spec)
+    planned = _core.Sweep(spec, data)
+    for doubt in planned.doubts:
+        warnings.warn(f"some rows will fail: {doubt}", stacklevel=2)
     progress = Progress()
     try:
         if engine == "ray":

@@ -3,12 +3,18 @@
 import builtins
 import os
 import pathlib
+import shutil
 import subprocess
 
 import pytest
 
 import saute
+from own_kitchen import SPEC as OWN_SPEC
+from own_kitchen import own_kitchen
 from saute import _core
+
+# One value of the specifications cannot be cooked.
+pytestmark = pytest.mark.filterwarnings("ignore:some rows will fail")
 
 SPEC = """recipe = "thin.toml"
 for_s = 0.5
@@ -47,11 +53,46 @@ def files(folder):
 
 
 def test_the_files_are_those_of_the_command(spec, tmp_path):
-    told = saute.sweep(spec, tmp_path / "here", jobs=2)
+    with pytest.warns(UserWarning, match="some rows will fail.*:7: .*9000"):
+        told = saute.sweep(spec, tmp_path / "here", jobs=2)
     assert (told["rows"], told["done"], told["failed"], told["cooked"]) == (6, 6, 3, 6)
     subprocess.run([os.environ["SAUTE_PROGRAM"], "sweep", spec, "--out", tmp_path / "there"], check=False)
     assert files(told["path"]) == files(tmp_path / "there" / "rows")
     assert saute.sweep(spec, tmp_path / "here")["cooked"] == 0
+
+
+def test_own_data_give_the_files_of_the_command_and_travel_with_the_sweep(tmp_path):
+    data = own_kitchen(tmp_path / "data")
+    spec = tmp_path / "spec.toml"
+    spec.write_text(OWN_SPEC)
+    told = saute.sweep(spec, tmp_path / "here", data=data, jobs=2)
+    assert (told["rows"], told["done"], told["failed"]) == (12, 12, 4)
+    subprocess.run([os.environ["SAUTE_PROGRAM"], "sweep", spec, "--out", tmp_path / "there", "--data", data], check=False)
+    assert files(told["path"]) == files(tmp_path / "there" / "rows")
+    parts = _core.Sweep(spec, data).parts()
+    shutil.rmtree(data)
+    elsewhere = _core.Sweep.of_parts(parts)
+    folder = _core.SweepFolder(str(tmp_path / "elsewhere"), elsewhere)
+    folder.take(elsewhere.run(list(range(12))))
+    folder.close()
+    assert files(tmp_path / "elsewhere" / "rows") == files(told["path"])
+
+
+def test_own_data_that_cannot_be_used_are_refused_before_work_begins(tmp_path):
+    data = own_kitchen(tmp_path / "data")
+    with pytest.raises(saute.InputError, match="mine"):
+        saute.sweep(OWN_SPEC, tmp_path / "out")
+    with pytest.raises(saute.InputError, match="data is no folder"):
+        saute.sweep(OWN_SPEC, tmp_path / "out", data=tmp_path / "nowhere")
+    (data / "recipes" / "mine.toml").write_text("[pan]\nkind = 3\n")
+    with pytest.raises(saute.InputError) as raised:
+        saute.sweep(OWN_SPEC, tmp_path / "out", data=data)
+    assert (raised.value.file, raised.value.line) == (str(data / "recipes" / "mine.toml"), 2)
+    (data / "pans" / "my-pan.toml").write_text('name = "x"\nweight = 3\n')
+    with pytest.raises(saute.InputError) as raised:
+        saute.sweep(OWN_SPEC, tmp_path / "out", data=data)
+    assert raised.value.file == str(data / "pans" / "my-pan.toml") and raised.value.remedy
+    assert not (tmp_path / "out").exists()
 
 
 def test_results_travel_as_bytes_in_any_order_and_twice(spec, tmp_path):
@@ -67,6 +108,8 @@ def test_results_travel_as_bytes_in_any_order_and_twice(spec, tmp_path):
     assert files(tmp_path / "bytes" / "rows") == files(saute.sweep(spec, tmp_path / "here")["path"])
     with pytest.raises(ValueError, match="no result"):
         _core.SweepFolder(str(tmp_path / "more"), planned).take([b"nothing"])
+    with pytest.raises(ValueError, match="no sweep"):
+        _core.Sweep.of_parts(b"nothing")
     with pytest.raises(ValueError, match="no row 6"):
         planned.run([6])
 

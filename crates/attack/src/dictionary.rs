@@ -11,6 +11,7 @@ use saute_lab::CaseFile;
 use saute_plan::class::scenario_file::ScenarioFile;
 use saute_plan::study::protocol_file::ProtocolFile;
 use saute_recipe::recipe_file::RecipeFile;
+use saute_sweep::SpecFile;
 use saute_window::mirror::rig_file::RigFile;
 use serde_json::Value;
 
@@ -72,6 +73,7 @@ fn schema(name: &str) -> Option<FormatSchema> {
         "lab" => FormatSchema::of::<CaseFile>(),
         "protocol" => FormatSchema::of::<ProtocolFile>(),
         "scenario" => FormatSchema::of::<ScenarioFile>(),
+        "sweep" => FormatSchema::of::<SpecFile>(),
         "rig" => FormatSchema::of::<RigFile>(),
         _ => return None,
     })

@@ -13,6 +13,7 @@ pub mod lab_case;
 pub mod machine_files;
 pub mod stored;
 pub mod surface_files;
+pub mod sweep_files;
 mod ten_ticks;
 
 pub use kept_inputs::{Input, folder, in_folder, kept};
@@ -112,6 +113,12 @@ pub const TARGETS: &[Target] = &[
         work: Work::Reads,
         sources: &["crates/plan/src/study/log_row.rs"],
         run: class_files::study_log,
+    },
+    Target {
+        name: "sweep",
+        work: Work::Builds,
+        sources: &["crates/sweep/src/spec/", "crates/sweep/src/place.rs", "crates/sweep/src/documents.rs"],
+        run: sweep_files::sweep,
     },
     Target {
         name: "stl",

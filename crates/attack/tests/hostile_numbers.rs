@@ -89,6 +89,14 @@ fn protocols_scenarios_goals_and_logs_of_studies_with_any_number_are_refused_or_
 }
 
 #[test]
+fn sweeps_with_any_number_are_refused_or_cook() {
+    let seeds = kept("seeds", Target::named("sweep").expect("a target"));
+    for seed in seeds.into_iter().filter(|seed| seed.path.ends_with("every-table.toml")) {
+        attack_text("sweep", "every-table.toml", &String::from_utf8(seed.bytes).expect("a text"));
+    }
+}
+
+#[test]
 fn pans_and_oils_with_any_number_are_refused_or_work() {
     attack("pan", "pans/cast-iron-grill-26.toml");
     attack("oil", "oils/butter.toml");

@@ -26,8 +26,11 @@ pub(crate) fn hash(text: &str, base: &Base, documents: &Documents) -> u64 {
     }
     for (path, soup) in &base.own.surfaces {
         add(path.as_bytes());
-        let numbers: Vec<u8> = soup.vertices.iter().flatten().flat_map(|v| v.to_le_bytes()).collect();
-        add(&numbers);
+        let corners: Vec<u8> = soup.vertices.iter().flatten().flat_map(|v| v.to_le_bytes()).collect();
+        let triangles: Vec<u8> = soup.triangles.iter().flatten().flat_map(|i| i.to_le_bytes()).collect();
+        add(&corners);
+        add(&triangles);
+        add(&soup.unit_mm.to_le_bytes());
     }
     hasher.finish()
 }

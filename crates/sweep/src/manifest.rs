@@ -1,11 +1,17 @@
 //! What a folder holds: which sweep, and how its rows lie in parts.
 
+use std::ops::RangeInclusive;
+
 use serde::{Deserialize, Serialize};
 
 use crate::design::Design;
 
 /// Name of the manifest in the folder of a sweep.
 pub const FILE: &str = "sweep.json";
+/// Most rows of a sweep [-] (chosen: with short cooks a week of one core, with long ones a year; a Sobol' sequence has more digits).
+pub(crate) const MOST_ROWS: u64 = 10_000_000;
+/// Rows of a part [-] (chosen: a part is held in memory while it is written).
+pub(crate) const PART_ROWS: RangeInclusive<u64> = 1..=100_000;
 /// Version of the manifest's format.
 const FORMAT: u32 = 1;
 
@@ -52,7 +58,22 @@ impl Manifest {
         if manifest.format != FORMAT {
             return Err(format!("has the format {}; this program reads {FORMAT}", manifest.format));
         }
+        if !manifest.is_sound() {
+            return Err("contradicts itself: it was changed or is damaged".to_owned());
+        }
         Ok(manifest)
+    }
+
+    /// Returns true if its numbers fit together.
+    fn is_sound(&self) -> bool {
+        let dimensions = self.design.dimensions();
+        dimensions > 0
+            && dimensions == self.varied.len()
+            && self.design.has_dimensions()
+            && u32::try_from(self.design.seed).is_ok()
+            && (1..=MOST_ROWS).contains(&self.rows)
+            && self.design.rows() == Some(self.rows)
+            && PART_ROWS.contains(&self.rows_per_part)
     }
 
     /// Says why this sweep cannot go on in a folder with another manifest; none if it is the same sweep.

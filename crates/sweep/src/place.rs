@@ -138,7 +138,11 @@ impl Walk<'_> {
             }
             (Step::Item(index), Some(Value::Array(items))) => self.item(*index, items),
             (Step::Key(key), at) => self.key(key, at),
-            (Step::Item(index), _) => Err((
+            (Step::Item(index), None) => Err((
+                format!("\"{}\" leads nowhere: there is no list to take [{index}] of", self.path),
+                "write the list into the file first".to_owned(),
+            )),
+            (Step::Item(index), Some(_)) => Err((
                 format!("\"{}\" leads nowhere: [{index}] follows what is no list", self.path),
                 "leave it out".to_owned(),
             )),

@@ -31,13 +31,14 @@ pub struct Base {
     pub own: OwnFiles,
 }
 
-/// Most texts of a list that are tried before the sweep begins [-] (chosen: more than there are kinds of anything).
+/// Most values of a list that are tried before the sweep begins [-] (chosen: more than there are kinds of anything; a moment).
 const MOST_TRIED: usize = 64;
 
 /// A specification joined with its recipe and data.
 #[derive(Debug)]
 pub struct Sweep {
     text: String,
+    file: String,
     base: Base,
     documents: Documents,
     library: Arc<Library>,
@@ -45,6 +46,7 @@ pub struct Sweep {
     for_s: f64,
     coarseness: f64,
     columns: Vec<Heading>,
+    doubts: Vec<InputError>,
     manifest: Manifest,
 }
 
@@ -81,13 +83,15 @@ impl Sweep {
             coarseness: ranged("coarseness", &spec.coarseness, 1.0, 1.0, 8.0)?,
             manifest: Manifest::new(hash(text, &base, &documents), spec.recipe.get_ref(), varied, design, rows),
             text: text.to_owned(),
+            file: file.to_owned(),
             base,
             documents,
             library,
             factors,
             columns: Vec::new(),
+            doubts: Vec::new(),
         };
-        sweep.columns = sweep.tried_columns(input, &spec)?;
+        (sweep.columns, sweep.doubts) = sweep.tried_columns(input, &spec)?;
         Ok(sweep)
     }
 
@@ -96,9 +100,24 @@ impl Sweep {
         &self.manifest
     }
 
+    /// Values that were tried and cannot be cooked, one for each varied path: rows with them will fail.
+    pub fn doubts(&self) -> &[InputError] {
+        &self.doubts
+    }
+
     /// Text of the specification.
     pub fn text(&self) -> &str {
         &self.text
+    }
+
+    /// Name of the specification's file in messages.
+    pub(crate) fn file(&self) -> &str {
+        &self.file
+    }
+
+    /// Recipe and data files.
+    pub(crate) fn base(&self) -> &Base {
+        &self.base
     }
 
     /// Text of the recipe.
@@ -251,44 +270,59 @@ impl Sweep {
         }
     }
 
-    /// Tries values one at a time; returns the columns that the summaries of all have.
-    fn tried_columns(&self, input: InputText, spec: &SpecFile) -> Result<Vec<Heading>, InputError> {
-        let mut columns = BTreeMap::new();
-        let mut add = |(recipe, library): (Recipe, Arc<Library>)| -> Result<(), String> {
-            let cook = Cook::new(recipe, &library).map_err(|e| e.to_string())?;
-            let found = numbers(&cook.summary(0.0));
-            columns.extend(found.into_iter().map(|(heading, _)| (heading.name.clone(), heading)));
-            Ok(())
-        };
-        self.set(std::iter::empty()).and_then(&mut add).or_else(|e| input.error(0, e, "try it with: saute cook"))?;
+    /// Tries values one at a time; returns the columns that the summaries of all have, and what cannot be cooked.
+    fn tried_columns(&self, input: InputText, spec: &SpecFile) -> Result<(Vec<Heading>, Vec<InputError>), InputError> {
+        let (mut columns, mut doubts) = (BTreeMap::new(), Vec::new());
+        let whole = self.set(std::iter::empty()).and_then(|made| add_columns(made, &mut columns));
+        whole.or_else(|e| input.error(0, e, "try it with: saute cook"))?;
         for factor in &self.factors {
             let samples = tried(&factor.levels);
-            let mut failures = Vec::new();
-            for value in &samples {
-                let outcome = self.set(std::iter::once((factor, value))).and_then(&mut add);
-                failures.extend(outcome.err());
-            }
+            let failures = self.failures(factor, &samples, &mut columns);
+            let Some(failure) = failures.first() else { continue };
+            let at = spec.vary.keys().find(|key| *key.get_ref() == factor.path).map_or(0, |key| key.span().start);
+            let (message, remedy) = failure.split_once("; ").unwrap_or((failure, "change its values"));
+            let doubt = input.error(at, format!("\"{}\": {message}", factor.path), remedy);
             if failures.len() == samples.len() {
-                let at = spec.vary.keys().find(|key| *key.get_ref() == factor.path).map_or(0, |key| key.span().start);
-                let failure = failures.swap_remove(0);
-                let (message, remedy) = failure.split_once("; ").unwrap_or((&failure, "change its values"));
-                return input.error(at, format!("\"{}\": {message}", factor.path), remedy);
+                return doubt;
             }
+            doubts.extend(doubt.err());
         }
-        Ok(columns.into_values().collect())
+        Ok((columns.into_values().collect(), doubts))
+    }
+
+    /// Tries values of one path; says why some cannot be cooked. The ends of numbers and all texts are built: they may differ in
+    /// their columns.
+    fn failures(&self, factor: &Factor, samples: &[toml::Value], columns: &mut Columns) -> Vec<String> {
+        let attempt = |(i, value): (usize, &toml::Value)| {
+            let made = self.set(std::iter::once((factor, value)));
+            let done =
+                if i < 2 || value.is_str() { made.and_then(|m| add_columns(m, columns)) } else { made.map(drop) };
+            done.err()
+        };
+        samples.iter().enumerate().filter_map(attempt).collect()
     }
 }
 
-/// Returns the values to try: the first and the last number, every text.
+/// Columns by their names.
+type Columns = BTreeMap<String, Heading>;
+
+/// Adds the columns of a cook; says why it cannot begin.
+fn add_columns((recipe, library): (Recipe, Arc<Library>), columns: &mut Columns) -> Result<(), String> {
+    let cook = Cook::new(recipe, &library).map_err(|e| e.to_string())?;
+    let found = numbers(&cook.summary(0.0));
+    columns.extend(found.into_iter().map(|(heading, _)| (heading.name.clone(), heading)));
+    Ok(())
+}
+
+/// Returns the values to try, the first and the last before the others.
 fn tried(levels: &Levels) -> Vec<toml::Value> {
     let mut samples = levels.samples();
-    if samples.first().is_some_and(toml::Value::is_str) {
-        samples.truncate(MOST_TRIED);
-    } else if samples.len() > 2 {
+    if samples.len() > 2 && !samples[0].is_str() {
         let last = samples.len() - 1;
         samples.swap(1, last);
-        samples.truncate(2);
     }
+    samples.dedup();
+    samples.truncate(MOST_TRIED);
     samples
 }
 

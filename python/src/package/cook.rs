@@ -27,7 +27,7 @@ pub(crate) struct PyCooked {
 #[pyo3(signature = (recipe, data = None))]
 pub(crate) fn cook(py: Python<'_>, recipe: &Bound<'_, PyAny>, data: Option<PathBuf>) -> PyResult<PyCooked> {
     let shelf = Shelf::of(data)?;
-    let source = Source::among(recipe, &shelf.library)?;
+    let source = Source::among(recipe, &shelf)?;
     let mut cook = py.detach(|| begun(&source, &shelf))?;
     while cook.stopped().is_none() {
         py.detach(|| cooked_on(&mut cook, &source))?;

@@ -142,7 +142,7 @@ impl PyKitchen {
             Some(_) if others || seed.is_some() || id.is_some() => {
                 return Err(PyTypeError::new_err("give a recipe, or food and pan with their values, not both"));
             }
-            Some(recipe) => Source::among(recipe, &shelf.library)?,
+            Some(recipe) => Source::among(recipe, &shelf)?,
             None => {
                 let about_pan = [("kind", pan.into_pyobject(py)?.into_any()), ("initial_c", pan_c.into_pyobject(py)?)];
                 let mut about_food = vec![

@@ -29,8 +29,23 @@ pub(crate) struct Shelf {
 impl Shelf {
     /// Opens the shelf with a user's folder, or the one that the package carries. A broken file is refused with its line.
     pub(crate) fn of(folder: Option<PathBuf>) -> PyResult<Self> {
-        let library = folder.as_deref().map_or_else(|| library().cloned(), opened)?;
-        Ok(Self { folder, library })
+        Self::with_files(folder).map(|(shelf, _)| shelf)
+    }
+
+    /// As [`Self::of`], with the files of the user's folder.
+    pub(crate) fn with_files(folder: Option<PathBuf>) -> PyResult<(Self, OwnFiles)> {
+        let (library, own) = match &folder {
+            Some(dir) => opened(dir)?,
+            None => (library()?.clone(), OwnFiles::default()),
+        };
+        Ok((Self { folder, library }, own))
+    }
+
+    /// Returns the file of a recipe of the library for messages: the path of the user's own.
+    pub(crate) fn recipe_file(&self, name: &str) -> String {
+        let file = format!("recipes/{name}.toml");
+        let own = self.folder.as_ref().map(|dir| dir.join(&file)).filter(|path| path.is_file());
+        own.map_or(file, |path| path.display().to_string())
     }
 }
 
@@ -40,7 +55,7 @@ fn wrong(path: &Path, message: &str) -> PyErr {
     errors::argument(format!("{}: {message}", path.display()), remedy.to_owned())
 }
 
-fn opened(dir: &Path) -> PyResult<Arc<Library>> {
+fn opened(dir: &Path) -> PyResult<(Arc<Library>, OwnFiles)> {
     if !dir.is_dir() {
         return Err(wrong(dir, "data is no folder"));
     }
@@ -55,7 +70,10 @@ fn opened(dir: &Path) -> PyResult<Arc<Library>> {
     let texts = names.into_iter().map(|name| Ok((name.clone(), text(&dir.join(name))?))).collect::<PyResult<_>>()?;
     let own = OwnFiles { surfaces: surfaces(dir, &texts)?, texts, ..OwnFiles::default() };
     let (library, faults) = Library::with_own(&own).map_err(|error| fault(dir, &error))?;
-    faults.first().map_or(Ok(Arc::new(library)), |error| Err(fault(dir, error)))
+    match faults.first() {
+        Some(error) => Err(fault(dir, error)),
+        None => Ok((Arc::new(library), own)),
+    }
 }
 
 fn fault(dir: &Path, error: &LibraryError) -> PyErr {

@@ -10,6 +10,7 @@ use saute_recipe::Recipe;
 
 use crate::package::errors;
 use crate::package::expected::type_name;
+use crate::package::own_data::Shelf;
 use crate::package::shelf::library;
 
 /// Larger files are not read [bytes] (chosen: recipes have a few kB).
@@ -108,13 +109,21 @@ impl Source {
         Ok(Self { text, file, has_lines: true })
     }
 
-    /// As [`Self::of`], with the names of a library that has a user's recipes too.
-    pub(crate) fn among(recipe: &Bound<'_, PyAny>, library: &Library) -> PyResult<Self> {
-        let name = recipe.extract::<String>().ok().filter(|name| !Path::new(name).is_file());
-        if let Some((name, text)) = name.and_then(|name| library.recipes.get_key_value(&name)) {
-            return Ok(Self { text: text.clone(), file: format!("recipes/{name}.toml"), has_lines: true });
-        }
-        Self::of(recipe)
+    /// As [`Self::of`], with the names of a shelf that has a user's recipes too.
+    pub(crate) fn among(recipe: &Bound<'_, PyAny>, shelf: &Shelf) -> PyResult<Self> {
+        let name = recipe.extract::<String>().ok();
+        name.and_then(|name| Self::on_shelf(&name, shelf)).map_or_else(|| Self::of(recipe), Ok)
+    }
+
+    /// As [`Self::of_words`], with the names of a shelf that has a user's recipes too.
+    pub(crate) fn of_words_among(words: &str, shelf: &Shelf) -> PyResult<Self> {
+        Self::on_shelf(words, shelf).map_or_else(|| Self::of_words(words), Ok)
+    }
+
+    /// A recipe by its name, unless there is a file of that name.
+    fn on_shelf(name: &str, shelf: &Shelf) -> Option<Self> {
+        let text = shelf.library.recipes.get(name).filter(|_| !Path::new(name).is_file())?;
+        Some(Self { text: text.clone(), file: shelf.recipe_file(name), has_lines: true })
     }
 
     /// Reads and checks the recipe, with the foods of a library.

@@ -10,12 +10,13 @@ use std::time::Duration;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
-use saute_kitchen::{InputError, OwnFiles};
+use saute_kitchen::InputError;
 use saute_sweep::{Base, RowResult, SpecFile, Sweep};
 use saute_sweep_folder::cooking::{cook_all, cores, guarded};
 use saute_sweep_folder::{SweepFolder, Tally};
 
 use crate::package::errors;
+use crate::package::own_data::Shelf;
 use crate::package::recipe::Source;
 
 /// How often Python is told how far it is, and may interrupt [s] (chosen: smooth to the eye, no cost in time).
@@ -24,49 +25,59 @@ const EVERY: Duration = Duration::from_millis(200);
 /// Rows of a sweep, those that are in the folder, those of them that failed, and those that came since it was opened.
 type Counts = (u64, u64, u64, u64);
 
-/// A sweep: a specification joined with its recipe.
+/// A sweep: a specification joined with its recipe and data.
 #[pyclass(name = "Sweep", module = "saute._core", frozen)]
-pub(crate) struct PySweep {
-    sweep: Arc<Sweep>,
-    file: String,
-    recipe_file: String,
-}
+pub(crate) struct PySweep(Arc<Sweep>);
 
 #[pymethods]
 impl PySweep {
-    /// Reads a specification: a dict, the text of one, or the path of one.
+    /// Reads a specification: a dict, the text of one, or the path of one; data is a folder of the user's foods, pans and recipes.
     #[new]
-    fn new(py: Python<'_>, spec: &Bound<'_, PyAny>) -> PyResult<Self> {
+    #[pyo3(signature = (spec, data = None))]
+    fn new(py: Python<'_>, spec: &Bound<'_, PyAny>, data: Option<PathBuf>) -> PyResult<Self> {
+        let (shelf, own) = Shelf::with_files(data)?;
         let spec = Source::of(spec)?;
-        let refused = |error| refused(error, &spec);
+        // A recipe has lines, even where the specification is a dict.
+        let refused = |error: InputError| {
+            let has_lines = spec.has_lines || error.file != spec.file();
+            errors::at_line(error, has_lines)
+        };
         let name = SpecFile::parse(spec.text(), spec.file()).map_err(refused)?.recipe.into_inner();
         let beside = Path::new(spec.file()).with_file_name(&name);
-        let recipe = if beside.is_file() { Source::of_path(&beside)? } else { Source::of_words(&name)? };
-        let texts = [spec.text(), spec.file(), recipe.text(), recipe.file()].map(str::to_owned);
-        py.detach(|| joined(texts)).map_err(refused)
+        let recipe = if beside.is_file() { Source::of_path(&beside)? } else { Source::of_words_among(&name, &shelf)? };
+        let base = Base { recipe: recipe.text().to_owned(), file: recipe.file().to_owned(), own };
+        py.detach(|| Sweep::new(spec.text(), spec.file(), base)).map(Self::of).map_err(refused)
     }
 
     /// Makes the sweep again from what `parts` gave, perhaps on another machine.
     #[staticmethod]
-    fn of_parts(py: Python<'_>, parts: [String; 4]) -> PyResult<Self> {
-        py.detach(|| joined(parts)).map_err(|error| errors::at_line(error, true))
+    fn of_parts(py: Python<'_>, parts: &[u8]) -> PyResult<Self> {
+        let made = py.detach(|| Sweep::from_bytes(parts));
+        let made = made.ok_or_else(|| PyValueError::new_err("bytes that are no sweep of this version"))?;
+        made.map(Self::of).map_err(|error| errors::at_line(error, true))
     }
 
-    /// All that the sweep is made of: texts of specification and recipe, each with its name.
-    fn parts(&self) -> [String; 4] {
-        [self.sweep.text(), &self.file, self.sweep.recipe_text(), &self.recipe_file].map(str::to_owned)
+    /// All that the sweep is made of as bytes: specification, recipe and the user's files.
+    fn parts<'py>(&self, py: Python<'py>) -> Bound<'py, PyBytes> {
+        PyBytes::new(py, &self.0.to_bytes())
     }
 
     /// What its rows follow from, as a hash.
     #[getter]
     fn hash(&self) -> String {
-        self.sweep.manifest().hash.clone()
+        self.0.manifest().hash.clone()
     }
 
     /// Number of rows.
     #[getter]
     fn rows(&self) -> u64 {
-        self.sweep.manifest().rows
+        self.0.manifest().rows
+    }
+
+    /// Values that cannot be cooked, with file, line and remedy: rows with them will fail.
+    #[getter]
+    fn doubts(&self) -> Vec<String> {
+        self.0.doubts().iter().map(ToString::to_string).collect()
     }
 
     /// Cooks rows; returns their results as bytes, for `SweepFolder.take`.
@@ -77,7 +88,7 @@ impl PySweep {
         }
         let mut results = Vec::with_capacity(rows.len());
         for row in rows {
-            let cooked = py.detach(|| guarded(&self.sweep, row, &|| true).map(|result| result.to_bytes()));
+            let cooked = py.detach(|| guarded(&self.0, row, &|| true).map(|result| result.to_bytes()));
             py.check_signals()?;
             results.extend(cooked.map(|bytes| PyBytes::new(py, &bytes)));
         }
@@ -85,14 +96,10 @@ impl PySweep {
     }
 }
 
-fn joined([text, file, recipe, recipe_file]: [String; 4]) -> Result<PySweep, InputError> {
-    let base = Base { recipe, file: recipe_file.clone(), own: OwnFiles::default() };
-    let sweep = Arc::new(Sweep::new(&text, &file, base)?);
-    Ok(PySweep { sweep, file, recipe_file })
-}
-
-fn refused(error: InputError, spec: &Source) -> PyErr {
-    errors::at_line(error, spec.has_lines)
+impl PySweep {
+    fn of(sweep: Sweep) -> Self {
+        Self(Arc::new(sweep))
+    }
 }
 
 /// The folder of a sweep, to which this program alone writes.
@@ -115,7 +122,7 @@ impl PySweepFolder {
     /// Opens the folder of a sweep, or makes it.
     #[new]
     fn new(py: Python<'_>, path: PathBuf, sweep: &PySweep) -> PyResult<Self> {
-        let sweep = Arc::clone(&sweep.sweep);
+        let sweep = Arc::clone(&sweep.0);
         let folder = py.detach(|| SweepFolder::open(&path, sweep)).map_err(|error| errors::folder(&error))?;
         Ok(Self(Mutex::new(Some(folder))))
     }

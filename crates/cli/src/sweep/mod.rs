@@ -76,6 +76,7 @@ pub fn run(args: &SweepArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
 
 fn cook(spec: &Path, out: &Path, args: &SweepArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
     let sweep = Arc::new(load(spec, data)?);
+    sweep.doubts().iter().for_each(|doubt| stderr::say(format!("warning: some rows will fail: {doubt}")));
     let folder = SweepFolder::open(out, sweep).map_err(of_folder)?;
     let jobs = args.jobs.map_or_else(cores, usize::from);
     let interruption = Interruption::watch();

@@ -48,6 +48,7 @@ const ARROWS: [(&str, &[&str]); 22] = [
             "saute-recipe",
             "saute-spidar-sim",
             "saute-surface",
+            "saute-sweep",
             "saute-window",
         ],
     ),

@@ -75,6 +75,7 @@ fn a_row_has_the_numbers_of_the_cook_of_its_recipe_and_what_it_comes_from() {
     std::fs::write(bench.path("spec.toml"), text).unwrap();
     let ran = bench.sweep("out", &[]);
     assert!(ran.code == Some(1) && ran.err.contains("1 of 2 rows could not be cooked"), "{}", ran.err);
+    assert!(ran.err.contains("warning: some rows will fail: ") && ran.err.contains("spec.toml:5"), "{}", ran.err);
     let table = Table::from_parquet(files(&bench.path("out/rows")).remove(0), |_| true).unwrap();
     std::fs::write(bench.path("thin.toml"), SHORT.replace("50, 15]", "50, 14]")).unwrap();
     let cook: Json =

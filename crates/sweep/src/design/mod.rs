@@ -49,6 +49,15 @@ impl Design {
         self.levels.len()
     }
 
+    /// Returns true if the Sobol' sequence has as many dimensions as the design needs, if it needs one.
+    pub fn has_dimensions(&self) -> bool {
+        match self.kind {
+            DesignKind::Sobol => self.dimensions() <= MOST_DIMENSIONS,
+            DesignKind::Saltelli => 2 * self.dimensions() <= MOST_DIMENSIONS,
+            DesignKind::Grid | DesignKind::LatinHypercube | DesignKind::Morris => true,
+        }
+    }
+
     /// Returns the number of rows; none if it does not fit into 64 bits.
     pub fn rows(&self) -> Option<u64> {
         match self.kind {

@@ -4,8 +4,9 @@ use std::collections::BTreeSet;
 
 use saute_kitchen::{InputError, InputText};
 
-use crate::design::{Design, DesignKind, MOST_DIMENSIONS};
+use crate::design::{Design, DesignKind};
 use crate::documents::Documents;
+use crate::manifest::{MOST_ROWS, PART_ROWS};
 use crate::place::Place;
 use crate::spec::spec_file::SpecFile;
 use crate::spec::varied::Levels;
@@ -14,9 +15,6 @@ use crate::spec::varied::Levels;
 const PART: [u64; 2] = [16, 4096];
 /// Parts of a sweep of middle size [-] (chosen as above).
 const PARTS: u64 = 64;
-/// Most rows of a sweep [-] (chosen: the digits of a Sobol' sequence end there).
-const MOST_ROWS: u64 = 1 << 32;
-
 /// A value that varies.
 #[derive(Clone, Debug)]
 pub(crate) struct Factor {
@@ -58,29 +56,42 @@ pub(crate) fn design(input: InputText, spec: &SpecFile, factors: &[Factor]) -> R
             return input.error(n.span().start, "n is no key of a grid", remedy);
         }
         (Some(n), _) if *n.get_ref() >= 1 => n.get_ref().unsigned_abs(),
-        (Some(n), _) => return input.error(n.span().start, "n is out of range", "write a whole number of 1 or more"),
+        (Some(n), _) => {
+            let message = format!("n = {} is out of range", n.get_ref());
+            return input.error(n.span().start, message, "write a whole number of 1 or more");
+        }
         (None, _) => return input.error(at, "[design] has no n", "write, for instance, n = 64"),
     };
-    let needed = if entry.kind == DesignKind::Saltelli { 2 * factors.len() } else { factors.len() };
-    if matches!(entry.kind, DesignKind::Saltelli | DesignKind::Sobol) && needed > MOST_DIMENSIONS {
+    let levels = factors.iter().map(|f| f.levels.count()).collect();
+    let design = Design { kind: entry.kind, n, seed: u64::from(entry.seed.unwrap_or(1)), levels };
+    if !design.has_dimensions() {
         let message = format!("{} values vary, for which a Sobol' sequence has too few dimensions", factors.len());
         let remedy = "vary fewer, or use kind = \"morris\" or \"latin-hypercube\"";
         return input.error(at, message, remedy);
     }
-    let levels = factors.iter().map(|f| f.levels.count()).collect();
-    Ok(Design { kind: entry.kind, n, seed: u64::from(entry.seed.unwrap_or(1)), levels })
+    Ok(design)
 }
 
 /// Returns the number of rows and of rows in a part.
 pub(crate) fn size(input: InputText, spec: &SpecFile, design: &Design) -> Result<[u64; 2], InputError> {
     let Some(rows) = design.rows().filter(|rows| *rows <= MOST_ROWS) else {
         let message = format!("the design has more than {MOST_ROWS} rows");
-        return input.error(spec.design.span().start, message, "vary fewer values, or fewer levels of them");
+        let n = spec.design.get_ref().n.as_ref();
+        let remedy = if n.is_some() { "write a smaller n" } else { "vary fewer values, or fewer levels of them" };
+        return input.error(n.map_or(spec.design.span().start, |n| n.span().start), message, remedy);
     };
     let part = match &spec.rows_per_part {
         None => (rows / PARTS).clamp(PART[0], PART[1]),
-        Some(part) if (1..=100_000).contains(part.get_ref()) => part.get_ref().unsigned_abs(),
-        Some(part) => return input.error(part.span().start, "rows_per_part is out of range", "write 1 to 100000"),
+        Some(part) if *part.get_ref() > 0 && PART_ROWS.contains(&part.get_ref().unsigned_abs()) => {
+            part.get_ref().unsigned_abs()
+        }
+        Some(part) => {
+            return input.error(
+                part.span().start,
+                "rows_per_part is out of range",
+                "write a whole number of 1 to 100000",
+            );
+        }
     };
     Ok([rows, part])
 }

@@ -78,30 +78,29 @@ impl SpecFile {
     /// # Errors
     /// Returns file, line, key and remedy of the first mistake.
     pub fn parse(text: &str, file: &str) -> Result<Self, InputError> {
-        let input = InputText { text, file };
-        let parsed = toml::from_str(text);
-        parsed.or_else(|error: toml::de::Error| {
-            let at = error.span().map_or(0, |span| span.start);
-            let remedy = remedy(error.message());
-            input.error(at, error.message().trim(), remedy)
-        })
+        let parsed = InputText { text, file }.parse(KEYS);
+        parsed.map_err(|error: InputError| InputError { remedy: remedy(&error.message), ..error })
     }
 }
 
-/// Returns what to write instead of an unknown key, from the message that lists the known ones.
+/// Where all keys are listed.
+const KEYS: &str = "the keys and their types are listed by: saute schema sweep";
+
+/// Returns what to write instead, from the parser's message: for an unknown key it lists the known ones.
 fn remedy(message: &str) -> String {
-    let mut quoted = message.split('`').skip(1).step_by(2);
-    let near = match (message.starts_with("unknown"), quoted.next()) {
-        (true, Some(unknown)) => {
-            let known: Vec<&str> = quoted.collect();
-            nearest(unknown, known.iter().copied()).map(str::to_owned)
-        }
-        _ => None,
-    };
-    near.map_or_else(
-        || "the keys and their types are listed by: saute schema sweep".to_owned(),
-        |near| format!("write {near}; all keys are listed by: saute schema sweep"),
-    )
+    if message.contains("duplicate key") {
+        return "leave one of the lines out".to_owned();
+    }
+    if message.ends_with("expected i64") {
+        return "write a whole number, without a point; the ranges are listed by: saute schema sweep".to_owned();
+    }
+    if message.ends_with("expected u32") {
+        return format!("write a whole number of 0 to {}", u32::MAX);
+    }
+    let unknown = message.split_once("unknown ").map(|(_, rest)| rest);
+    let mut quoted = unknown.into_iter().flat_map(|rest| rest.split('`').skip(1).step_by(2));
+    let near = quoted.next().and_then(|unknown| nearest(unknown, quoted));
+    near.map_or_else(|| KEYS.to_owned(), |near| format!("write {near}; all keys are listed by: saute schema sweep"))
 }
 
 /// Similarity from which a name is taken for a misspelt one [-] (chosen: as in data files).

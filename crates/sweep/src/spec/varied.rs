@@ -9,6 +9,9 @@ use crate::spec::spec_file::nearest;
 /// Most levels of a list or a range [-] (chosen: more are a range without `n`).
 const MOST_LEVELS: i64 = 1_000_000;
 
+/// Keys of a range.
+const RANGE_KEYS: [&str; 3] = ["from", "to", "n"];
+
 /// The values that a path takes.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Levels {
@@ -85,10 +88,14 @@ impl Levels {
 
 fn list(input: InputText, at: usize, path: &str, items: &[Value]) -> Result<Levels, InputError> {
     let is_number = |v: &Value| matches!(v, Value::Integer(_) | Value::Float(_));
+    if items.is_empty() || items.len() as i64 > MOST_LEVELS {
+        let message = format!("\"{path}\" has {} levels", items.len());
+        return input.error(at, message, format!("write 1 to {MOST_LEVELS}, as \"{path}\" = [20, 40]"));
+    }
     let alike = items.iter().all(is_number) || items.iter().all(Value::is_str) || items.iter().all(Value::is_bool);
-    if items.is_empty() || !alike || items.len() as i64 > MOST_LEVELS {
+    if !alike {
         let message = format!("the levels of \"{path}\" cannot be used");
-        return input.error(at, message, "write one or more numbers, texts or flags, all of one type");
+        return input.error(at, message, "write numbers, texts or flags, all of one type");
     }
     if items.iter().any(|v| v.as_float().is_some_and(|v| !v.is_finite())) {
         return input.error(at, format!("a level of \"{path}\" is not finite"), "write a number");
@@ -99,29 +106,41 @@ fn list(input: InputText, at: usize, path: &str, items: &[Value]) -> Result<Leve
 }
 
 fn range(input: InputText, at: usize, path: &str, table: &toml::Table, kind: DesignKind) -> Result<Levels, InputError> {
-    const KEYS: [&str; 3] = ["from", "to", "n"];
-    if let Some(unknown) = table.keys().find(|key| !KEYS.contains(&key.as_str())) {
-        let remedy =
-            nearest(unknown, KEYS.into_iter()).map_or("there are: from, to, n".to_owned(), |k| format!("write {k}"));
-        return input.error(at, format!("{unknown} is no key of the range \"{path}\""), remedy);
+    if let Some(unknown) = table.keys().find(|key| !RANGE_KEYS.contains(&key.as_str())) {
+        let message = format!("{unknown} is no key of the range \"{path}\"");
+        return input.error(at, message, instead_of(path, unknown, &table[unknown]));
     }
     let number = |key: &str| {
         let value = table.get(key);
         value.and_then(|v| v.as_float().or_else(|| v.as_integer().map(|i| i as f64))).filter(|v| v.is_finite())
     };
     let (Some(from), Some(to)) = (number("from"), number("to")) else {
-        let remedy = format!("write \"{path}\" = {{ from = 20, to = 60 }}");
+        let remedy = format!("write finite numbers, as \"{path}\" = {{ from = 20, to = 60 }}");
         return input.error(at, format!("the range \"{path}\" needs the numbers from and to"), remedy);
     };
-    let n = table.get("n");
-    match n.and_then(Value::as_integer) {
-        Some(n) if (2..=MOST_LEVELS).contains(&n) => Ok(Levels::Even { from, to, n: n.unsigned_abs() }),
-        _ if n.is_some() => {
-            input.error(at, format!("n of the range \"{path}\" is out of range"), "write a whole number of 2 or more")
+    if !(to - from).is_finite() {
+        return input.error(at, format!("the range \"{path}\" is too wide"), "write numbers that are closer");
+    }
+    match table.get("n").map(Value::as_integer) {
+        Some(Some(n)) if (2..=MOST_LEVELS).contains(&n) => Ok(Levels::Even { from, to, n: n.unsigned_abs() }),
+        Some(_) => {
+            let message = format!("n of the range \"{path}\" is out of range");
+            input.error(at, message, format!("write a whole number of 2 to {MOST_LEVELS}"))
         }
         None if kind == DesignKind::Grid => {
             input.error(at, format!("the range \"{path}\" has no n"), "a grid needs levels: add n = 3, for instance")
         }
-        _ => Ok(Levels::Range { from, to }),
+        None => Ok(Levels::Range { from, to }),
     }
+}
+
+/// Returns what to write instead of an unknown key; a path without quotes looks like one.
+fn instead_of(path: &str, unknown: &str, value: &Value) -> String {
+    if let Some(near) = nearest(unknown, RANGE_KEYS.into_iter()) {
+        return format!("write {near}");
+    }
+    if matches!(value, Value::Array(_) | Value::Table(_)) {
+        return format!("write the whole path in quotes, as \"{path}.{unknown}\"");
+    }
+    "there are: from, to, n".to_owned()
 }
