@@ -106,7 +106,7 @@ impl AtHome {
         }
         self.standing = match told {
             Told::Progress(share) => Standing::Fitting(share),
-            Told::Fitted(fitted) => Standing::Found(fitted),
+            Told::Found(fitted) => Standing::Found(fitted),
             Told::Refused(why) => Standing::Refused(why),
         };
     }

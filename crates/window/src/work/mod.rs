@@ -13,14 +13,16 @@ pub mod bench;
 pub mod in_frames;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod thread;
+pub mod undertaking;
 
 use std::sync::Arc;
 
 use saute_kitchen::Library;
+use saute_plan::fit::run::FitRun;
+use saute_plan::schedule::search::Search;
 
 use self::bench::Craft;
-use crate::at_home::craft::Fitting;
-use crate::plan::craft::Planning;
+use self::undertaking::Undertaken;
 use crate::session::errand::playing::Playing;
 use crate::session::forecasts::foreseeing::Foreseeing;
 
@@ -61,8 +63,8 @@ impl Kind {
         match self {
             Self::Play => Box::new(Playing::new(library)),
             Self::Forecast => Box::new(Foreseeing::new(library)),
-            Self::Plan => Box::new(Planning::new(library)),
-            Self::Fit => Box::new(Fitting::new(library)),
+            Self::Plan => Box::new(Undertaken::<Search>::new(library)),
+            Self::Fit => Box::new(Undertaken::<FitRun>::new(library)),
         }
     }
 

@@ -1,0 +1,177 @@
+//! Work of many cooks that is told of while it goes on: a search for a plan, the fit of a kitchen.
+
+use std::sync::Arc;
+
+use saute_kitchen::Library;
+use serde::de::DeserializeOwned;
+use serde::{Deserialize, Serialize};
+use web_time::{Duration, Instant};
+
+use super::bench::Craft;
+
+/// Cooks at once [-] (chosen: two where there are threads; the picture needs the rest of the machine).
+pub const AT_ONCE: usize = if cfg!(target_arch = "wasm32") { 1 } else { 2 };
+/// Computing time between two answers (chosen: a bar that moves a few times a second).
+const COMPUTED_PER_ANSWER: Duration = Duration::from_millis(250);
+
+/// Work that ends with something found.
+pub trait Undertaking: Sized {
+    /// What is asked.
+    type Order: DeserializeOwned;
+    /// How far it is.
+    type Progress: Serialize;
+    /// What it ends with.
+    type Found: Serialize;
+    /// Why it cannot be done.
+    type WhyNot: Serialize;
+
+    /// The number of an order, by which its answers are known.
+    fn number(order: &Self::Order) -> u64;
+
+    /// Begins what an order asks.
+    ///
+    /// # Errors
+    /// If it cannot be done.
+    fn begin(order: Self::Order, library: &Library) -> Result<Self, Self::WhyNot>;
+
+    /// Goes on until a time.
+    ///
+    /// # Errors
+    /// If it cannot be done.
+    fn go_on(&mut self, until: Instant) -> Result<(), Self::WhyNot>;
+
+    /// What was found, once it is over.
+    fn found(&self) -> Option<Self::Found>;
+
+    /// How far it is.
+    fn progress(&self) -> Self::Progress;
+}
+
+/// What comes back.
+#[derive(Debug, Deserialize, Serialize)]
+pub struct Answer<T> {
+    /// The number of the order.
+    pub number: u64,
+    /// How far it is.
+    pub told: T,
+}
+
+/// How far an undertaking is.
+#[derive(Debug, Deserialize, Serialize)]
+pub enum Told<Progress, Found, WhyNot> {
+    /// It goes on.
+    Progress(Progress),
+    /// It is over.
+    Found(Found),
+    /// It cannot be done, and why.
+    Refused(WhyNot),
+}
+
+type ToldOf<U> = Told<<U as Undertaking>::Progress, <U as Undertaking>::Found, <U as Undertaking>::WhyNot>;
+
+/// An undertaking off the frame: orders and answers as bytes, the work in slices.
+pub struct Undertaken<U: Undertaking> {
+    library: Arc<Library>,
+    work: Option<(u64, Box<U>)>,
+    /// Why the order that came last cannot be done.
+    refused: Option<(u64, U::WhyNot)>,
+    computed: Duration,
+}
+
+impl<U: Undertaking> Undertaken<U> {
+    /// Without an order.
+    pub fn new(library: Arc<Library>) -> Self {
+        Self { library, work: None, refused: None, computed: Duration::ZERO }
+    }
+
+    /// Works on; returns how far it is where that is to be told.
+    fn slice(&mut self, budget: Duration) -> Option<(u64, ToldOf<U>)> {
+        let (number, work) = self.work.as_mut()?;
+        let (number, begun) = (*number, Instant::now());
+        let done = work.go_on(begun + budget);
+        self.computed += begun.elapsed();
+        let told = match (done, work.found()) {
+            (Err(why), _) => Told::Refused(why),
+            (Ok(()), Some(found)) => Told::Found(found),
+            (Ok(()), None) if self.computed < COMPUTED_PER_ANSWER => return None,
+            (Ok(()), None) => Told::Progress(work.progress()),
+        };
+        self.computed = Duration::ZERO;
+        if !matches!(told, Told::Progress(_)) {
+            self.work = None;
+        }
+        Some((number, told))
+    }
+}
+
+impl<U: Undertaking> Craft for Undertaken<U> {
+    fn take(&mut self, order: &[u8]) {
+        (self.work, self.refused, self.computed) = (None, None, Duration::ZERO);
+        let Ok(order) = postcard::from_bytes::<U::Order>(order) else { return };
+        let number = U::number(&order);
+        match U::begin(order, &self.library) {
+            Ok(work) => self.work = Some((number, Box::new(work))),
+            Err(why) => self.refused = Some((number, why)),
+        }
+    }
+
+    fn is_busy(&self) -> bool {
+        self.work.is_some() || self.refused.is_some()
+    }
+
+    fn go_on(&mut self, budget: Duration) -> Option<Vec<u8>> {
+        let refused = self.refused.take().map(|(number, why)| (number, Told::Refused(why)));
+        let (number, told) = refused.or_else(|| self.slice(budget))?;
+        postcard::to_allocvec(&Answer { number, told }).ok()
+    }
+}
+
+/// Lets cooks go on until a time, each on a thread of its own where there are threads; `second` lets a second of one pass and returns its
+/// result once it is over.
+///
+/// # Errors
+/// The first one of a cook.
+#[cfg(not(target_arch = "wasm32"))]
+pub fn all_until<C: Send, R: Send, E: Send>(
+    cooks: &mut [&mut C],
+    until: Instant,
+    second: fn(&mut C) -> Result<Option<R>, E>,
+) -> Result<Vec<Option<R>>, E> {
+    let Some((first, others)) = cooks.split_first_mut() else { return Ok(Vec::new()) };
+    std::thread::scope(|scope| {
+        let others: Vec<_> =
+            others.iter_mut().map(|cook| scope.spawn(move || one_until(*cook, until, second))).collect();
+        let first = one_until(*first, until, second);
+        let others = others.into_iter().map(|t| t.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)));
+        std::iter::once(first).chain(others).collect()
+    })
+}
+
+/// Lets cooks go on until a time, one after the other; `second` lets a second of one pass and returns its result once it is over.
+///
+/// # Errors
+/// The first one of a cook.
+#[cfg(target_arch = "wasm32")]
+pub fn all_until<C, R, E>(
+    cooks: &mut [&mut C],
+    until: Instant,
+    second: fn(&mut C) -> Result<Option<R>, E>,
+) -> Result<Vec<Option<R>>, E> {
+    cooks.iter_mut().map(|cook| one_until(*cook, until, second)).collect()
+}
+
+/// Lets a cook go on until a time; at least a second of it.
+fn one_until<C, R, E>(
+    cook: &mut C,
+    until: Instant,
+    second: fn(&mut C) -> Result<Option<R>, E>,
+) -> Result<Option<R>, E> {
+    loop {
+        if let Some(result) = second(cook)? {
+            return Ok(Some(result));
+        }
+        if Instant::now() >= until {
+            return Ok(None);
+        }
+    }
+}
