@@ -16,10 +16,8 @@ const LONGEST_REST_S: f64 = 1800.0;
 /// hours, which is no carry-over).
 const RAW_K: f64 = 10.0;
 const LONGEST_RAW_S: f64 = 600.0;
-/// Steps of resting food at once, up to the horizon and beyond it [-] (measured with 25 mm: two change the core by 0.01 K, ten in the first minutes
-/// by 0.1 K; beyond the horizon what changes in five seconds is little).
+/// Steps of resting food at once [-] (measured with 25 mm: two change the core by 0.01 K, five by 0.06 K; ten can be unstable).
 const LEAP: u64 = 2;
-const LONG_LEAP: u64 = 10;
 /// What a sum of frames may miss of a time [s].
 const HAIR_S: f64 = 1e-6;
 /// Fall of the core below its peak after which the carry-over is over [K] (chosen: twenty times the noise of a core).
@@ -71,11 +69,10 @@ impl Ahead {
         taken
     }
 
-    /// Takes a step, or at rest as many as meet the samples and the horizon; returns how many.
+    /// Takes a step, or at rest as many as meet the samples; returns how many.
     fn step(&mut self) -> u64 {
-        let leap = if is_before_horizon(self.after_s()) { LEAP } else { LONG_LEAP };
-        if self.steps.is_multiple_of(leap) {
-            return self.kitchen.step_resting(leap);
+        if self.steps.is_multiple_of(LEAP) {
+            return self.kitchen.step_resting(LEAP);
         }
         self.kitchen.step();
         1

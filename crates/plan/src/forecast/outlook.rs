@@ -94,6 +94,11 @@ impl Outlook {
         }
     }
 
+    /// True if what was taken out still warms at the end: its highest core is higher than what is known.
+    pub fn still_warms(&self) -> bool {
+        self.question == Question::TakeOut && !self.peak.is_over
+    }
+
     /// Class in which the core ends, given what a scale measures there now [K or -]: the class of the highest core temperature so far
     /// and ahead; where the scale measures a share, the class that most of the last section is in, if sections were shared out.
     pub fn class(&self, scale: &Scale, reached: f64) -> Option<usize> {

@@ -3,7 +3,7 @@
 use saute_kitchen::{Command, Kitchen, Library, TICK_S, celsius, kelvin};
 
 use crate::schedule::Order;
-use crate::schedule::job::{JobError, TICKS_PER_S};
+use crate::schedule::candidate::job::{JobError, TICKS_PER_S};
 
 /// Temperature of a pan from the cupboard [°C], as recipes have it.
 const COLD_C: f64 = 20.0;

@@ -5,12 +5,10 @@
 //! candidate with [`saute_recipe::Cook`].
 
 pub mod asked;
-mod cooking;
+pub(crate) mod candidate;
 mod draft;
 pub mod follow;
-mod fork;
 mod heating;
-mod job;
 pub mod kept;
 mod moves;
 mod order;
@@ -24,9 +22,9 @@ mod steps;
 mod times;
 pub mod voice;
 
-pub use cooking::Cooking;
+pub use candidate::Cooking;
+pub use candidate::job::{Cue, Job, JobError, JobResult, Mesh, Pull};
 pub use draft::Draft;
-pub use job::{Cue, Job, JobError, JobResult, Pull};
 pub use order::Order;
 pub use plan::Plan;
 pub use planner::{Planner, Stage};

@@ -4,13 +4,15 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use saute_kitchen::Library;
+use saute_kitchen::food::Reduction;
+use saute_kitchen::kitchen::SetupError;
 use serde::{Deserialize, Serialize};
 
 use crate::goal::score::HOT_C;
 use crate::goal::{Goal, Score, Shortfall};
-use crate::schedule::fork::work_of_tick;
+use crate::schedule::candidate::job::{Job, JobError, JobResult, Mesh, Pull};
+use crate::schedule::candidate::work_of_second;
 use crate::schedule::heating::Heating;
-use crate::schedule::job::{Job, JobError, JobResult, Pull};
 use crate::schedule::moves::{Stride, combined, neighbours};
 use crate::schedule::seeds::seeds;
 use crate::schedule::sensitivity::{self, Change, Sensitivity};
@@ -18,20 +20,33 @@ use crate::schedule::{Draft, Order, Plan};
 
 /// Mesh spacing of the search relative to the default [-] (chosen: see docs/planning.md for its error).
 const COARSE: f64 = 3.0;
+/// Thickness from which the search of a slice uses reduced meshes [mm] (chosen: they take a tenth of the time, which a thick slice needs; they
+/// brown too much in a short sear, which a thin one has: 15 mm 57 % instead of 11 %).
+const REDUCED_FROM_MM: f64 = 28.0;
 /// Mesh spacing of the finish [-].
 const FULL: f64 = 1.0;
 /// Work of one core in the time that a plan may take [-], in ticks times nodes (chosen: 20 s of a core of 2024, which does 2.4e7 a second).
 const CORE_WORK: u64 = 480_000_000;
+/// Work that the search may take in any case [-] (chosen: five seconds on two cores).
+const LEAST_WORK: u64 = 240_000_000;
+/// Work after which no further candidate is cooked on the full mesh [-] (chosen: 26 s on two cores).
+const MOST_WORK: u64 = 1_250_000_000;
 /// Cores that the search is meant for [-].
 const CORES: u64 = 2;
-/// Candidates that are cooked on the full mesh at most, one after the other until one meets the goal [-] (chosen).
-const MOST_FINALISTS: usize = 2;
+/// Candidates that are cooked on the full mesh at once [-]: one on each core.
+const AT_ONCE: usize = CORES as usize;
+/// Candidates that are cooked on the full mesh at most, until one meets the goal [-] (chosen).
+const MOST_FINALISTS: usize = 2 * AT_ONCE;
+/// Crust that each further one of the candidates that are cooked at once is chosen for [points of %] (chosen: coarse meshes miss it by as much).
+const NEXT_CRUST: f64 = 10.0;
 /// Stride with which the search goes on where the first finalist misses the goal.
 const AGAIN: usize = 1;
 /// Gain of the score from which the search goes on with the same stride [points] (chosen).
 const GAIN: f64 = 0.7;
-/// Crust that the search wants on top of the goal's [points of %] (chosen: the coarse mesh misses it by up to 5).
+/// Crust that the search wants on top of the goal's, with its spacing and on reduced meshes [points of %] (measured on a dozen finalists: the
+/// first brown up to 5 points too much, the second 18 to 24, since a column stands for a larger area).
 const MORE_CRUST: f64 = 5.0;
+const MORE_CRUST_REDUCED: f64 = 20.0;
 /// Expected rise of the core during the rest before there is an experience, as a share of the aim [-], and what is added to
 /// one in the search and in the finish [K or points of %] (chosen: rather too much; a rest too early costs another one, a
 /// rest too late costs the aim).
@@ -67,8 +82,10 @@ pub struct Planner {
     search: Order,
     library: Arc<Library>,
     heating: Heating,
-    /// Work of a tick on the full mesh over that on the coarse one [-].
-    finish_over_search: f64,
+    /// Meshes of the search.
+    mesh: Mesh,
+    /// Nodes of all foods on the full mesh [-].
+    nodes: u64,
     stage: Stage,
     /// Drafts of the jobs that were handed out, in their order.
     handed: Vec<Draft>,
@@ -92,18 +109,24 @@ impl Planner {
         if order.hob_w.is_empty() {
             return Err(JobError::NoPower);
         }
-        let nodes = |coarseness| order.check(&library, coarseness).map(|model| work_of_tick(model.mesh().node_count()));
-        let finish_over_search = nodes(FULL)? as f64 / nodes(COARSE)? as f64;
+        let model = order.check(&library, FULL)?;
+        let pieces = order.count.unwrap_or(1);
+        let nodes = pieces as u64 * model.mesh().node_count() as u64;
+        // Where bodies lie still, only one slice cooks as in a kitchen.
+        let is_slice = pieces == 1
+            && order.thickness_mm() >= REDUCED_FROM_MM
+            && Reduction::of(&model).map_err(SetupError::from)?.is_some();
+        let (mesh, more_crust) =
+            if is_slice { (Mesh::Reduced, MORE_CRUST_REDUCED) } else { (Mesh::Spaced(COARSE), MORE_CRUST) };
         let heating = Heating::of(&order, &library)?;
-        let wanted = order.goal.crust_pct;
-        let crust_pct = if wanted > 0.0 { (wanted + MORE_CRUST).min(100.0) } else { 0.0 };
-        let search = Order { goal: Goal { crust_pct, ..order.goal.clone() }, ..order.clone() };
+        let search = Order { goal: with_more_crust(&order.goal, more_crust), ..order.clone() };
         Ok(Self {
             order,
             search,
             library,
             heating,
-            finish_over_search,
+            mesh,
+            nodes,
             stage: Stage::Seeds,
             handed: Vec::new(),
             centre: None,
@@ -180,10 +203,24 @@ impl Planner {
         self.tried.iter().reduce(|best, next| if self.rank(next.1) > self.rank(best.1) { next } else { best })
     }
 
-    /// The best of the drafts that were not cooked on the full mesh yet, with its result on the coarse one.
-    fn finalist(&self) -> Option<(&Draft, &JobResult)> {
-        let open = self.tried.iter().filter(|(draft, _)| !self.finalists.contains(draft));
-        open.reduce(|best, next| if self.rank(next.1) > self.rank(best.1) { next } else { best })
+    /// The best of the drafts that were not cooked on the full mesh yet; if the goal wants crust, with a further one for more of it, so that one
+    /// meets the goal if the coarse mesh browned too much.
+    fn next_finalists(&self) -> Vec<Draft> {
+        let mut chosen: Vec<Draft> = Vec::new();
+        let at_once = if self.order.goal.crust_pct > 0.0 { AT_ONCE } else { 1 };
+        for further in 0..at_once {
+            let goal = with_more_crust(&self.search.goal, further as f64 * NEXT_CRUST);
+            let rank = |result: &JobResult| {
+                let score = Score::of(&result.outcome, result.schedule.flips_s.len(), &goal);
+                self.rank(&JobResult { score, ..result.clone() })
+            };
+            let open = |draft: &Draft| !self.finalists.contains(draft) && !chosen.contains(draft);
+            let ranked =
+                self.tried.iter().filter(|(draft, _)| open(draft)).map(|(draft, result)| (draft, rank(result)));
+            let best = ranked.reduce(|best, next| if next.1 > best.1 { next } else { best });
+            chosen.extend(best.map(|(draft, _)| *draft));
+        }
+        chosen
     }
 
     /// Rank of a result on the coarse mesh: faces as they are wanted first, then a pan that does not become too hot, then the score.
@@ -202,7 +239,7 @@ impl Planner {
             schedule: draft.schedule(&self.order, self.heating.put_s(draft.preheat_c), limit_s as u32),
             order: self.search.clone(),
             pull: Pull::ToAim { rise, within: WITHIN[0], most_rests: RESTS[0] },
-            coarseness: COARSE,
+            mesh: self.mesh,
         }
     }
 
@@ -250,58 +287,87 @@ impl Planner {
 
     /// Work that the search may take: what the finish leaves of every core.
     fn search_work(&self) -> u64 {
-        let coarse = self.best().map_or(0, |(_, best)| best.work);
-        CORES * CORE_WORK.saturating_sub((coarse as f64 * self.finish_over_search) as u64)
+        (CORES * CORE_WORK.saturating_sub(self.full_work())).max(LEAST_WORK)
     }
 
-    /// Returns the job of the best draft on the full mesh, which takes longest, and those with changes on the coarse one.
-    fn finish(&self) -> Vec<Job> {
-        let Some((draft, best)) = self.finalist() else { return Vec::new() };
-        let pull = Pull::ToAim { rise: best.rise + MORE_RISE[1], within: WITHIN[1], most_rests: RESTS[1] };
-        let full = Job { order: self.order.clone(), pull, coarseness: FULL, ..self.job(draft) };
-        let coarse = sensitivity::base(&self.search, &best.schedule, COARSE);
-        let changed = Change::ALL.map(|change| sensitivity::changed(coarse.clone(), change, &self.library));
-        std::iter::once(full).chain(changed).collect()
+    /// Work of a cook on the full mesh, with two rests [-].
+    fn full_work(&self) -> u64 {
+        let lasts_s = self.best().map_or(0, |(_, best)| best.schedule.pull_s + 2 * best.schedule.rest_s);
+        u64::from(lasts_s) * work_of_second(self.nodes)
     }
 
-    /// Keeps the finalist if it is the best so far; if it misses the goal, the next one has its turn.
-    fn conclude(&mut self, mut results: Vec<JobResult>) {
-        let finalist = self.finalist().map(|(draft, coarse)| (*draft, coarse));
-        let (Some((draft, coarse)), [full, changed @ ..]) = (finalist, results.as_slice()) else {
-            return self.stage = Stage::Done;
-        };
-        // A pan that becomes too hot counts less than anything that is missing.
-        let missing = |result: &JobResult| {
-            (Shortfall::of(&result.outcome, &self.order.goal).len(), usize::from(!stays_cool(result)))
-        };
-        let is_met = missing(full) == (0, 0);
-        let paler = (coarse.outcome.least_crust_pct - full.outcome.least_crust_pct).max(0.0);
-        let is_best = self.finished.as_ref().is_none_or(|best| {
-            let (new, old) = (missing(full), missing(best));
-            new < old || (new == old && full.score > best.score)
+    /// Returns the jobs of the best drafts on the full mesh, which take longest, and those with changes on the coarse one.
+    fn finish(&mut self) -> Vec<Job> {
+        self.handed = self.next_finalists();
+        let best = self.handed.iter().filter_map(|draft| Some((draft, self.tried.get(draft)?)));
+        let full = best.clone().map(|(draft, best)| {
+            let pull = Pull::ToAim { rise: best.rise + MORE_RISE[1], within: WITHIN[1], most_rests: RESTS[1] };
+            Job { order: self.order.clone(), pull, mesh: Mesh::Spaced(FULL), ..self.job(draft) }
         });
-        if is_best {
-            let each = Change::ALL.into_iter().zip(changed);
-            let new = |(change, result)| Sensitivity::new(change, &full.outcome, coarse, result, &self.order);
-            self.sensitivity = each.map(new).collect();
-            self.finished = Some(results.swap_remove(0));
+        let changed = best.flat_map(|(_, best)| {
+            let coarse = sensitivity::base(&self.search, &best.schedule, self.mesh);
+            Change::ALL.map(|change| sensitivity::changed(coarse.clone(), change, &self.library))
+        });
+        full.chain(changed).collect()
+    }
+
+    /// Keeps the finalist that is the best so far; if all miss the goal, the next ones have their turn.
+    fn conclude(&mut self, mut results: Vec<JobResult>) {
+        let handed = std::mem::take(&mut self.handed);
+        let changed = results.split_off(handed.len().min(results.len()));
+        let mut changed = changed.chunks_exact(Change::ALL.len());
+        let mut paler = 0.0_f64;
+        for (draft, full) in handed.into_iter().zip(results) {
+            if let (Some(coarse), Some(changed)) = (self.tried.get(&draft), changed.next()) {
+                paler = paler.max(coarse.outcome.least_crust_pct - full.outcome.least_crust_pct);
+                let coarse = coarse.clone();
+                self.keep_finalist(&coarse, full, changed);
+            }
+            self.finalists.insert(draft);
         }
-        self.finalists.insert(draft);
-        let is_over = is_met || self.finalists.len() >= MOST_FINALISTS;
+        let is_met = self.finished.as_ref().is_some_and(|best| self.missing(best) == (0, 0));
+        let no_time = self.work + CORES * self.full_work() > MOST_WORK;
+        let is_over = is_met || no_time || self.finalists.len() >= MOST_FINALISTS;
         self.stage = if is_over { Stage::Done } else { Stage::Refine(AGAIN) };
         if !is_over {
             self.want_more_crust(paler);
         }
     }
 
-    /// Wants more crust on the coarse mesh [points of %]: as much as it browned too much.
-    fn want_more_crust(&mut self, more: f64) {
-        let Self { search: Order { goal, .. }, tried, .. } = self;
-        goal.crust_pct = (goal.crust_pct + more).min(100.0);
+    /// Keeps a finalist if it is the best so far, with what changes do to it.
+    fn keep_finalist(&mut self, coarse: &JobResult, full: JobResult, changed: &[JobResult]) {
+        let is_best = self.finished.as_ref().is_none_or(|best| {
+            let (new, old) = (self.missing(&full), self.missing(best));
+            new < old || (new == old && full.score > best.score)
+        });
+        if is_best {
+            let each = Change::ALL.into_iter().zip(changed);
+            let new = |(change, result)| Sensitivity::new(change, &full.outcome, coarse, result, &self.order);
+            self.sensitivity = each.map(new).collect();
+            self.finished = Some(full);
+        }
+    }
+
+    /// What a cook on the full mesh misses; a pan that becomes too hot counts less than anything else.
+    fn missing(&self, result: &JobResult) -> (usize, usize) {
+        (Shortfall::of(&result.outcome, &self.order.goal).len(), usize::from(!stays_cool(result)))
+    }
+
+    /// Wants more crust of the coarse mesh than so far: more than the goal's by what it browned too much [points of %], and some.
+    fn want_more_crust(&mut self, paler: f64) {
+        let Self { order, search: Order { goal, .. }, tried, .. } = self;
+        let more = (paler + MORE_CRUST).max(goal.crust_pct + MORE_CRUST - order.goal.crust_pct);
+        *goal = with_more_crust(&order.goal, more);
         for result in tried.values_mut() {
             result.score = Score::of(&result.outcome, result.schedule.flips_s.len(), goal);
         }
     }
+}
+
+/// A goal with more crust [points of %], if it wants any.
+fn with_more_crust(goal: &Goal, more: f64) -> Goal {
+    let crust_pct = if goal.crust_pct > 0.0 { (goal.crust_pct + more).min(100.0) } else { 0.0 };
+    Goal { crust_pct, ..goal.clone() }
 }
 
 /// True if no place of the pan became hotter than a cook should let it.

@@ -4,7 +4,7 @@ use saute_kitchen::Library;
 use serde::{Deserialize, Serialize};
 
 use crate::goal::{Outcome, Shortfall};
-use crate::schedule::job::{Job, JobResult, Pull};
+use crate::schedule::candidate::job::{Job, JobResult, Mesh, Pull};
 use crate::schedule::{Order, Schedule};
 
 /// Something that differs from the order.
@@ -59,8 +59,8 @@ pub struct Sensitivity {
 const INITIAL_C: [f64; 2] = [0.0, 60.0];
 
 /// Returns the job of a schedule without a change.
-pub(crate) fn base(order: &Order, schedule: &Schedule, coarseness: f64) -> Job {
-    Job { order: order.clone(), schedule: schedule.clone(), pull: Pull::AtItsTime, coarseness }
+pub(crate) fn base(order: &Order, schedule: &Schedule, mesh: Mesh) -> Job {
+    Job { order: order.clone(), schedule: schedule.clone(), pull: Pull::AtItsTime, mesh }
 }
 
 /// Returns the job of a schedule with a change.

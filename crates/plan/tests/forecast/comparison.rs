@@ -29,7 +29,8 @@ pub struct Case {
 pub struct Miss {
     pub question: Question,
     pub cores: [f64; SPANS_S.len()],
-    pub peak: f64,
+    /// None where the food was still too raw to have one.
+    pub peak: Option<f64>,
 }
 
 /// Numbers that look random: the same for each number of a case.
@@ -135,7 +136,7 @@ fn miss(kitchen: &Kitchen, question: Question, reductions: &mut Reductions) -> O
     Some(Miss {
         question,
         cores: SPANS_S.map(|span| foreseen.core_at(span) - happened.core_at(span)),
-        peak: foreseen.peak.core - happened.peak.core,
+        peak: (!foreseen.still_warms()).then_some(foreseen.peak.core - happened.peak.core),
     })
 }
 

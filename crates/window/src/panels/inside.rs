@@ -180,7 +180,8 @@ fn readings(state: &WindowState, inside: &Inside, piece: &Piece, ui: &mut Ui) {
     let shown = if state.settings.curves_open { rows.len() } else { 2 };
     // With the forecasts the curves are still in sight.
     ui.spacing_mut().interact_size.y = if state.settings.curves_open && ahead::are_shown(state) { 18.0 } else { 21.0 };
-    egui::Grid::new("readings").num_columns(4).min_col_width(52.0).spacing(vec2(8.0, 3.0)).show(ui, |ui| {
+    // The hottest place of an uneven pan is the widest value: it ends before the bar of the open panel.
+    egui::Grid::new("readings").num_columns(4).min_col_width(52.0).spacing(vec2(5.0, 3.0)).show(ui, |ui| {
         for row in rows.into_iter().take(shown) {
             for (name, value) in row {
                 ui.label(RichText::new(settings.language.text(name)).size(12.5).color(theme::of(ui).quiet));

@@ -38,7 +38,8 @@ pub(in crate::panels) fn futures(state: &WindowState, palette: &Palette) -> Vec<
         let style = LineStyle::Dashed { length };
         let (points, half) = points(state, &standing, question).into_iter().unzip();
         let curve = Curve { name: l.text(name).to_owned(), mark: String::new(), colour, style, width: 1.8, points };
-        let peak = (question == Question::TakeOut).then(|| peak(state, &standing));
+        let peak =
+            (question == Question::TakeOut && !standing.answer.outlook.still_warms()).then(|| peak(state, &standing));
         Some(Future { curve, half, peak })
     };
     looks.into_iter().filter_map(of).collect()

@@ -2,13 +2,14 @@
 
 use egui::{Align2, Color32, FontId, Pos2, Rect, RichText, Sense, Ui, UiBuilder, pos2, vec2};
 use saute_kitchen::Command;
-use saute_plan::forecast::{Question, SPANS_S, Sample};
+use saute_plan::forecast::{Outlook, Question, SPANS_S, Sample};
 
 use super::{age_words, class, half_band, number, question_words};
 use crate::act::{Act, Acts};
 use crate::panels::window_state::WindowState;
 use crate::session::forecasts::Standing;
 use crate::session::label;
+use crate::settings::Settings;
 use crate::ui::{fingers, theme};
 use crate::words::act_words::act_words;
 
@@ -134,14 +135,27 @@ fn answer(state: &WindowState, standing: &Standing, ui: &Ui, row: Rect) {
     for (place, span) in SPANS_S.into_iter().enumerate() {
         large(cell(row, place), number(settings, standing.core_in(span).0));
     }
-    let highest = large(cell(row, SPANS_S.len()), number(settings, outlook.peak.core));
-    let band = format!("± {}", half_band(settings, standing.band.peak_k));
-    small(ui, pos2(highest.right() + 5.0, above), &band, ink);
+    let highest = large(cell(row, SPANS_S.len()), highest_words(settings, outlook));
+    if let Some(band) = band_words(settings, standing) {
+        small(ui, pos2(highest.right() + 5.0, above), &band, ink);
+    }
     let after = class(state, outlook)
         .map_or(cell(row, 0), |class| small(ui, pos2(cell(row, 0), below), &class, ink).right() + 8.0);
     if let Some(last) = outlook.samples.last() {
         underside(state, last, ui, pos2(after, below), ink);
     }
+}
+
+/// The highest core; of raw food that still warms on the board a bound.
+fn highest_words(settings: &Settings, outlook: &Outlook) -> String {
+    let highest = number(settings, outlook.peak.core);
+    if outlook.still_warms() { format!("> {highest}") } else { highest }
+}
+
+/// How far the highest core may be off; a bound has no band.
+fn band_words(settings: &Settings, standing: &Standing) -> Option<String> {
+    let has_peak = !standing.answer.outlook.still_warms();
+    has_peak.then(|| format!("± {}", half_band(settings, standing.band.peak_k)))
 }
 
 /// The colour of the underside in the end, and how much of it is brown.
@@ -159,6 +173,8 @@ fn spoken(state: &WindowState, question: Question, standing: &Standing) -> Strin
     let (settings, l, outlook) = (state.settings, state.settings.language, &standing.answer.outlook);
     let [one, two, five] = SPANS_S.map(|span| number(settings, standing.core_in(span).0));
     let browned = outlook.samples.last().map_or(0.0, |last| last.faces[0].browned_pct);
+    let highest = [Some(highest_words(settings, outlook)), band_words(settings, standing)];
+    let highest = highest.into_iter().flatten().collect::<Vec<_>>().join(" ");
     l.fill(
         "ahead.spoken",
         &[
@@ -166,8 +182,7 @@ fn spoken(state: &WindowState, question: Question, standing: &Standing) -> Strin
             ("one", &one),
             ("two", &two),
             ("five", &five),
-            ("highest", &number(settings, outlook.peak.core)),
-            ("band", &half_band(settings, standing.band.peak_k)),
+            ("highest", &highest),
             ("unit", &settings.unit()),
             ("class", &class(state, outlook).unwrap_or_default()),
             ("percent", &format!("{browned:.0}")),

@@ -8,7 +8,7 @@ use saute_kitchen::{Command, Library};
 use saute_plan::goal::{Goal, Outcome};
 use saute_plan::schedule::asked::Asked;
 use saute_plan::schedule::search::PlanData;
-use saute_plan::schedule::{Change, Job, Order, Plan, Planner, Pull, Schedule, Sensitivity, Setting as Power};
+use saute_plan::schedule::{Change, Job, Mesh, Order, Plan, Planner, Pull, Schedule, Sensitivity, Setting as Power};
 use saute_window::act::{Act, Card, Setting};
 use saute_window::plan::choice::PlanChoice;
 use saute_window::plan::craft::{PlanAnswer, PlanOrder, Told};
@@ -50,7 +50,7 @@ pub(super) fn plan_for(library: &Library, target: &str, crust_pct: f64) -> Plan 
         pull_s: 200,
         rest_s: 60,
     };
-    let job = Job { order: order.clone(), schedule, pull: Pull::AtItsTime, coarseness: 1.0 };
+    let job = Job { order: order.clone(), schedule, pull: Pull::AtItsTime, mesh: Mesh::Spaced(1.0) };
     let result = job.run(library).expect("cooks");
     let change = |change, core_peak_c, is_met| Sensitivity {
         change,

@@ -1,13 +1,16 @@
 //! A job that is under way, second by second: it can be left and gone on with.
 
+use saute_kitchen::kitchen::SetupError;
+use saute_kitchen::reduced::{ReducedKitchen, Reductions};
 use saute_kitchen::{Command, Kitchen, Library, Piece, celsius};
 use saute_recipe::Cook;
 
 use crate::goal::Score;
 use crate::goal::score::HOT_C;
-use crate::schedule::fork::{self, Rested, Resting};
-use crate::schedule::job::TICKS_PER_S;
-use crate::schedule::{Cue, Job, JobError, JobResult, Pull, Schedule};
+use crate::schedule::Schedule;
+use crate::schedule::candidate::fork::{self, Rested, Resting};
+use crate::schedule::candidate::job::{Cue, Job, JobError, JobResult, Mesh, Pull, TICKS_PER_S};
+use crate::schedule::candidate::stove::{self, Stove};
 
 /// Time from putting in to the first look at the core [s] (chosen: a piece that has just been laid down).
 const SETTLED_S: u32 = 5;
@@ -18,12 +21,19 @@ const NEXT_SHARE: f64 = 0.9;
 /// warns of, so that a hand may be some seconds late).
 const TURN_DOWN_C: f64 = HOT_C - 10.0;
 
+/// Mesh spacing up to the coarse meshes relative to the default [-], and for how long food lies in the pan before it is carried over to them
+/// [s] (chosen: by then it lies still, and the mesh matters little to what happens in that time).
+const LAID_COARSE: f64 = 3.0;
+const LAID_S: u32 = 3;
+
 /// A job that is under way.
 #[derive(Clone, Debug)]
 pub struct Cooking {
     job: Job,
-    /// The cook up to the pull.
+    /// The cook up to the pull, or up to the coarse meshes.
     cook: Cook,
+    /// Food and pan on coarse meshes, once they are there.
+    reduced: Option<Box<ReducedKitchen>>,
     masses: Vec<f64>,
     cues: Vec<Cue>,
     /// Hottest place of the pan a second ago [°C].
@@ -49,13 +59,15 @@ impl Cooking {
         let schedule =
             Schedule { powers: Vec::new(), ..job.schedule.pulled_at(job.schedule.pull_s, job.schedule.rest_s) };
         let mut recipe = schedule.recipe(&job.order, library)?;
-        recipe.foods.iter_mut().for_each(|food| food.coarseness = job.coarseness);
+        let coarseness = if let Mesh::Spaced(coarseness) = job.mesh { coarseness } else { LAID_COARSE };
+        recipe.foods.iter_mut().for_each(|food| food.coarseness = coarseness);
         let cook = Cook::new(recipe, library)?;
         let masses = cook.kitchen.pieces().iter().map(Piece::mass).collect();
         let next = if let Pull::ToAim { rise, .. } = job.pull { job.order.goal.aim - rise } else { f64::INFINITY };
         let (cues, resting, best) = (Vec::new(), None, None);
         let hottest_c = f64::INFINITY;
-        Ok(Self { job, cook, masses, cues, hottest_c, at_s: 0, work: 0, resting, next, rests: 0, best })
+        let reduced = None;
+        Ok(Self { job, cook, reduced, masses, cues, hottest_c, at_s: 0, work: 0, resting, next, rests: 0, best })
     }
 
     /// Cooks or rests for a second; returns what came of the job once it is over.
@@ -73,7 +85,7 @@ impl Cooking {
         if self.is_time_to_rest() {
             let rest_s = (self.job.pull == Pull::AtItsTime).then_some(self.job.schedule.rest_s);
             let goal = &self.job.order.goal;
-            self.resting = Some(Resting::begin(&self.cook.kitchen, self.at_s, goal, rest_s));
+            self.resting = Some(Resting::begin(self.stove(), self.at_s, goal, rest_s));
         }
         Ok(None)
     }
@@ -81,34 +93,67 @@ impl Cooking {
     /// Cooks on for a second; before it, notes what there is to see where a step comes.
     fn cook_second(&mut self) -> Result<(), JobError> {
         let Schedule { put_s, flips_s, .. } = &self.job.schedule;
-        if self.at_s == *put_s || flips_s.contains(&self.at_s) {
+        let flips = flips_s.contains(&self.at_s);
+        if flips || self.at_s == *put_s {
             self.cues.push(self.cue());
         }
         self.set_hob();
-        for _ in 0..TICKS_PER_S {
-            self.cook.advance()?;
-        }
-        self.work += fork::work_of_second(&self.cook.kitchen);
+        self.work += match &mut self.reduced {
+            Some(reduced) => {
+                if flips {
+                    turn_over(reduced);
+                }
+                stove::cook_second(reduced)
+            }
+            None => {
+                for _ in 0..TICKS_PER_S {
+                    self.cook.advance()?;
+                }
+                stove::work_of_cook(&self.cook.kitchen)
+            }
+        };
         self.at_s += 1;
+        if self.job.mesh == Mesh::Reduced && self.at_s == self.job.schedule.put_s + LAID_S {
+            self.reduced =
+                Some(Box::new(self.cook.kitchen.reduced(&mut Reductions::default()).map_err(SetupError::from)?));
+        }
         Ok(())
+    }
+
+    /// The kitchen as it is now.
+    fn kitchen(&self) -> &Kitchen {
+        self.reduced.as_deref().map_or(&self.cook.kitchen, ReducedKitchen::kitchen)
+    }
+
+    /// A copy of food and pan.
+    fn stove(&self) -> Stove {
+        let whole = || Stove::Whole(Box::new(self.cook.kitchen.clone()));
+        self.reduced.clone().map_or_else(whole, Stove::Reduced)
+    }
+
+    fn apply(&mut self, command: &Command) {
+        // Every hob can be set to the powers of an order.
+        let _ = match &mut self.reduced {
+            Some(reduced) => reduced.apply(command),
+            None => self.cook.kitchen.apply(command),
+        };
     }
 
     /// Sets the hob as the schedule says; in a search it is turned down where the pan becomes hot, and the schedule with it.
     fn set_hob(&mut self) {
-        let hottest_c = celsius(self.cook.kitchen.hottest_temperature());
+        let hottest_c = celsius(self.kitchen().hottest_temperature());
         let still_heats = hottest_c >= TURN_DOWN_C && hottest_c > self.hottest_c;
         if still_heats && matches!(self.job.pull, Pull::ToAim { .. }) {
             self.job.schedule.turn_down(self.at_s);
         }
         self.hottest_c = hottest_c;
         if let Some(power) = self.job.schedule.powers.iter().find(|power| power.at_s == self.at_s) {
-            // Every hob can be set to the powers of an order.
-            let _ = self.cook.kitchen.apply(&Command::Hob(power.hob_w));
+            self.apply(&Command::Hob(power.hob_w));
         }
     }
 
     fn cue(&self) -> Cue {
-        let kitchen: &Kitchen = &self.cook.kitchen;
+        let kitchen = self.kitchen();
         let pieces = kitchen.pieces();
         let mean = |value: &dyn Fn(&Piece) -> f64| pieces.iter().map(value).sum::<f64>() / pieces.len() as f64;
         Cue {
@@ -131,7 +176,7 @@ impl Cooking {
         }
         let has_settled = self.at_s > self.job.schedule.put_s + SETTLED_S;
         let looks = matches!(self.job.pull, Pull::ToAim { .. }) && has_settled;
-        looks && fork::core_now(&self.cook.kitchen, &self.job.order.goal) >= self.next
+        looks && fork::core_now(self.kitchen(), &self.job.order.goal) >= self.next
     }
 
     /// Keeps the closest of the rests so far; returns the result if this was the last one.
@@ -144,7 +189,7 @@ impl Cooking {
         let is_over = match self.job.pull {
             Pull::AtItsTime => true,
             Pull::ToAim { within, most_rests, .. } => {
-                self.next = fork::core_now(&self.cook.kitchen, goal) + NEXT_SHARE * missing(&rested);
+                self.next = fork::core_now(self.kitchen(), goal) + NEXT_SHARE * missing(&rested);
                 self.is_last() || self.rests >= most_rests || missing(&rested) <= within
             }
         };
@@ -168,5 +213,13 @@ impl Cooking {
             cues: cues.into_iter().filter(|cue| cue.at_s < rested.pull_s).chain(pull).collect(),
             schedule,
         }
+    }
+}
+
+fn turn_over(reduced: &mut ReducedKitchen) {
+    let foods: Vec<String> = reduced.kitchen().pieces().iter().map(|piece| piece.id.clone()).collect();
+    for food in foods {
+        // A food in the pan can be turned over.
+        let _ = reduced.apply(&Command::Flip { food });
     }
 }

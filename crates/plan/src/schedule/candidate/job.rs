@@ -5,7 +5,7 @@ use saute_kitchen::{InputError, Library, TICK_S};
 use serde::{Deserialize, Serialize};
 
 use crate::goal::{Outcome, Score};
-use crate::schedule::cooking::Cooking;
+use crate::schedule::candidate::cooking::Cooking;
 use crate::schedule::{Order, Schedule};
 
 /// Ticks in a second [-].
@@ -27,6 +27,15 @@ pub enum Pull {
     },
 }
 
+/// Meshes on which a candidate is cooked.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Mesh {
+    /// Those of the kitchen, with this spacing relative to the default [-].
+    Spaced(f64),
+    /// Those of forecasts, once the food lies in the pan. Bodies lie still: for one slice.
+    Reduced,
+}
+
 /// A whole candidate to be cooked.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Job {
@@ -36,8 +45,8 @@ pub struct Job {
     pub schedule: Schedule,
     /// How the time to pull is found.
     pub pull: Pull,
-    /// Mesh spacing relative to the default [-].
-    pub coarseness: f64,
+    /// Meshes of the foods.
+    pub mesh: Mesh,
 }
 
 /// What a cook looks and feels like at one of its steps.

@@ -1,9 +1,10 @@
 //! A rest on a clone of the kitchen.
 
-use saute_kitchen::{Command, Kitchen, Piece, RestOn};
+use saute_kitchen::{Kitchen, Piece};
 
 use crate::goal::{Goal, Outcome, at_core};
-use crate::schedule::job::{Cue, TICKS_PER_S};
+use crate::schedule::candidate::job::Cue;
+use crate::schedule::candidate::stove::Stove;
 
 /// Shortest and longest rest [s] (chosen: a minute lets the juices settle; the core of a thick steak peaks within ten).
 const REST_S: [u32; 2] = [60, 600];
@@ -11,10 +12,6 @@ const REST_S: [u32; 2] = [60, 600];
 const REST_STEP_S: u32 = 10;
 /// Time for which every core has fallen when a rest ends [s] (chosen).
 const FALLEN_S: f64 = 15.0;
-/// Work of pan, hob and rigid bodies in a tick, in nodes of food [-] (measured: a coarse steak of 1000 nodes takes about as long
-/// as an empty pan).
-const NODES_OF_PAN: u64 = 1000;
-
 /// A food that was pulled and rested.
 #[derive(Clone, Debug)]
 pub(crate) struct Rested {
@@ -35,7 +32,7 @@ pub(crate) struct Rested {
 /// Foods that rest on a clone of their kitchen.
 #[derive(Clone, Debug)]
 pub(crate) struct Resting {
-    kitchen: Kitchen,
+    stove: Stove,
     pull_s: u32,
     /// Length of the rest [s]; until the cores have peaked unless given.
     rest_s: Option<u32>,
@@ -47,21 +44,19 @@ pub(crate) struct Resting {
 }
 
 impl Resting {
-    /// Pulls the foods of a kitchen now, to rest them for a time [s], or until their cores have peaked.
-    pub(crate) fn begin(kitchen: &Kitchen, pull_s: u32, goal: &Goal, rest_s: Option<u32>) -> Self {
-        let before = core_now(kitchen, goal);
-        let mut kitchen = kitchen.clone();
-        pull(&mut kitchen);
-        Self { kitchen, pull_s, rest_s, before, elapsed_s: 0, work: 0 }
+    /// Pulls the foods of a stove now, to rest them for a time [s], or until their cores have peaked.
+    pub(crate) fn begin(mut stove: Stove, pull_s: u32, goal: &Goal, rest_s: Option<u32>) -> Self {
+        let before = core_now(stove.kitchen(), goal);
+        stove.pull();
+        Self { stove, pull_s, rest_s, before, elapsed_s: 0, work: 0 }
     }
 
     /// Rests for a second; returns false if the rest is over.
     pub(crate) fn second(&mut self) -> bool {
-        let lasts = self.rest_s.map_or_else(|| goes_on(&self.kitchen, self.elapsed_s), |end| self.elapsed_s < end);
+        let kitchen = self.stove.kitchen();
+        let lasts = self.rest_s.map_or_else(|| goes_on(kitchen, self.elapsed_s), |end| self.elapsed_s < end);
         if lasts {
-            let pan = if self.kitchen.only_rests() { 0 } else { NODES_OF_PAN };
-            self.work += u64::from(TICKS_PER_S) * (nodes_of_food(&self.kitchen) + pan);
-            (0..TICKS_PER_S).for_each(|_| self.kitchen.step_rest());
+            self.work += self.stove.rest_second();
             self.elapsed_s += 1;
         }
         lasts
@@ -69,19 +64,9 @@ impl Resting {
 
     /// What the rest gave, with the masses at the start [kg].
     pub(crate) fn rested(&self, masses: &[f64], goal: &Goal) -> Rested {
-        let outcome = Outcome::read(&self.kitchen, masses, goal);
+        let outcome = Outcome::read(self.stove.kitchen(), masses, goal);
         let (rest_s, rise) = (self.elapsed_s, outcome.at_core - self.before);
         Rested { pull_s: self.pull_s, rest_s, outcome, rise, pull: None, work: self.work }
-    }
-}
-
-/// Takes the foods out of the pan and switches the hob off, as the last steps of a recipe do.
-fn pull(kitchen: &mut Kitchen) {
-    let foods: Vec<String> = kitchen.pieces().iter().filter(|p| p.in_pan()).map(|p| p.id.clone()).collect();
-    let rests = foods.into_iter().map(|food| Command::Rest { food, on: RestOn::Board });
-    for command in rests.chain([Command::Hob(0.0)]) {
-        // A food in the pan can be taken out, and every hob can be switched off.
-        let _ = kitchen.apply(&command);
     }
 }
 
@@ -95,18 +80,4 @@ fn goes_on(kitchen: &Kitchen, elapsed_s: u32) -> bool {
 /// Mean of what the goal's scale measures at the core now [°C or %].
 pub(crate) fn core_now(kitchen: &Kitchen, goal: &Goal) -> f64 {
     at_core(kitchen.pieces().iter(), goal, Piece::core)
-}
-
-/// Work of the last second [-].
-pub(crate) fn work_of_second(kitchen: &Kitchen) -> u64 {
-    u64::from(TICKS_PER_S) * (nodes_of_food(kitchen) + NODES_OF_PAN)
-}
-
-fn nodes_of_food(kitchen: &Kitchen) -> u64 {
-    kitchen.pieces().iter().map(|p| p.model.mesh().node_count() as u64).sum()
-}
-
-/// Work of a tick with a number of nodes of food [-].
-pub(crate) fn work_of_tick(nodes: usize) -> u64 {
-    nodes as u64 + NODES_OF_PAN
 }
