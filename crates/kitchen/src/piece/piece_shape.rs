@@ -39,9 +39,14 @@ impl PieceShape {
         self.limp = model.limp(state);
     }
 
+    /// Returns true if [`SHAPE_TICKS`] have passed since the last update.
+    pub(crate) fn is_due(&self, state: &FoodState) -> bool {
+        state.ticks >= self.updated_at + SHAPE_TICKS
+    }
+
     /// Derives the shape again every [`SHAPE_TICKS`]; returns true if it did.
     pub(crate) fn follow(&mut self, model: &FoodModel, state: &FoodState) -> bool {
-        if state.ticks < self.updated_at + SHAPE_TICKS {
+        if !self.is_due(state) {
             return false;
         }
         self.updated_at = state.ticks;

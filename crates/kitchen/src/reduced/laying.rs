@@ -22,6 +22,16 @@ impl Piece {
         }
     }
 
+    /// Updates its geometry when due. In the pan its lowest patch stays as high over the surface: it sinks as it grows thinner.
+    pub(super) fn follow_shape_down(&mut self, surface: &PanShape, pan: &Pose) {
+        let sinks = self.in_pan() && self.shape.is_due(&self.state);
+        let height = if sinks { self.lowest_over(surface, pan) } else { None };
+        self.follow_shape();
+        if let Some(height) = height {
+            self.lower_to(height, surface, pan);
+        }
+    }
+
     /// Turns it over about its long axis and lays it level on its other face.
     pub(super) fn turn_over(&mut self, surface: &PanShape, pan: &Pose) {
         let long = self.pose.rotation * DVec3::X;

@@ -2,8 +2,8 @@
 //!
 //! [`Kitchen::reduced`](crate::Kitchen::reduced) carries the present state over: heat, water and fat of the pieces are
 //! conserved ([`saute_food::reduced`]), and so are those of the pan and its liquids; electronics and lid are the same. A [`ReducedKitchen`] takes
-//! [`LAPSE_S`] in one step. Its bodies lie still: a flip lays a piece on its other face, level, after the time that the
-//! motion takes. Pieces that are no slices keep their meshes.
+//! [`LAPSE_S`] in one step. Its bodies lie still, but in the pan they sink as they grow thinner; a flip lays a piece on its
+//! other face, level, after the time that the motion takes. Pieces that are no slices keep their meshes.
 //!
 //! ```
 //! use saute_kitchen::food::Rules;

@@ -29,7 +29,8 @@ const FLIP_STEPS: u32 = 1;
 /// Steps during which a piece is carried out of the pan [-] (chosen: the tongs carry it for 1.1 s).
 const CARRY_STEPS: u32 = 2;
 
-/// A kitchen whose slices have coarse meshes. Nothing moves in it but what its commands turn over or take out.
+/// A kitchen whose slices have coarse meshes. Nothing moves in it but what its commands turn over or take out, and food that
+/// sinks as it grows thinner.
 #[derive(Clone, Debug)]
 pub struct ReducedKitchen {
     kitchen: Kitchen,
@@ -149,10 +150,11 @@ impl ReducedKitchen {
         self.lay_down();
         let kitchen = &mut self.kitchen;
         let fixed = Arc::clone(&kitchen.fixed);
+        let (surface, pan) = (*kitchen.world.pan_shape(), kitchen.world.motion.pose);
         kitchen.load.clear();
         for piece in &mut kitchen.pieces {
             piece.free_all();
-            piece.follow_shape();
+            piece.follow_shape_down(&surface, &pan);
         }
         kitchen.exchange_between_foods(&fixed.room, lapse);
         for index in 0..kitchen.pieces.len() {

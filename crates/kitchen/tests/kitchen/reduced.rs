@@ -10,10 +10,8 @@ fn library() -> Library {
     Library::embedded().unwrap()
 }
 
-/// A steak after a minute and a half on one face.
-fn frying(library: &Library) -> Kitchen {
-    let mut kitchen = Kitchen::new(library, "stainless-clad-26", kelvin(200.0)).unwrap();
-    let order = PieceOrder {
+fn order() -> PieceOrder {
+    PieceOrder {
         id: "steak".into(),
         kind: "beef-lean".into(),
         size: [0.11, 0.075, 0.018],
@@ -23,11 +21,20 @@ fn frying(library: &Library) -> Kitchen {
         rules: Rules::Full,
         mesh: MeshSize::Default,
         outline: OutlineKind::Natural,
-    };
-    kitchen.add(library, &order).unwrap();
+    }
+}
+
+fn put() -> Command {
+    Command::Put { food: "steak".into(), at: [0.01, 0.0], heap: false }
+}
+
+/// A steak after a minute and a half on one face.
+fn frying(library: &Library) -> Kitchen {
+    let mut kitchen = Kitchen::new(library, "stainless-clad-26", kelvin(200.0)).unwrap();
+    kitchen.add(library, &order()).unwrap();
     kitchen.apply(&Command::Hob(900.0)).unwrap();
     kitchen.apply(&Command::Oil { kind: None, mass: 0.004 }).unwrap();
-    kitchen.apply(&Command::Put { food: "steak".into(), at: [0.01, 0.0], heap: false }).unwrap();
+    kitchen.apply(&put()).unwrap();
     run(&mut kitchen, 90.0);
     kitchen
 }
@@ -99,6 +106,28 @@ fn a_flipped_piece_lies_on_its_other_face_and_one_that_is_out_is_on_the_board() 
     run_reduced(&mut out, 5.0);
     assert_eq!(out.kitchen().piece("steak").unwrap().place, Place::Rest(RestOn::Rack));
     assert!(matches!(out.apply(&Command::Flip { food: "egg".into() }), Err(Refused::NoSuchFood(_))));
+}
+
+/// A thick steak that is turned once loses more than a millimetre of its thickness on its second face: it sinks onto the pan
+/// as it does so, as its body does on the full mesh.
+#[test]
+fn a_piece_that_grows_thinner_stays_on_the_pan() {
+    let library = library();
+    let mut kitchen = Kitchen::new(&library, "carbon-steel-26", kelvin(220.0)).unwrap();
+    kitchen.add(&library, &PieceOrder { size: [0.11, 0.075, 0.03], ..order() }).unwrap();
+    for command in [Command::Hob(600.0), Command::Oil { kind: None, mass: 0.005 }, put()] {
+        kitchen.apply(&command).unwrap();
+    }
+    run(&mut kitchen, 1.0);
+    let mut reduced = kitchen.reduced(&mut Reductions::default()).unwrap();
+    run_reduced(&mut reduced, 420.0);
+    reduced.apply(&flip()).unwrap();
+    run_reduced(&mut reduced, 5.0);
+    for minute in 0..10 {
+        let piece = reduced.kitchen().piece("steak").unwrap();
+        assert!(piece.is_near_pan(), "after {minute} min, {} °C", piece.face(true) - kelvin(0.0));
+        run_reduced(&mut reduced, 60.0);
+    }
 }
 
 /// Two runs from one present agree to the last bit, and leave it as it is.
