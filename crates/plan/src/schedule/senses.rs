@@ -14,8 +14,8 @@ pub enum Sense {
         pan_c: f64,
         /// What a drop of water does on it.
         drop: Drop,
-        /// Temperature at which its oil smokes [°C].
-        smoke_c: Option<f64>,
+        /// What its oil does; none without oil.
+        oil: Option<Smoke>,
     },
     /// The face on the pan, seen when its edge is lifted.
     Face {
@@ -42,6 +42,15 @@ pub enum Sense {
         /// Highest temperature of the core [°C].
         peak_c: f64,
     },
+}
+
+/// What the oil in a pan does when the food goes in.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Smoke {
+    /// It does not smoke: smoke would mean that the pan is over this temperature [°C].
+    Above(f64),
+    /// It smokes a little where the pan is hottest.
+    AtHottest,
 }
 
 /// What a drop of water does on a pan.
@@ -127,8 +136,9 @@ fn pan(cue: &Cue, library: &Library) -> Sense {
         c if c < 190.0 => Drop::Bursts,
         _ => Drop::Runs,
     };
-    let smoke_c = library.oils.get(&library.room.oil.default).map(|oil| oil.heat.smoke_c);
-    Sense::Pan { pan_c: cue.pan_c, drop, smoke_c }
+    let smoke = |smoke_c| if cue.hottest_c < smoke_c { Smoke::Above(smoke_c) } else { Smoke::AtHottest };
+    let oil = library.oils.get(&library.room.oil.default).map(|oil| smoke(oil.heat.smoke_c));
+    Sense::Pan { pan_c: cue.pan_c, drop, oil }
 }
 
 fn face(cue: &Cue) -> Sense {

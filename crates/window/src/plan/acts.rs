@@ -7,12 +7,11 @@ use saute_plan::schedule::Plan;
 use saute_plan::schedule::voice::Keeping;
 
 use super::PlanFile;
-use super::live::{Live, News};
+use super::live::Live;
 use super::{PlanAct, kitchen_card};
 use crate::act::Card;
 use crate::app::SauteApp;
 use crate::session::SPEEDS;
-use crate::words::cue_words;
 use crate::work::Kind;
 use crate::work::in_frames::InFrames;
 
@@ -57,22 +56,8 @@ impl SauteApp {
             ctx.request_repaint_after(soon);
         }
         let live = self.live.as_mut().filter(|live| live.is_of(&self.session));
-        let news = live.and_then(|live| live.look_after(&mut self.session));
-        if let Some(news) = news {
-            self.tell(&news);
-        }
-    }
-
-    /// Says why time slows down; opens the result once the rest is over.
-    fn tell(&mut self, news: &News) {
-        let l = self.settings.language;
-        match news {
-            News::Slowed(next, from) => {
-                let deeds = cue_words::deeds(next, l);
-                let (key, speed) = (if *from > 1.0 { "plan.slowed" } else { "plan.slowed_here" }, format!("{from:.0}"));
-                self.notice.say(l.fill(key, &[("deed", &deeds), ("speed", &speed)]));
-            }
-            News::Over => self.open_result_of_plan(),
+        if live.is_some_and(|live| live.look_after(&mut self.session)) {
+            self.open_result_of_plan();
         }
     }
 

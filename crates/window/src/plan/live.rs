@@ -34,8 +34,6 @@ pub struct Live {
     slowed: Option<Slowed>,
     /// True once the person has closed what was said at the end.
     is_closed: bool,
-    /// True once it was said that time slows down.
-    slowing_is_said: bool,
 }
 
 /// A step near which the clock fell back to real time.
@@ -45,15 +43,6 @@ struct Slowed {
     at_s: u32,
     /// The speed to return to after it [-].
     from: f64,
-}
-
-/// What a look after the cook makes worth saying.
-#[derive(Clone, Debug, PartialEq)]
-pub enum News {
-    /// Time runs at real time now since these steps are near; after them it runs at a speed again [-].
-    Slowed(Vec<Followed>, f64),
-    /// The rest is over.
-    Over,
 }
 
 /// What the guide says at an instant.
@@ -91,17 +80,7 @@ impl Live {
         let masses = session.kitchen.pieces().iter().map(saute_kitchen::Piece::mass).collect();
         let plays = session.recording().beginning().plays;
         let text = plan.recipe_text();
-        Self {
-            text,
-            plan,
-            masses,
-            gave: None,
-            plays,
-            before_hurry: None,
-            slowed: None,
-            is_closed: false,
-            slowing_is_said: false,
-        }
+        Self { text, plan, masses, gave: None, plays, before_hurry: None, slowed: None, is_closed: false }
     }
 
     /// The plan.
@@ -184,38 +163,38 @@ impl Live {
     }
 
     /// Looks after the clock: near a step it runs at real time, after it as before, and at the end it stops; reads what the cook gave.
-    pub fn look_after(&mut self, session: &mut Session) -> Option<News> {
+    /// Returns true when the rest has just ended.
+    pub fn look_after(&mut self, session: &mut Session) -> bool {
         let guidance = self.guidance(session);
         let (now_s, is_over) = (session.shown_s(), guidance.next.is_empty());
         if !is_over {
             (self.gave, self.is_closed) = (None, false);
-            return self.keep_time(&guidance, session);
+            self.keep_time(&guidance, session);
+            return false;
         }
         if self.gave.is_some() {
-            return None;
+            return false;
         }
         self.gave = Some((now_s, Outcome::read(&session.kitchen, &self.masses, self.goal())));
         session.set_paused(true);
         if let Some(slowed) = self.slowed.take().filter(|_| session.speed == 1.0) {
             session.set_speed(slowed.from);
         }
-        Some(News::Over)
+        true
     }
 
     /// Real time near a step, and the former speed after it unless another one was chosen.
-    fn keep_time(&mut self, guidance: &Guidance, session: &mut Session) -> Option<News> {
-        let (next, in_s) = (guidance.next.first()?.step.at_s, guidance.due_in_s()?);
+    fn keep_time(&mut self, guidance: &Guidance, session: &mut Session) {
+        let (Some(next), Some(in_s)) = (guidance.next.first(), guidance.due_in_s()) else { return };
+        let next = next.step.at_s;
         let is_near = in_s < LEAD_S;
         if is_near && session.speed > 1.0 {
             let from = self.before_hurry.take().unwrap_or(session.speed);
             session.set_speed(1.0);
             self.slowed = (from > 1.0).then_some(Slowed { at_s: next, from });
-            let is_said = std::mem::replace(&mut self.slowing_is_said, true);
-            // After the last step time stands still.
-            let to = if guidance.place()[0] < guidance.place()[1] { from } else { 1.0 };
-            return (!is_said).then(|| News::Slowed(guidance.next.clone(), to));
+            return;
         }
-        let slowed = self.slowed.as_mut()?;
+        let Some(slowed) = &mut self.slowed else { return };
         if session.speed != 1.0 {
             self.slowed = None;
         } else if is_near {
@@ -224,7 +203,6 @@ impl Live {
             session.set_speed(slowed.from);
             self.slowed = None;
         }
-        None
     }
 
     /// Returns the commands of the steps that come next, for the pieces that are there.

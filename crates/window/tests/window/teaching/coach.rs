@@ -15,11 +15,11 @@ fn the_coach_says_what_happens_and_what_to_perceive_next_and_can_be_off() {
     put_in(&mut harness);
     until(&mut harness, |session| session.steak().is_some_and(|steak| celsius(steak.face(true)) > 95.0));
     steps(&mut harness, 12);
-    assert!(says(&harness, "Listen: the sizzle fades") && says(&harness, "Water boils off below"));
+    assert!(says(&harness, "Next to hear: the sizzle fades") && says(&harness, "Water boils off below"));
     assert_eq!(harness.get_by_label("Core").rect(), fits, "nothing jumps");
     save(&mut harness, "coach-wet");
     set(&mut harness, Setting::Coach(false));
-    assert!(!says(&harness, "Listen: ") && !says(&harness, "Water boils off"));
+    assert!(!says(&harness, "Next to hear: ") && !says(&harness, "Water boils off"));
     assert_eq!(harness.get_by_label("Core").rect(), fits);
 }
 
