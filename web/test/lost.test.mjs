@@ -17,6 +17,12 @@ const BACK_MS = 3000;
 /** What a browser says when its graphics are gone; what follows is the page's own. */
 const SAID_OF_LOSS = /CONTEXT_LOST|context lost|device (is )?lost|Device.*lost|graphics|external Instance reference/i;
 
+/**
+ * What Chromium says with the flags of WebGPU where a page draws with WebGL 2, once or twice in a run, when it takes the canvas
+ * over by its Vulkan in software; a page that only clears its canvas gets the first one too. That the picture is right is compared.
+ */
+const SAID_OF_FLAGS = /GL_INVALID_OPERATION: gl(BlitFramebuffer: Blit feedback loop|CopyTexSubImage2D: Invalid copy texture format)/;
+
 const loseWebGl = () =>
   document.getElementById("canvas").getContext("webgl2").getExtension("WEBGL_lose_context").loseContext();
 
@@ -78,7 +84,7 @@ for (const [backend, args, lose] of LOSSES) {
       await page.locator("#canvas").focus();
       await press(page, " ");
       await until(page, "time goes on", (now) => now.time_s > before.time_s + 3);
-      assert.deepEqual(trouble(seen).filter((line) => !SAID_OF_LOSS.test(line)), []);
+      assert.deepEqual(trouble(seen).filter((line) => !SAID_OF_LOSS.test(line) && !SAID_OF_FLAGS.test(line)), []);
     } finally {
       host.end();
       await browser.close();
