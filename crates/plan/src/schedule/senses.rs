@@ -1,6 +1,7 @@
 //! What a cook sees, hears and feels at a step, told from the numbers of the planned cook.
 
 use saute_kitchen::Library;
+use saute_kitchen::advice::SMOKE_SEEN_MG_S;
 use saute_kitchen::food::Form;
 
 use crate::schedule::{Cue, Deed, Plan, Step};
@@ -14,8 +15,8 @@ pub enum Sense {
         pan_c: f64,
         /// What a drop of water does on it.
         drop: Drop,
-        /// What its oil does; none without oil.
-        oil: Option<Smoke>,
+        /// True if nobody sees its oil smoke: smoke then means that it is too hot.
+        is_smokeless: bool,
     },
     /// The face on the pan, seen when its edge is lifted.
     Face {
@@ -42,15 +43,6 @@ pub enum Sense {
         /// Highest temperature of the core [°C].
         peak_c: f64,
     },
-}
-
-/// What the oil in a pan does when the food goes in.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Smoke {
-    /// It does not smoke: smoke would mean that the pan is over this temperature [°C].
-    Above(f64),
-    /// It smokes a little where the pan is hottest.
-    AtHottest,
 }
 
 /// What a drop of water does on a pan.
@@ -118,7 +110,7 @@ impl Plan {
         let cue = self.cue(step);
         match step.deed {
             Deed::Power(_) => None,
-            Deed::Put => cue.map(|cue| pan(cue, library)),
+            Deed::Put => cue.map(pan),
             Deed::Flip(_) => cue.map(face),
             Deed::Pull => cue.map(|cue| Sense::Done {
                 core_c: cue.core_c,
@@ -130,15 +122,13 @@ impl Plan {
     }
 }
 
-fn pan(cue: &Cue, library: &Library) -> Sense {
+fn pan(cue: &Cue) -> Sense {
     let drop = match cue.pan_c {
         c if c < 150.0 => Drop::Lies,
         c if c < 190.0 => Drop::Bursts,
         _ => Drop::Runs,
     };
-    let smoke = |smoke_c| if cue.hottest_c < smoke_c { Smoke::Above(smoke_c) } else { Smoke::AtHottest };
-    let oil = library.oils.get(&library.room.oil.default).map(|oil| smoke(oil.heat.smoke_c));
-    Sense::Pan { pan_c: cue.pan_c, drop, oil }
+    Sense::Pan { pan_c: cue.pan_c, drop, is_smokeless: cue.smoke_mg_s < SMOKE_SEEN_MG_S }
 }
 
 fn face(cue: &Cue) -> Sense {
@@ -170,4 +160,19 @@ fn feel(form: Form, peak_c: f64) -> Option<Feel> {
         (Form::Coin | Form::Ring | Form::Stick, _) => Feel::Knife,
         (Form::Mesh, _) => return None,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn smoke_means_too_hot_only_where_the_planned_pan_shows_none() {
+        let cue =
+            |smoke_mg_s| Cue { at_s: 66, pan_c: 200.0, smoke_mg_s, core_c: 5.0, browned_pct: 0.0, steam_g_s: 0.0 };
+        // The ring over the coil is above the smoke point of the oil there, and nobody sees its smoke.
+        let warns = |smoke_mg_s| matches!(pan(&cue(smoke_mg_s)), Sense::Pan { is_smokeless: true, .. });
+        assert!(warns(0.0) && warns(0.1));
+        assert!(!warns(SMOKE_SEEN_MG_S));
+    }
 }

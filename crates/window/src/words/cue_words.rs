@@ -2,7 +2,7 @@
 
 use saute_plan::schedule::Deed;
 use saute_plan::schedule::follow::{Followed, Left};
-use saute_plan::schedule::senses::{Colour, Drop, Feel, Hiss, Sense, Smoke};
+use saute_plan::schedule::senses::{Colour, Drop, Feel, Hiss, Sense};
 
 use crate::settings::Settings;
 use crate::words::language::Language;
@@ -38,12 +38,8 @@ pub fn sense(sense: &Sense, settings: &Settings) -> String {
     let l = settings.language;
     let degrees = |celsius: f64| settings.temperature(celsius);
     match *sense {
-        Sense::Pan { pan_c, drop, oil } => {
-            let smoke = match oil {
-                Some(Smoke::Above(c)) => l.fill("sense.smoke", &[("smoke", &degrees(c))]),
-                Some(Smoke::AtHottest) => l.text("sense.smokes").to_owned(),
-                None => String::new(),
-            };
+        Sense::Pan { pan_c, drop, is_smokeless } => {
+            let smoke = if is_smokeless { l.text("sense.smoke") } else { "" };
             l.fill("sense.pan", &[("pan", &degrees(pan_c)), ("drop", &l.text(of_drop(drop))), ("smoke", &smoke)])
         }
         Sense::Face { browned_pct, colour, hiss, .. } => {

@@ -56,8 +56,8 @@ pub struct Cue {
     pub at_s: u32,
     /// Mean temperature of the pan's floor [°C].
     pub pan_c: f64,
-    /// Temperature of the hottest place of the pan's floor [°C].
-    pub hottest_c: f64,
+    /// Smoke from the pan's oil [mg/s].
+    pub smoke_mg_s: f64,
     /// Mean temperature of the core [°C].
     pub core_c: f64,
     /// Browned share of the face on the pan [%].
