@@ -5,9 +5,24 @@
 set -euo pipefail
 cd "$(dirname "$0")"
 source scripts/requirements.sh
+source scripts/build.sh
 source scripts/wasm.sh
 source scripts/web.sh
 source scripts/python.sh
+
+# need_display COMMAND: before a long build, where the window cannot be opened.
+need_display() {
+    case "${1:-}" in
+        "" | open | study | --device) ;;
+        *) return 0 ;;
+    esac
+    if [ "$(uname -s)" != Linux ] || [ -n "${WAYLAND_DISPLAY:-}${WAYLAND_SOCKET:-}${DISPLAY:-}" ]; then return 0; fi
+    say "there is no display, which the window needs; without one:"
+    say "  ./run.sh web                                             the same in a browser"
+    say "  ./run.sh cook medium                                     cook and print the numbers"
+    say "  ./run.sh shot medium --at 300 --out steak.png            render a picture"
+    exit 2
+}
 
 need_cargo
 if [ "${1:-}" = python ]; then
@@ -19,17 +34,9 @@ if [ "${1:-}" = web ]; then
     web "$@"
     exit
 fi
+need_display "$@"
 need_packages
 # Without it graphics drivers complain on stderr while they look for a Wayland display.
 export XDG_RUNTIME_DIR="${XDG_RUNTIME_DIR:-/tmp}"
-
-# Cargo shows its progress on a terminal as a bar, elsewhere as lines. Later builds are silent unless on a terminal.
-progress=()
-if [ ! -x "${CARGO_TARGET_DIR:-target}/release/saute" ]; then
-    say "first build: about 6 minutes on 2 cores; later starts take seconds"
-elif [ ! -t 2 ]; then
-    progress=(--quiet)
-fi
-# `saute haptics check` looks for the simulator beside saute.
-cargo build --release ${progress[@]+"${progress[@]}"} -p saute -p saute-spidar-sim
-exec cargo run --release --quiet -p saute -- "$@"
+build_programs
+exec "$RELEASE_DIR/saute" "$@"

@@ -1,62 +1,97 @@
 #!/usr/bin/env bash
 # Everything that must hold: format, lints, tests (window and pictures on software Vulkan), instruction counts, docs,
-# and the web page in Chromium. Shows each step, and at the end how long each of them took.
+# and the web page in Chromium. Steps run side by side; the first failure ends the run and says how to run that step alone.
 #
-#   ./test.sh                all of it
-#   ./test.sh quick          format, lints and unit tests of the crates that were changed
-#   ./test.sh bless          draws the reference pictures again and prints the colour difference (ΔE) of each
-#   ./test.sh bless-counts   writes new instruction counts to scripts/counts.toml
+#   ./test.sh                  all of it
+#   ./test.sh step NAME        one step, with what was built before: step tests saute-heat, step browser web/test/link.test.mjs
+#   ./test.sh quick            format, lints and unit tests of the crates that were changed
+#   ./test.sh bless            draws the reference pictures again and prints the colour difference (ΔE) of each
+#   ./test.sh bless-counts     writes new instruction counts to scripts/counts.toml
+#   ./test.sh bless-durations  writes the work of the last whole run to scripts/durations.toml
 #
-# What takes longer by nature is in scripts/campaign.sh; this runs the share of it that is stated there.
+# Pictures that no test compares are drawn with SAUTE_PICTURES=1. What takes longer by nature is in scripts/campaign.sh;
+# this runs the share of it that is stated there.
 set -euo pipefail
 cd "$(dirname "$0")"
 source scripts/requirements.sh
 source scripts/steps.sh
+source scripts/lanes.sh
 source scripts/wasm.sh
 source scripts/web.sh
 source scripts/counts.sh
 source scripts/changed.sh
 source scripts/campaign_share.sh
-source scripts/fuzz.sh
-source scripts/dependencies.sh
 source scripts/python.sh
 
-# Crates that must compile for the browser and are not in the page.
-BROWSER_CRATES=(surface lab)
+RELEASE="${CARGO_TARGET_DIR:-target}/release"
 
-tests() {
-    local output="${CARGO_TARGET_DIR:-target}/test-output.txt"
-    mkdir -p "$(dirname "$output")"
-    # libtest's --quiet prints dots instead of names; cargo names the programs.
-    cargo test --release --workspace -- --quiet 2>&1 | tee "$output"
-    TESTS_PASSED="$(awk '/^test result:/ { sum += $4 } END { print sum + 0 }' "$output")"
+# Each with the steps that must have ended before it begins. Those that build natively wait for one another, as cargo
+# would make them.
+STEPS=(
+    "format:"
+    "page:"
+    "lints: format"
+    "build: lints"
+    "tests: build"
+    "site: page build"
+    "browser: site"
+    "python: build"
+    "ray: python"
+    "vtk: python"
+    "soak: build"
+    "counts: build"
+    "examples: tests"
+    "docs: examples"
+)
+
+step_format() { cargo fmt --all --check; }
+
+step_lints() { cargo clippy --release --workspace --all-targets -- -D warnings; }
+
+# Tests, programs and the library for Python, each with the same features, so that nothing is built twice.
+step_build() {
+    cargo test --release --workspace --no-run
+    cargo build --release --workspace --lib --bins
 }
 
-# Built with the features of the workspace, as the tests are; else its dependencies would be built anew.
-soak() {
-    cargo build --release --workspace --bin saute-soak
-    "${CARGO_TARGET_DIR:-target}/release/saute-soak" --minutes "$SHARE_SOAK_MINUTES"
+step_page() { compile_page; }
+
+step_site() { make_test_page; }
+
+step_browser() { test_page "$@"; }
+
+# The programs that draw and record what the page is compared with belong to the step "browser".
+step_tests() {
+    "$RELEASE/saute-xtask" tests --kept "${CARGO_TARGET_DIR:-target}/tests" --without "saute-window page" "$@"
 }
 
-docs() { RUSTDOCFLAGS="-D warnings" cargo doc --release --workspace --no-deps; }
+# Examples in the documentation.
+step_examples() { cargo test --release --workspace --doc -- --quiet; }
+
+step_soak() { "$RELEASE/saute-soak" --minutes "$SHARE_SOAK_MINUTES"; }
+
+step_python() { test_python; }
+
+step_ray() { test_python_on_ray; }
+
+step_vtk() { test_vtk; }
+
+step_counts() { compare_counts; }
+
+step_docs() { RUSTDOCFLAGS="-D warnings" cargo doc --release --workspace --no-deps; }
+
+# judge_durations [--bless]: the table of the last run; fails where more was counted than is allowed.
+judge_durations() {
+    "$RELEASE/saute-xtask" durations --steps "$STEPS_FOLDER" --budget scripts/durations.toml --saute "$RELEASE/saute" \
+        --wall-s "$(cat "$STEPS_FOLDER/wall")" "$@"
+}
 
 everything() {
-    step "format" cargo fmt --all --check
-    step "lints" cargo clippy --release --workspace --all-targets -- -D warnings
-    # Apart from the tests, so that cargo can show how far it is.
-    step "build of the tests" cargo test --release --workspace --no-run
-    step "tests" tests
-    step "soak" soak
-    step "python" test_python
-    step "python on ray" test_python_on_ray
-    step "files for VTK" test_vtk
-    step "fuzzer" fuzz_briefly "$SHARE_FUZZ_S"
-    step "dependencies" judge_dependencies
-    step "instruction counts" compare_counts
-    step "docs" docs
-    step "browser crates" check_wasm "${BROWSER_CRATES[@]}"
-    step "web page" test_page
-    finish "all passed: $TESTS_PASSED tests"
+    side_by_side "${STEPS[@]}"
+    echo "$SECONDS" >"$STEPS_FOLDER/wall"
+    judge_durations
+    printf '== all passed: %s tests, in %s min\n' \
+        "$(awk '/^passed: / { sum += $2 } END { print sum + 0 }' "$STEPS_FOLDER"/*.log)" "$(clock "$SECONDS")"
 }
 
 quick() {
@@ -82,19 +117,24 @@ done
 export XDG_RUNTIME_DIR="${XDG_RUNTIME_DIR:-$(mktemp -d)}"
 fix_campaign_share
 
-case "${1:-}" in
-    "")
+case "${1:-} ${2:+value}" in
+    " ")
         need_test_packages
         everything
         ;;
-    quick) quick ;;
-    bless) SAUTE_BLESS=1 cargo test --release --quiet -p saute-picture --test pictures looks:: -- --nocapture ;;
-    bless-counts)
+    "step value")
+        need_test_packages
+        run_step "${@:2}"
+        ;;
+    "quick ") quick ;;
+    "bless ") SAUTE_BLESS=1 cargo test --release --quiet -p saute-picture --test pictures looks:: -- --nocapture ;;
+    "bless-counts ")
         need_test_packages
         bless_counts
         ;;
+    "bless-durations ") judge_durations --bless ;;
     *)
-        sed -n '5,8p' "$0" | sed 's/^# *//' >&2
+        sed -n '5,10p' "$0" | sed 's/^# *//' >&2
         exit 2
         ;;
 esac

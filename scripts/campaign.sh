@@ -7,12 +7,14 @@
 #   the fuzzer on every reader, where a nightly compiler and cargo-fuzz are installed, and the lines that it reached;
 #   a simulated day at the stove, without and with a recorder;
 #   licences, versions and known advisories of all dependencies, where cargo-deny is installed;
+#   the page as people get it, with its size limit, and its tests with every pose in WebGPU too;
 #   the Python package as pip builds it, and a short training of its example;
 #   a sweep of 10,000 rows that is killed ten times, its memory, and its throughput beside bare cooks;
 #   the haptic loop against a simulated device for a minute, and every fault;
 #   the speed tables of the 2013 paper with their goals, and the speed of the heat solver.
 #
 #   scripts/campaign.sh               all of it
+#   scripts/campaign.sh last          when each part ran last on this machine
 #   scripts/campaign.sh fuzz NAME...  the fuzzer on these readers only, or on all
 #
 # ./test.sh runs the share of it that scripts/campaign_share.sh states.
@@ -24,27 +26,36 @@ source scripts/campaign_share.sh
 source scripts/fuzz.sh
 source scripts/dependencies.sh
 source scripts/python.sh
+source scripts/build.sh
+source scripts/wasm.sh
+source scripts/web.sh
+
+# The part of each name is the function of that name; a line break in the name of a file would be none in these.
+PARTS=(random_cooks random_packets random_instants random_sessions random_kills plans fits fuzz day
+    judge_dependencies judge_advisories real_page test_wheel train_briefly sweeps haptics tables_of_2013 heat_solver)
+# One file for each part: when it last passed, and of which commit.
+LAST="${CARGO_TARGET_DIR:-target}/campaign"
 
 saute() { ./run.sh "$@"; }
 
-random_cooks() { SAUTE_RANDOM_COOKS="$CAMPAIGN_RANDOM_COOKS" cargo test --release -p saute-kitchen --test kitchen properties::; }
+random_cooks() { SAUTE_RANDOM_COOKS="$CAMPAIGN_RANDOM_COOKS" cargo test --release --workspace --test kitchen properties::; }
 
-random_packets() { PROPTEST_CASES="$CAMPAIGN_RANDOM_PACKETS" cargo test --release -p saute-haptics -- --quiet; }
+random_packets() { PROPTEST_CASES="$CAMPAIGN_RANDOM_PACKETS" cargo test --release --workspace --test haptics -- --quiet; }
 
 random_instants() {
-    SAUTE_RANDOM_INSTANTS="$CAMPAIGN_RANDOM_INSTANTS" cargo test --release -p saute-kitchen --test kitchen bytes::
+    SAUTE_RANDOM_INSTANTS="$CAMPAIGN_RANDOM_INSTANTS" cargo test --release --workspace --test kitchen bytes::
 }
 
 random_sessions() {
-    SAUTE_RANDOM_SESSIONS="$CAMPAIGN_RANDOM_SESSIONS" cargo test --release -p saute-recipe --test recipe sessions::
+    SAUTE_RANDOM_SESSIONS="$CAMPAIGN_RANDOM_SESSIONS" cargo test --release --workspace --test recipe sessions::
 }
 
-random_kills() { SAUTE_RANDOM_KILLS="$CAMPAIGN_RANDOM_KILLS" cargo test --release -p saute --test cli killed; }
+random_kills() { SAUTE_RANDOM_KILLS="$CAMPAIGN_RANDOM_KILLS" cargo test --release --workspace --test cli killed; }
 
-plans() { SAUTE_PLANS="$CAMPAIGN_PLANS" cargo test --release -p saute-plan --test verified -- --nocapture; }
+plans() { SAUTE_PLANS="$CAMPAIGN_PLANS" cargo test --release --workspace --test plan verified:: -- --nocapture; }
 
 fits() {
-    SAUTE_FIT_TRIALS="$CAMPAIGN_FIT_TRIALS" cargo test --release -p saute-plan --test fit -- --nocapture
+    SAUTE_FIT_TRIALS="$CAMPAIGN_FIT_TRIALS" cargo test --release --workspace --test plan fit:: -- --nocapture
 }
 
 haptics() {
@@ -75,6 +86,35 @@ day() {
     scripts/soak.sh --record
 }
 
+sweeps() { scripts/sweeps.sh; }
+
+tables_of_2013() { saute bench paper; }
+
+heat_solver() { saute bench heat; }
+
+# The page as people get it.
+real_page() {
+    build_page
+    SAUTE_CAMPAIGN=1 SAUTE_PAGE="$PAGE_DIR" SAUTE_PAGE_BYTES="$PAGE_BYTES" test_page
+}
+
+# table_of_last: when each part last passed.
+table_of_last() {
+    local part
+    for part in "${PARTS[@]}"; do printf '   %-20s %s\n' "$part" "$(cat "$LAST/$part" 2>/dev/null || echo never)"; done
+}
+
+# run_part NAME: as a step; notes that it passed.
+run_part() {
+    step "$1" "$1"
+    mkdir -p "$LAST"
+    printf '%s, commit %s\n' "$(date '+%Y-%m-%d %H:%M')" "$(git rev-parse --short HEAD)" >"$LAST/$1"
+}
+
+if [ "${1:-}" = last ]; then
+    table_of_last
+    exit
+fi
 need_cargo
 if [ "${1:-}" = fuzz ]; then
     shift
@@ -84,21 +124,10 @@ if [ "${1:-}" = fuzz ]; then
 fi
 need_packages
 need_test_packages
-step "random cooks" random_cooks
-step "random packets" random_packets
-step "random instants" random_instants
-step "random sessions" random_sessions
-step "random kills" random_kills
-step "plans" plans
-step "fits" fits
-step "fuzzer" fuzz
-step "a day" day
-step "dependencies" judge_dependencies
-step "advisories" judge_advisories
-step "Python wheel" test_wheel
-step "training" train_briefly
-step "sweeps" scripts/sweeps.sh
-step "haptic loop" haptics
-step "tables of 2013" saute bench paper
-step "heat solver" saute bench heat
+say "last passed on this machine:"
+table_of_last >&2
+build_programs
+cargo test --release --workspace --no-run
+for part in "${PARTS[@]}"; do run_part "$part"; done
+table_of_last
 finish "the campaign passed"

@@ -18,11 +18,9 @@ SHARE_SOAK_MINUTES=10
 
 # Longest time of one target of the fuzzer in the campaign [s], in the plain build and under the address sanitizer; it ends
 # sooner with the executions of fuzz_goal. ./test.sh replays seeds and found cases, and the same few thousand mutations
-# every time (crates/attack/tests). It runs the programs of the fuzzer briefly where they are built already: to build them
-# takes a quarter of an hour.
+# every time (crates/attack/tests): to build the fuzzer takes a quarter of an hour.
 CAMPAIGN_FUZZ_S=3600
 CAMPAIGN_SANITIZER_S=600
-SHARE_FUZZ_S=2
 
 # Random instants at which a dish is stored and restored (crates/kitchen/tests/kitchen/bytes.rs), and random sessions that are played again
 # (crates/recipe/tests/recipe/sessions.rs).
@@ -31,10 +29,10 @@ CAMPAIGN_RANDOM_INSTANTS=200
 SHARE_RANDOM_SESSIONS=10
 CAMPAIGN_RANDOM_SESSIONS=100
 
-# Plans that are verified by the cooks of their recipes (crates/plan/tests/verified.rs): of ./test.sh the quick ones of its list.
+# Plans that are verified by the cooks of their recipes (crates/plan/tests/plan/verified.rs): of ./test.sh the quick ones of its list.
 CAMPAIGN_PLANS=all
 
-# Fits of a kitchen at home to simulated logs (crates/plan/tests/fit.rs). ./test.sh makes 3.
+# Fits of a kitchen at home to simulated logs (crates/plan/tests/plan/fit.rs). ./test.sh makes 3.
 CAMPAIGN_FIT_TRIALS=100
 
 # Kills of a cook that is recorded (crates/cli/tests/cli/sessions.rs). ./test.sh makes 100.

@@ -55,19 +55,6 @@ fuzz_run() {
     return "$status"
 }
 
-# fuzz_briefly SECONDS: the programs that are built, for this long each.
-fuzz_briefly() {
-    local name
-    can_fuzz || return 0
-    for name in $(fuzz_targets); do
-        if ! [ -x "$(fuzz_program plain "$name")" ]; then
-            say "skipped: the program of $name is not built (scripts/campaign.sh fuzz)"
-            return 0
-        fi
-        fuzz_run plain "$name" 1000000000 "$1"
-    done
-}
-
 fuzz_host() { rustc -vV | sed -n 's/^host: //p'; }
 
 # fuzz_line TARGET LOG: executions, executions a second, memory.

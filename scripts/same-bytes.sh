@@ -136,7 +136,7 @@ build_revision() {
         tree="$(mktemp -d)"
         git -C "$here" worktree add --quiet --detach "$tree/base" "$sha"
         say "building $1"
-        (cd "$tree/base" && cargo build --release -p saute --target-dir "$here/target/same-bytes/target" >&2)
+        (cd "$tree/base" && cargo build --release --workspace --bin saute --target-dir "$here/target/same-bytes/target" >&2)
         cp "$here/target/same-bytes/target/release/saute" "$program"
         git -C "$here" worktree remove --force "$tree/base"
         rmdir "$tree"
@@ -148,7 +148,7 @@ build_revision() {
 own_program() {
     if [ -z "${SAUTE:-}" ]; then
         say "building the working tree"
-        (cd "$here" && cargo build --release -p saute >&2)
+        (cd "$here" && cargo build --release --workspace --bin saute >&2)
         SAUTE="$here/target/release/saute"
     fi
     SAUTE="$(realpath "$SAUTE")"

@@ -1,4 +1,4 @@
-# Steps with a table of their durations. Sourced, not run.
+# Steps one after the other, with a table of their durations. Sourced, not run. Steps side by side: scripts/lanes.sh.
 
 STEP_NAMES=()
 STEP_SECONDS=()

@@ -57,4 +57,4 @@ spec "$((ROWS / 10))" > "$folder/few.toml"
 spec "$ROWS" > "$folder/many.toml"
 say "$((ROWS / 10)) rows: $(watched "$PROGRAM" sweep "$folder/few.toml" --out "$folder/few") MB at most"
 killed "$folder"
-cargo test --release --workspace --test throughput -- --ignored --nocapture
+cargo test --release --workspace --test sweep_folder throughput:: -- --ignored --nocapture

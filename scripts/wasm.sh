@@ -6,21 +6,13 @@ DEBIAN_WASM_PACKAGES=(rustc-web cargo-web rust-web-src lld)
 # 128-bit vectors: browsers have them since 2021 (Safari 16.4: 2023), and their results are those of single numbers.
 WASM_FLAGS='--cfg getrandom_backend="wasm_js" -C target-feature=+simd128'
 
-# check_wasm CRATE...: whether crates compile for the browser; no code is made.
-check_wasm() {
-    local crates=()
-    local crate
-    for crate in "$@"; do crates+=(-p "saute-$crate"); done
-    cargo_wasm check "${crates[@]}"
-}
-
-# cargo_wasm COMMAND ARGS...: cargo for the browser in the page's profile, by rustup's target, else by Debian's compiler.
+# cargo_wasm COMMAND PROFILE ARGS...: cargo for the browser in a profile, by rustup's target, else by Debian's compiler.
 # The folder of the results is $(wasm_folder).
 cargo_wasm() {
     if rustup_has_target; then
-        RUSTFLAGS="$WASM_FLAGS" cargo "$1" --profile web --target "$WASM_TARGET" "${@:2}"
+        RUSTFLAGS="$WASM_FLAGS" cargo "$1" --profile "$2" --target "$WASM_TARGET" "${@:3}"
     elif command -v apt-get >/dev/null && install "${DEBIAN_WASM_PACKAGES[@]}"; then
-        debian_wasm "$1" --profile web --target-dir "$(wasm_folder)" "${@:2}"
+        debian_wasm "$1" --profile "$2" --target-dir "$(wasm_folder)" "${@:3}"
     else
         say "the target $WASM_TARGET is missing: rustup target add $WASM_TARGET"
         return 1

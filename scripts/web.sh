@@ -1,6 +1,12 @@
 # Makes the page: the module, wasm-opt, the site. Sourced, not run.
 
 PAGE_DIR="${CARGO_TARGET_DIR:-target}/web/site"
+# What saute-site allows the page [bytes with brotli].
+PAGE_BYTES=4000000
+# The page for tests is the same program, made sooner: less optimised, without wasm-opt, compressed by a fraction. It has a
+# size limit of its own [bytes with brotli] (chosen: a tenth above what it has); that of the real page is in saute-site.
+TEST_PAGE_DIR="${CARGO_TARGET_DIR:-target}/web/test-site"
+TEST_PAGE_BYTES=9000000
 # The oldest Node that the tools in web/package.json run on.
 OLDEST_NODE=18
 
@@ -34,7 +40,7 @@ site() { "${CARGO_TARGET_DIR:-target}/release/saute-site" "$@"; }
 # build_page: the whole site in PAGE_DIR; seconds where nothing has changed.
 build_page() {
     local optimise=()
-    cargo_wasm build -p saute-web
+    cargo_wasm build web -p saute-web
     if need_web_tools; then
         optimise=(--wasm-opt web/node_modules/.bin/wasm-opt)
     else
@@ -43,15 +49,35 @@ build_page() {
     site build --wasm "$(wasm_folder)/$WASM_TARGET/web/saute_web.wasm" --out "$PAGE_DIR" ${optimise[@]+"${optimise[@]}"}
 }
 
-# test_page: builds the page and lets Chromium use it. The tests of the workspace have built the program of `site`.
+# compile_page: the module of the page for tests, and crates that must work in a browser and are not in the page.
+compile_page() { cargo_wasm build web-test -p saute-web -p saute-surface -p saute-lab; }
+
+# make_test_page: the page for tests in TEST_PAGE_DIR, of the module that compile_page made.
+make_test_page() {
+    site build --wasm "$(wasm_folder)/$WASM_TARGET/web-test/saute_web.wasm" --out "$TEST_PAGE_DIR" --brotli 5 \
+        --most "$TEST_PAGE_BYTES"
+}
+
+# test_files: all tests of the page, the longest first, so that no browser is left alone with it.
+test_files() {
+    local file longest=(likeness scenario foresee lost)
+    for file in "${longest[@]}"; do echo "web/test/$file.test.mjs"; done
+    for file in web/test/*.test.mjs; do
+        case " ${longest[*]} " in *" $(basename -s .test.mjs "$file") "*) ;; *) echo "$file" ;; esac
+    done
+}
+
+# test_page FILE...: lets Chromium use the page for tests, two browsers at a time, or only these files of web/test.
 test_page() {
-    local target="${CARGO_TARGET_DIR:-target}"
-    build_page
-    node_is_there
+    local target="${CARGO_TARGET_DIR:-target}" files=("$@")
+    need_web_tools
+    [ $# -gt 0 ] || mapfile -t files < <(test_files)
+    "$target/release/saute-xtask" tests --kept "$target/tests-of-the-page" "saute-window page"
     CHROMIUM="${CHROMIUM:-$(command -v chromium || command -v chromium-browser || command -v google-chrome)}" \
-        SAUTE_SITE="$(realpath "$target/release/saute-site")" SAUTE_PAGE="$PAGE_DIR" SAUTE_PICTURES="$target/web/pictures" \
+        SAUTE_SITE="$(realpath "$target/release/saute-site")" SAUTE_PAGE="${SAUTE_PAGE:-$TEST_PAGE_DIR}" \
+        SAUTE_PAGE_BYTES="${SAUTE_PAGE_BYTES:-$TEST_PAGE_BYTES}" SAUTE_PICTURES="$target/web/pictures" \
         SAUTE_STILLS="$target/tmp/page-stills" SAUTE_PROGRAM="$(realpath "$target/release/saute")" \
-        node --test --test-concurrency=1 web/test/*.test.mjs
+        node --test --test-concurrency=2 "${files[@]}"
 }
 
 # need_page_packages: a linker, for programs that run while the page is built.
@@ -63,7 +89,7 @@ need_page_packages() {
 # make_page: builds the page and the program that serves it.
 make_page() {
     need_page_packages
-    cargo build --release -p saute-site
+    cargo build --release --workspace --bin saute-site
     build_page
 }
 

@@ -8,7 +8,7 @@ import { createRequire } from "node:module";
 import { test } from "node:test";
 
 import { trouble } from "./browser.mjs";
-import { kitchen, stats, until, visit } from "./cooking.mjs";
+import { draws, kitchen, press, stats, until, visit } from "./cooking.mjs";
 import { clickLabel } from "./labels.mjs";
 
 const AXE = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
@@ -40,8 +40,8 @@ for (const [lang, colorScheme, reducedMotion, motion] of CASES) {
     await page.waitForFunction(() => document.querySelectorAll("#controls button").length > 20, null, { timeout: 30_000 });
     assert.deepEqual(await violations(page), []);
     // With panels and a card open.
-    await page.keyboard.press("n");
-    await page.waitForTimeout(1500);
+    await press(page, "n");
+    await draws(page, 3);
     assert.deepEqual(await violations(page), []);
     await page.keyboard.press("F2");
     const chosen = page.locator("#controls").getByRole("radio", { name: motion });
@@ -65,14 +65,15 @@ test("a cook by the HTML controls alone, told in words", { timeout: 240_000 }, a
   // What is off cannot have the focus; it is on once the panels have seen the steak in the pan.
   await page.waitForFunction((element) => !element.disabled, await flip.elementHandle());
   await flip.focus();
-  await page.waitForTimeout(1500);
+  await draws(page, 10);
   assert.equal(await page.evaluate(() => document.activeElement.textContent), "Flip");
   await page.keyboard.press("Enter");
   const turned = await until(page, "the steak is turned", (now) => now.pieces[0].upside_down);
   // A hand that is still turning it lets a press go by.
-  for (let times = 0; times < 10 && (await stats(page)).pieces[0].place !== "board"; times++) {
+  const isOut = async () => (await stats(page)).pieces[0].place === "board";
+  for (let times = 0; times < 10 && !(await isOut()); times++) {
     await clickLabel(page, "Take out");
-    await page.waitForTimeout(3000);
+    for (let looks = 0; looks < 30 && !(await isOut()); looks++) await page.waitForTimeout(100);
   }
   await until(page, "the steak is out", (now) => now.pieces[0].place === "board");
   // Time is turned back: to before the last act, and to an instant.

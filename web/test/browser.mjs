@@ -1,5 +1,8 @@
 // Chromium with a page that is watched: requests, failures, console, violations of the content policy.
 
+import { appendFileSync } from "node:fs";
+import { join } from "node:path";
+
 import { chromium } from "playwright-core";
 
 const QUIET = ["--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking"];
@@ -22,6 +25,8 @@ export function launch(args = WEBGL2) {
 /** Opens an address in a fresh profile and notes what happens there. */
 export async function watch(browser, address, { prepare = async () => {}, ...options } = {}) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 720 }, locale: "en-GB", ...options });
+  // `scripts/durations.toml` has a ceiling for them.
+  if (process.env.SAUTE_TALLY) appendFileSync(join(process.env.SAUTE_TALLY, "pages_opened.count"), "1\n");
   const page = await context.newPage();
   const seen = { requests: [], missing: [], said: [], violations: [], sent: 0 };
   page.on("request", (request) => seen.requests.push(request.url()));

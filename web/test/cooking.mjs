@@ -33,6 +33,15 @@ export async function until(page, what, holds, timeout = 120_000) {
   }
 }
 
+/** Waits for some more frames. */
+export async function draws(page, count) {
+  const { frames } = await stats(page);
+  return until(page, `${count} frames`, (now) => now.frames >= frames + count);
+}
+
+/** Waits until the picture stays as it is: nothing moves, nothing is left to smooth, no answer is awaited. */
+export const rests = (page) => until(page, "the picture rests", (now) => now.rests);
+
 /** Presses a key on the canvas and waits for two more frames. */
 export async function press(page, key) {
   const before = await stats(page);

@@ -6,7 +6,7 @@ import { test } from "node:test";
 
 import { trouble } from "./browser.mjs";
 import { difference, pixels } from "./canvas.mjs";
-import { kitchen, stats, until, visit } from "./cooking.mjs";
+import { draws, kitchen, stats, until, visit } from "./cooking.mjs";
 import { clickLabel } from "./labels.mjs";
 
 const there = kitchen();
@@ -77,10 +77,10 @@ test("two fingers bring the eye nearer, and the phone is the pan", { timeout: 24
   await fingers("touchStart", 20);
   for (let apart = 24; apart <= 80; apart += 8) {
     await fingers("touchMove", apart);
-    await page.waitForTimeout(300);
+    await draws(page, 1);
   }
   await fingers("touchEnd", null);
-  await page.waitForTimeout(1500);
+  await draws(page, 5);
   const { png: __, ...after } = await pixels(page);
   assert.ok(difference(before, after).changed > 0.1, "the pan is seen from nearer");
   // As on iOS: the page asks by a button of its own.

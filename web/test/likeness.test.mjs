@@ -1,5 +1,5 @@
 // Promise: the page's canvas shows what the native window shows: every food, view, cut, liquid and panel of poses.json, in
-// WebGL2 and in WebGPU. The native pictures are drawn by crates/window/tests/page_stills.rs.
+// WebGL2 and in WebGPU. The native pictures are drawn by crates/window/tests/page/stills.rs.
 
 import assert from "node:assert/strict";
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
@@ -16,9 +16,6 @@ const PICTURES = resolve(process.env.SAUTE_PICTURES ?? "pictures");
 const POSES = JSON.parse(readFileSync(new URL("poses.json", import.meta.url)));
 /** Colour difference (ΔE after a slight blur) that 99 % of the pixels keep to. */
 const MOST = 3;
-/** After this a picture at rest has been smoothed [ms]. */
-const RESTED = 1500;
-
 let host;
 
 before(async () => {
@@ -34,8 +31,11 @@ async function show(page, pose) {
     window.saute.pose(text);
     return JSON.parse(window.saute.stats()).frames;
   }, JSON.stringify(pose));
-  await page.waitForFunction((seen) => JSON.parse(window.saute.stats()).frames > seen + 4, frames, { timeout: 60_000 });
-  await page.waitForTimeout(RESTED);
+  const isShown = (seen) => {
+    const now = JSON.parse(window.saute.stats());
+    return now.frames > seen + 2 && now.rests;
+  };
+  await page.waitForFunction(isShown, frames, { timeout: 60_000, polling: 50 });
 }
 
 /** Conditions that are compared in WebGPU, whose shaders are the same: the rest as part of a campaign. */

@@ -1,5 +1,5 @@
 // Promise: a cook that was recorded natively is opened by the page and replays to the same bits: the hashes of its states are those
-// that the native program computed. crates/window/tests/page_cook.rs records it.
+// that the native program computed. crates/window/tests/page/cook.rs records it.
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";

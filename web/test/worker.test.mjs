@@ -5,7 +5,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { trouble } from "./browser.mjs";
-import { kitchen, press, stats, until, visit } from "./cooking.mjs";
+import { draws, kitchen, press, stats, until, visit } from "./cooking.mjs";
 import { clickLabel } from "./labels.mjs";
 
 const there = kitchen();
@@ -55,7 +55,7 @@ test("a cook is played by a worker", { timeout: 300_000 }, async () => {
   const { page, seen, close } = await visit(there.browser, `${there.host.address}?recipe=medium`, { ...OPTIONS, prepare: noteFrames });
   const end = await cooked(page, 120);
   await longest(page);
-  await page.waitForTimeout(3000);
+  await draws(page, 10);
   const without = await longest(page);
   const began = page.waitForEvent("worker", { timeout: 30_000 });
   await openedAgain(page);

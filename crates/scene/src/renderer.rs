@@ -105,10 +105,14 @@ impl SceneRenderer {
         self.targets.size
     }
 
-    /// Leaves resting pictures as they are, however slow the machine.
-    #[cfg(test)]
-    pub(crate) fn never_smooth(&mut self) {
-        self.shown.rest = web_time::Duration::MAX;
+    /// Sets how long a picture must rest before it is drawn once more with smooth edges: a third of a second unless set.
+    pub fn set_rest(&mut self, rest: web_time::Duration) {
+        self.shown.rest = rest;
+    }
+
+    /// Returns true if the last picture stays as it is while its scene does.
+    pub fn is_final(&self) -> bool {
+        self.shown.is_final()
     }
 
     /// Draws the best level as devices without half floats do.

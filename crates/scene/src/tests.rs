@@ -73,7 +73,7 @@ fn a_resting_scene_is_drawn_alike_fast_and_fine() {
         return;
     };
     let mut renderer = SceneRenderer::new(&device, &queue);
-    renderer.never_smooth();
+    renderer.set_rest(web_time::Duration::MAX);
     let scene = steak_in_pan(Doneness::Browned);
     let fast = (0..3).map(|_| renderer.read_as_is(&device, &queue, &scene, SIZE)).last().unwrap_or_default();
     renderer.set_quality(Quality::Smooth);
@@ -89,7 +89,7 @@ fn a_moved_food_leaves_no_trace() {
         return;
     };
     let draw = |renderer: &mut SceneRenderer, scene: &SceneInput| {
-        renderer.never_smooth();
+        renderer.set_rest(web_time::Duration::MAX);
         (0..5).map(|_| renderer.read_as_is(&device, &queue, scene, SIZE)).last().unwrap_or_default()
     };
     let mut away = steak_in_pan(Doneness::Browned);
@@ -108,7 +108,7 @@ fn steam_leaves_no_trace_on_what_is_kept() {
         return;
     };
     let mut renderer = SceneRenderer::new(&device, &queue);
-    renderer.never_smooth();
+    renderer.set_rest(web_time::Duration::MAX);
     let at = |time_s: f32| SceneInput { time_s, ..steak_in_pan(Doneness::Browned) };
     let mut draw = |time_s: f32| renderer.read_as_is(&device, &queue, &at(time_s), SIZE);
     draw(3.0);
@@ -187,7 +187,7 @@ fn what_is_kept_follows_the_white_balance() {
         return;
     };
     let draw = |renderer: &mut SceneRenderer, white_balance| {
-        renderer.never_smooth();
+        renderer.set_rest(web_time::Duration::MAX);
         let scene = SceneInput { white_balance, ..steak_in_pan(Doneness::Browned) };
         (0..4).map(|_| renderer.read_as_is(&device, &queue, &scene, SIZE)).last().unwrap_or_default()
     };
@@ -280,7 +280,7 @@ fn the_evening_leaves_fields_and_flat_pictures_readable_and_follows_what_is_kept
         [flat, evening].map(|scene| SceneRenderer::new(&device, &queue).read_as_is(&device, &queue, &scene, SIZE));
     assert!(day == night);
     let draw = |renderer: &mut SceneRenderer, light| {
-        renderer.never_smooth();
+        renderer.set_rest(web_time::Duration::MAX);
         let scene = SceneInput { light, ..steak_in_pan(Doneness::Browned) };
         (0..4).map(|_| renderer.read_as_is(&device, &queue, &scene, SIZE)).last().unwrap_or_default()
     };
@@ -297,7 +297,7 @@ fn the_lower_levels_blur_the_room_behind_the_pan_and_leave_the_pan_sharp() {
         return;
     };
     let mut renderer = SceneRenderer::new(&device, &queue);
-    renderer.never_smooth();
+    renderer.set_rest(web_time::Duration::MAX);
     for quality in [Quality::Quick, Quality::Smooth] {
         renderer.set_quality(quality);
         let mut drawn = |aperture: f32| {

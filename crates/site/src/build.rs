@@ -21,20 +21,26 @@ pub struct Build {
     /// For a quick look: writes no compressed files, and checks no sizes.
     #[arg(long)]
     quick: bool,
+    /// Quality of brotli, 0 to 11: less makes the site sooner and its files larger.
+    #[arg(long, default_value_t = compress::BEST, value_parser = clap::value_parser!(i32).range(0..=11))]
+    brotli: i32,
+    /// Bytes that the page may send before the first interaction.
+    #[arg(long, default_value_t = bytes_sent::BUDGET)]
+    most: u64,
 }
 
 impl Build {
     /// Makes the site, unless it is made of the same parts already.
     pub fn run(&self) -> Result<(), SiteError> {
         let root = Path::new(".");
-        let stamp = stamp::of(&self.inputs(root)?, self.wasm_opt.is_some())?;
+        let stamp = stamp::of(&self.inputs(root)?, self.wasm_opt.is_some(), self.brotli)?;
         if self.quick || !stamp::is_on(&self.out, &stamp) {
             self.make(root)?;
         }
         if self.quick {
             return Ok(());
         }
-        bytes_sent::check(&self.out)?;
+        bytes_sent::check(&self.out, self.most)?;
         stamp::put(&self.out, &stamp)
     }
 
@@ -60,7 +66,7 @@ impl Build {
         if self.quick {
             return Ok(());
         }
-        println!("compressing: a minute");
-        compress::compress(&self.out)
+        println!("compressing: {}", if self.brotli == compress::BEST { "a minute" } else { "some seconds" });
+        compress::compress(&self.out, self.brotli)
     }
 }

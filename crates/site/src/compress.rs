@@ -8,8 +8,8 @@ use crate::error::{SiteError, at};
 
 /// Pictures are compressed already.
 const ENDINGS: [&str; 10] = ["wasm", "js", "html", "css", "svg", "otf", "txt", "json", "toml", "webmanifest"];
-/// brotli's best, and its usual window (16 MB).
-const QUALITY: i32 = 11;
+/// brotli's best quality, and its usual window (16 MB).
+pub const BEST: i32 = 11;
 const WINDOW: i32 = 24;
 
 /// All files of a site that compress.
@@ -27,11 +27,11 @@ pub fn compressible(folder: &Path) -> Result<Vec<PathBuf>, SiteError> {
     Ok(found)
 }
 
-/// Writes both next to each file of a site.
-pub fn compress(site: &Path) -> Result<(), SiteError> {
+/// Writes both next to each file of a site, with a quality of brotli.
+pub fn compress(site: &Path, quality: i32) -> Result<(), SiteError> {
     for path in compressible(site)? {
         let bytes = fs::read(&path).map_err(at(&path))?;
-        write(&path, "br", brotli(&bytes))?;
+        write(&path, "br", brotli(&bytes, quality))?;
         write(&path, "gz", gzip(&bytes))?;
     }
     Ok(())
@@ -50,8 +50,8 @@ fn write(path: &Path, ending: &str, bytes: io::Result<Vec<u8>>) -> Result<(), Si
     bytes.and_then(|bytes| fs::write(&path, bytes)).map_err(at(&path))
 }
 
-fn brotli(bytes: &[u8]) -> io::Result<Vec<u8>> {
-    let params = brotli::enc::BrotliEncoderParams { quality: QUALITY, lgwin: WINDOW, ..Default::default() };
+fn brotli(bytes: &[u8], quality: i32) -> io::Result<Vec<u8>> {
+    let params = brotli::enc::BrotliEncoderParams { quality, lgwin: WINDOW, ..Default::default() };
     let mut out = Vec::new();
     brotli::BrotliCompress(&mut &*bytes, &mut out, &params)?;
     Ok(out)
@@ -79,7 +79,7 @@ mod tests {
         let file = site.path().join("inner/a.js");
         std::fs::write(&file, &text).unwrap();
         std::fs::write(site.path().join("a.png"), &text).unwrap();
-        compress(site.path()).unwrap();
+        compress(site.path(), 5).unwrap();
         let (mut gzip, mut brotli) = (String::new(), Vec::new());
         flate2::read::GzDecoder::new(&*fs::read(name(&file, "gz")).unwrap()).read_to_string(&mut gzip).unwrap();
         brotli::BrotliDecompress(&mut &*fs::read(name(&file, "br")).unwrap(), &mut brotli).unwrap();

@@ -89,7 +89,9 @@ impl Page {
     pub fn pose(&self, json: &str) -> Result<(), JsValue> {
         let pose = serde_json::from_str::<Pose>(json).map_err(|e| e.to_string());
         let mut app = self.app.get().ok_or_else(|| js_sys::Error::new("not started"))?;
-        pose.and_then(|pose| app.pose(&pose)).map_err(|message| js_sys::Error::new(&message).into())
+        pose.and_then(|pose| app.pose(&pose)).map_err(|message| js_sys::Error::new(&message))?;
+        app.wake();
+        Ok(())
     }
 
     /// Takes a font that has the characters of Japanese.

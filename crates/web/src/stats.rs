@@ -16,6 +16,8 @@ pub(crate) struct Stats {
     frames_per_s: f64,
     /// Size at which the scene was drawn last [pixels].
     scene_size: [u32; 2],
+    /// True if the picture stays as it is until something happens.
+    rests: bool,
     /// Simulated time [s].
     time_s: f64,
     /// Simulated seconds per second that are asked for.
@@ -82,6 +84,7 @@ impl Stats {
             frames: meter.count(),
             frames_per_s: meter.frames_per_s(),
             scene_size: app.scene_size(),
+            rests: app.rests(),
             time_s: kitchen.time_s(),
             speed: session.speed,
             time_ratio: meter.time_ratio(),

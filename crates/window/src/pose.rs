@@ -47,20 +47,14 @@ impl Default for Pose {
 }
 
 impl SauteApp {
-    /// Takes a condition on; time then stands still.
+    /// Takes a condition on; time then stands still, and its picture is smoothed at once.
     ///
     /// # Errors
     ///
     /// Says what is wrong with the recipe.
     pub fn pose(&mut self, pose: &Pose) -> Result<(), String> {
-        let library = std::sync::Arc::clone(&self.session.library);
-        let text = library.recipes.get(&pose.recipe).unwrap_or(&pose.recipe);
-        let recipe = Recipe::parse(text, "pose.toml", &library).map_err(|e| e.to_string())?;
-        self.session.play(recipe).map_err(|e| e.to_string())?;
-        while self.session.kitchen.time_s() < pose.at_s - 0.5 * TICK_S && !self.session.paused {
-            self.session.tick()?;
-        }
-        self.session.set_paused(true);
+        self.cook_to(pose)?;
+        self.scene.rest.at_once = true;
         self.settings.view = pose.view;
         self.settings.split = pose.split;
         self.settings.panels_hidden = !pose.panels;
@@ -75,6 +69,24 @@ impl SauteApp {
             self.toggle_slice();
             self.slice = Some(place);
         }
+        Ok(())
+    }
+
+    /// Cooks a condition's recipe to its instant. The cook of the last condition goes on, where it has not come too far.
+    fn cook_to(&mut self, pose: &Pose) -> Result<(), String> {
+        let posed = Some((pose.recipe.clone(), self.session.generation));
+        if self.scene.posed != posed || self.session.kitchen.time_s() > pose.at_s + 0.5 * TICK_S {
+            let library = std::sync::Arc::clone(&self.session.library);
+            let text = library.recipes.get(&pose.recipe).unwrap_or(&pose.recipe);
+            let recipe = Recipe::parse(text, "pose.toml", &library).map_err(|e| e.to_string())?;
+            self.session.play(recipe).map_err(|e| e.to_string())?;
+            self.scene.posed = Some((pose.recipe.clone(), self.session.generation));
+        }
+        self.session.set_paused(false);
+        while self.session.kitchen.time_s() < pose.at_s - 0.5 * TICK_S && !self.session.paused {
+            self.session.tick()?;
+        }
+        self.session.set_paused(true);
         Ok(())
     }
 }

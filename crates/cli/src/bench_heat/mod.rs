@@ -16,6 +16,9 @@ use crate::output::{json, stderr, stdout};
 /// `saute bench heat`.
 #[derive(Debug, clap::Args)]
 pub struct BenchHeatArgs {
+    /// Measures the brick alone: a second that says how fast a machine is.
+    #[arg(long)]
+    pub brick: bool,
     /// Prints the numbers as JSON.
     #[arg(long)]
     pub json: bool,
@@ -44,11 +47,22 @@ struct Scaling {
     seconds_to_0_1_k: Option<f64>,
 }
 
+/// The brick alone, as `--brick --json` prints it.
+#[derive(Debug, Serialize)]
+struct BrickOnly {
+    brick: brick::BrickBench,
+}
+
 /// Measures and prints the numbers.
 pub fn run(args: &BenchHeatArgs, library: &Library) -> Result<ExitCode, CliError> {
     stderr::say("brick: exact series, time loop");
     let exact = brick::exact();
     let brick = brick::measure(&exact, library)?;
+    if args.brick {
+        let text = if args.json { json::text(&BrickOnly { brick })? } else { table::brick_text(&brick) };
+        stdout::print(&text)?;
+        return Ok(ExitCode::SUCCESS);
+    }
     stderr::say("brick: runs on finer and finer meshes");
     let runs = brick::whole_runs(&exact, library)?;
     stderr::say("kernel: 10⁴ to 10⁶ nodes");

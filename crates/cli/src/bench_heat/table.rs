@@ -3,19 +3,24 @@
 use std::fmt::Write;
 
 use super::HeatBench;
+use super::brick::BrickBench;
+
+/// Returns the brick's numbers as a line.
+pub fn brick_text(brick: &BrickBench) -> String {
+    format!(
+        "brick of {} nodes, {} steps: {:.4} s; error {:.4} K, with half the step {:.4} K\n",
+        brick.nodes, brick.steps, brick.loop_s, brick.max_error_k, brick.half_step_error_k
+    )
+}
 
 /// Returns the numbers as text.
 pub fn text(bench: &HeatBench) -> String {
-    let (brick, scaling) = (&bench.brick, &bench.scaling);
-    let mut text = format!(
-        "brick of {} nodes, {} steps: {:.4} s; error {:.4} K, with half the step {:.4} K\n\
-         kernel: {:.0} million node updates/s; {:.2} of the bandwidth of a STREAM triad at 10⁶ nodes\n\
+    let scaling = &bench.scaling;
+    let mut text = brick_text(&bench.brick);
+    let _ = write!(
+        text,
+        "kernel: {:.0} million node updates/s; {:.2} of the bandwidth of a STREAM triad at 10⁶ nodes\n\
          \n   nodes   one step of {} stages [s]\n",
-        brick.nodes,
-        brick.steps,
-        brick.loop_s,
-        brick.max_error_k,
-        brick.half_step_error_k,
         bench.updates_per_s * 1e-6,
         bench.bandwidth_fraction,
         scaling.steps.stages

@@ -9,7 +9,7 @@ use serde_json::Value;
 
 /// Each crate with the crates that it needs directly, of the workspace and of [`NOTABLE`]. A crate that does not exist yet is
 /// skipped.
-const ARROWS: [(&str, &[&str]); 22] = [
+const ARROWS: [(&str, &[&str]); 24] = [
     ("saute-heat", &[]),
     ("saute-food", &["saute-heat"]),
     ("saute-kitchen", &["saute-heat", "saute-food", "rapier3d"]),
@@ -68,6 +68,9 @@ const ARROWS: [(&str, &[&str]); 22] = [
             "rayon",
         ],
     ),
+    // For tests alone, and for `./test.sh`.
+    ("saute-fixtures", &[]),
+    ("saute-xtask", &["clap"]),
     // Makes and serves files; has nothing of the simulator in it.
     ("saute-site", &["axum", "clap", "tokio", "tower-http"]),
     // Empty on this machine's platform; for browsers see WEB.

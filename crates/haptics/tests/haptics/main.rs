@@ -3,11 +3,14 @@
 // A failed unwrap in a test names its line.
 #![allow(clippy::unwrap_used)]
 
-#[path = "../bench_caps/mod.rs"]
+mod allocation;
 mod bench_caps;
 mod bench_device;
 mod control;
+#[cfg(unix)]
+mod ending;
 mod kitchen;
+mod name_before_file;
 mod random;
 mod remote;
 mod strings;

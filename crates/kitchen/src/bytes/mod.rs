@@ -32,6 +32,7 @@ mod saved_kitchen;
 mod saved_pan;
 mod saved_piece;
 mod sources;
+mod storing;
 
 pub use bytes_error::BytesError;
 pub(crate) use hashing::hash_of;

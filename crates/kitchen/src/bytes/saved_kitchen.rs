@@ -3,16 +3,15 @@
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 
-use postcard::ser_flavors::Size;
 use serde::{Deserialize, Serialize};
 
 use crate::bytes::bytes_error::BytesError;
-use crate::bytes::hashing::hash_of_value;
 use crate::bytes::header::{append_sealed, opened};
 use crate::bytes::models::Models;
 use crate::bytes::saved_pan;
 use crate::bytes::saved_piece::SavedPiece;
 use crate::bytes::sources::Sources;
+use crate::bytes::storing::{hash_of_value, length_of, store};
 use crate::data::library::Library;
 use crate::dynamics::saved_world::SavedWorld;
 use crate::dynamics::{PanShape, World};
@@ -49,9 +48,6 @@ struct SavedKitchen<'a> {
     events: Cow<'a, EventLog>,
 }
 
-/// Why a state is always stored.
-const LACKS_NONE: &str = "a state has no kind that postcard lacks";
-
 impl Kitchen {
     /// Returns everything that its next step reads, as bytes ([`crate::bytes`]).
     pub fn to_bytes(&self) -> Vec<u8> {
@@ -63,10 +59,7 @@ impl Kitchen {
     /// Appends what [`Self::to_bytes`] returns; it is measured first, so that memory is taken once: a page's never shrinks.
     pub fn append_bytes(&self, bytes: &mut Vec<u8>) {
         let stored = (Sources::of(self), self.fixed.home.as_deref(), self.saved());
-        let length = postcard::serialize_with_flavor(&stored, Size::default());
-        append_sealed(bytes, length.expect(LACKS_NONE), |body| {
-            postcard::to_slice(&stored, body).expect(LACKS_NONE);
-        });
+        append_sealed(bytes, length_of(&stored), |body| store(&stored, body));
     }
 
     /// Returns the kitchen that was stored as bytes; it goes on exactly as the one that was stored.

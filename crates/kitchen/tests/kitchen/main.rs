@@ -1,6 +1,7 @@
 //! What the kitchen promises, in one program: one is linked sooner than many.
 
 mod advice;
+mod allocation;
 mod bytes;
 mod contact;
 mod doneness;

@@ -101,7 +101,7 @@ pub(crate) struct Evidence<'a> {
 
 /// Points below which nothing is worth a word (chosen: less than a sixtieth of a good score).
 const LEAST_POINTS: f64 = 1.0;
-/// Share of a section beyond the class that a good cook in a pan has [%] (tests/advised.rs: 46 to 52 % with two flips and more, 57 % with
+/// Share of a section beyond the class that a good cook in a pan has [%] (tests/plan/advised.rs: 46 to 52 % with two flips and more, 57 % with
 /// one; flips every half minute leave 45 %).
 const UNAVOIDABLE_PCT: f64 = 52.0;
 /// Share of the floor above which food is crowded [%] (chosen: steam has no way out between the pieces).

@@ -79,4 +79,9 @@ impl Shown {
         }
         Work::Nothing
     }
+
+    /// Returns true if an equal frame would not be drawn again, however long it rests.
+    pub fn is_final(&self) -> bool {
+        self.smooth
+    }
 }

@@ -31,6 +31,7 @@ impl SauteApp {
     /// One frame: takes input, lets time pass, shows everything.
     pub fn frame(&mut self, ui: &mut Ui) {
         let ctx = ui.ctx().clone();
+        self.scene.rests = self.scene.rest.is_final() && !ctx.requested_repaint_last_pass();
         self.settings.display(&ctx);
         fingers::note(&ctx, false);
         self.shake_pad(&ctx);
@@ -195,6 +196,7 @@ impl SauteApp {
             || self.session.is_travelling()
             || self.ways.catch_up
             || self.session.forecasts().need_frames()
+            || (self.scene.rest.at_once && !self.scene.rest.is_final())
         {
             ctx.request_repaint();
         } else {

@@ -115,4 +115,9 @@ impl SauteApp {
     pub fn scene_size(&self) -> [u32; 2] {
         self.scene.drawn_size
     }
+
+    /// Returns true if the picture stays as it is until something happens: nothing moves, and nothing is left to smooth.
+    pub fn rests(&self) -> bool {
+        self.scene.rests
+    }
 }

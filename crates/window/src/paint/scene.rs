@@ -1,6 +1,7 @@
 //! The scene inside an egui window.
 
 use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use egui_wgpu::{CallbackResources, CallbackTrait, ScreenDescriptor};
 use saute_scene::gpu::overlay::{self, Overlay, VS_COVER};
@@ -23,6 +24,33 @@ pub struct SceneCallback {
     pub quality: Quality,
     /// Which part of a split window, from 0: each has a renderer of its own, made when it is first used.
     pub pane: usize,
+    /// Takes note of a picture that is not final.
+    pub rest: SceneRest,
+}
+
+/// Whether the pictures of a window's scene are final.
+#[derive(Clone, Debug, Default)]
+pub struct SceneRest {
+    /// True smooths a picture in the frame after it was drawn, however little time has passed.
+    pub at_once: bool,
+    /// Pictures of the last frame that are drawn once more.
+    unfinished: Arc<AtomicUsize>,
+}
+
+impl SceneRest {
+    /// Begins a frame.
+    pub(crate) fn begin(&self) {
+        self.unfinished.store(0, Ordering::Relaxed);
+    }
+
+    fn note(&self, is_final: bool) {
+        self.unfinished.fetch_add(usize::from(!is_final), Ordering::Relaxed);
+    }
+
+    /// Returns true if the pictures of the last frame stay as they are while their scenes do.
+    pub fn is_final(&self) -> bool {
+        self.unfinished.load(Ordering::Relaxed) == 0
+    }
 }
 
 /// A presenter for each part of the window; lives in egui's callback resources.
@@ -59,7 +87,11 @@ impl ScenePresenter {
         callback: &SceneCallback,
     ) {
         self.renderer.set_quality(callback.quality);
+        if callback.rest.at_once {
+            self.renderer.set_rest(web_time::Duration::ZERO);
+        }
         self.renderer.render(device, queue, encoder, &callback.input, callback.size);
+        callback.rest.note(self.renderer.is_final());
         if self.group.is_some() && self.size == self.renderer.size() {
             return;
         }
@@ -89,10 +121,9 @@ impl ScenePresenter {
 }
 
 impl SceneCallback {
-    /// Makes the renderer, for the device and the format egui draws with. Called once, when the app starts.
+    /// Prepares renderers, for the format egui draws with. Called once, when the app starts; the first frame makes them.
     pub fn install(state: &egui_wgpu::RenderState) {
-        let presenter = ScenePresenter::new(&state.device, &state.queue, state.target_format);
-        let presenters = Presenters { panes: vec![presenter], target: state.target_format };
+        let presenters = Presenters { panes: Vec::new(), target: state.target_format };
         state.renderer.write().callback_resources.insert(presenters);
     }
 }
@@ -161,6 +192,7 @@ mod tests {
             size: SIZE,
             quality: Quality::Quick,
             pane: 0,
+            rest: SceneRest::default(),
         };
         let mut presenter = ScenePresenter::new(device, queue, format);
         let window = device.create_texture(&wgpu::TextureDescriptor {

@@ -13,7 +13,7 @@ use saute_scene::input::SceneInput;
 
 use crate::app::SauteApp;
 use crate::input::grab::Hold;
-use crate::paint::scene::SceneCallback;
+use crate::paint::scene::{SceneCallback, SceneRest};
 use crate::ui::layout::{Layout, Pane};
 use crate::ui::theme;
 
@@ -37,6 +37,12 @@ pub struct SceneView {
     pub(crate) placing: bool,
     /// The scene as it was drawn last.
     pub(crate) shown: Option<Arc<SceneInput>>,
+    /// Whether its pictures are final.
+    pub(crate) rest: SceneRest,
+    /// True if the last frame left nothing to draw.
+    pub(crate) rests: bool,
+    /// The recipe of the condition that was taken on last, and the cook's generation.
+    pub(crate) posed: Option<(String, u64)>,
 }
 
 /// Height of the cut's knob above the steak [m] (chosen: clear of the crust, near enough to belong to it).
@@ -116,9 +122,11 @@ impl SauteApp {
             ui.painter().rect_filled(layout.whole, 0.0, theme::of(ui).sunken);
             return;
         }
+        self.scene.rest.begin();
         for (place, (pane, input)) in panes.iter().zip(scenes).enumerate() {
             let size = [pane.rect.width(), pane.rect.height()].map(|v| (v * fineness).round().max(1.0) as u32);
-            let callback = SceneCallback { input, size, quality: self.quality(), pane: place };
+            let rest = self.scene.rest.clone();
+            let callback = SceneCallback { input, size, quality: self.quality(), pane: place, rest };
             ui.painter().add(egui_wgpu::Callback::new_paint_callback(pane.rect, callback));
         }
         self.draw_ways(ui, layout, &options, fineness);

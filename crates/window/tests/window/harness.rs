@@ -1,7 +1,12 @@
 //! The window without a screen: steps, simulated time, pictures.
 
+use std::io::Write;
+use std::sync::OnceLock;
+
 use egui::{Key, Pos2, Rect, pos2};
 use egui_kittest::Harness;
+use egui_kittest::wgpu::{create_render_state, default_wgpu_setup};
+use egui_wgpu::{RenderState, RendererOptions, WgpuSetup, WgpuSetupExisting};
 use saute_window::{SauteApp, Start};
 
 /// The window at a size.
@@ -14,10 +19,30 @@ pub fn window_with(size: egui::Vec2, start: Start) -> Harness<'static, SauteApp>
     let mut harness = Harness::builder()
         .with_size(size)
         .with_step_dt(0.05)
-        .wgpu()
+        .wgpu_setup(graphics())
         .build_eframe(|cc| SauteApp::new(cc, start).expect("starts"));
     harness.step();
     harness
+}
+
+/// The graphics of a window: all share one device, which takes longer to open than a window.
+pub fn graphics() -> WgpuSetup {
+    tally("windows_opened");
+    static DEVICE: OnceLock<WgpuSetupExisting> = OnceLock::new();
+    let open = || {
+        let RenderState { instance, adapter, device, queue, .. } =
+            create_render_state(default_wgpu_setup(), RendererOptions::PREDICTABLE);
+        WgpuSetupExisting { instance, adapter, device, queue }
+    };
+    WgpuSetup::Existing(DEVICE.get_or_init(open).clone())
+}
+
+/// Notes one more of what `scripts/durations.toml` has a ceiling for, where `./test.sh` counts.
+fn tally(what: &str) {
+    let Some(folder) = std::env::var_os("SAUTE_TALLY") else { return };
+    let file = std::path::Path::new(&folder).join(format!("{what}.count"));
+    let file = std::fs::OpenOptions::new().create(true).append(true).open(file);
+    file.and_then(|mut file| file.write_all(b"1\n")).expect("the folder of counts takes a line");
 }
 
 /// Draws some frames.
@@ -39,8 +64,11 @@ pub fn cook(harness: &mut Harness<'static, SauteApp>, seconds: f64) {
     steps(harness, 12);
 }
 
-/// Keeps a picture of the window for people to look at.
+/// Keeps a picture of the window for people to look at, where they ask for it by `SAUTE_PICTURES=1`.
 pub fn save(harness: &mut Harness<'static, SauteApp>, name: &str) {
+    if std::env::var_os("SAUTE_PICTURES").is_none() {
+        return;
+    }
     let image = harness.render().expect("renders");
     let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("window");
     std::fs::create_dir_all(&folder).expect("folder");

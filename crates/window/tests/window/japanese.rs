@@ -6,7 +6,7 @@ use egui_kittest::kittest::{NodeT, Queryable};
 use saute_kitchen::Command;
 use saute_window::{Language, SauteApp};
 
-use crate::harness::{cook, press, save, steps, window};
+use crate::harness::{cook, graphics, press, save, steps, window};
 
 const SIZES: [(egui::Vec2, &str); 2] = [(vec2(1280.0, 720.0), "wide"), (vec2(390.0, 844.0), "phone")];
 
@@ -183,12 +183,13 @@ fn the_first_start_shows_three_steps_once_and_the_help_calls_them_back() {
 
 /// A window that remembers nothing yet.
 fn first_start(size: egui::Vec2, language: Language) -> Harness<'static, SauteApp> {
-    let mut harness = Harness::builder().with_size(size).with_step_dt(0.05).wgpu().build_eframe(move |cc| {
-        let graphics = cc.wgpu_render_state.as_ref();
-        let code = if language == Language::English { "en" } else { "ja" };
-        let stored = format!("{{\"language\":\"{code}\"}}");
-        SauteApp::start(&cc.egui_ctx, graphics, Some(stored), Default::default()).expect("starts")
-    });
+    let mut harness =
+        Harness::builder().with_size(size).with_step_dt(0.05).wgpu_setup(graphics()).build_eframe(move |cc| {
+            let graphics = cc.wgpu_render_state.as_ref();
+            let code = if language == Language::English { "en" } else { "ja" };
+            let stored = format!("{{\"language\":\"{code}\"}}");
+            SauteApp::start(&cc.egui_ctx, graphics, Some(stored), Default::default()).expect("starts")
+        });
     steps(&mut harness, 3);
     harness
 }

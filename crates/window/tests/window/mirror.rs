@@ -14,7 +14,7 @@ use saute_window::mirror::settings::MirrorSettings;
 use saute_window::mirror::stereo::Stereo;
 use saute_window::mirror::view::MirrorView;
 
-use crate::harness::{press, save, steps, window};
+use crate::harness::{graphics, press, save, steps, window};
 
 /// The mirror's window alone.
 struct MirrorWindow {
@@ -33,12 +33,13 @@ impl eframe::App for MirrorWindow {
 const SIZE: DVec2 = DVec2::new(960.0, 540.0);
 
 fn mirror_window() -> Harness<'static, MirrorWindow> {
-    let mut harness = Harness::builder().with_size(vec2(960.0, 540.0)).with_step_dt(0.05).wgpu().build_eframe(|cc| {
-        MirrorCallback::install(cc.wgpu_render_state.as_ref().expect("graphics"));
-        let mut view = MirrorView::default();
-        view.open = true;
-        MirrorWindow { view, settings: MirrorSettings::default(), scene: steak_in_pan(Doneness::Browned) }
-    });
+    let mut harness =
+        Harness::builder().with_size(vec2(960.0, 540.0)).with_step_dt(0.05).wgpu_setup(graphics()).build_eframe(|cc| {
+            MirrorCallback::install(cc.wgpu_render_state.as_ref().expect("graphics"));
+            let mut view = MirrorView::default();
+            view.open = true;
+            MirrorWindow { view, settings: MirrorSettings::default(), scene: steak_in_pan(Doneness::Browned) }
+        });
     harness.step();
     harness
 }

@@ -204,10 +204,9 @@ fn what_is_done_while_time_is_turned_waits_for_the_instant() {
     harness.state_mut().session_mut().resume(recording).expect("resumes");
     harness.step();
     assert!(harness.state().session().is_travelling());
-    let begun = std::time::Instant::now();
     harness.state_mut().act(saute_window::act::Act::HobSet(500.0), &ctx);
     harness.state_mut().act(saute_window::act::Act::Out, &ctx);
-    assert!(begun.elapsed().as_secs_f64() < 0.05, "an act blocked");
+    assert!(harness.state().session().is_travelling(), "no act goes the way to its end");
     steps(&mut harness, 3);
     assert!(harness.query_by_label_contains("As soon as 2:30 is reached: 500 W, ").is_some());
     save(&mut harness, "time-waiting");

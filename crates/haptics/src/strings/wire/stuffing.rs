@@ -17,8 +17,8 @@ pub fn stuff(frame: &[u8; FRAME]) -> [u8; STUFFED] {
 /// Reverses [`stuff`] on the bytes before the zero; returns `None` if they do not encode exactly one frame.
 fn unstuff(stuffed: &[u8; STUFFED - 1]) -> Option<[u8; FRAME]> {
     let mut frame = [0; FRAME];
-    let report = cobs::decode(stuffed, &mut frame).ok()?;
-    (report.frame_size() == FRAME).then_some(frame)
+    let length = cobs::decode(stuffed, &mut frame).ok()?;
+    (length == FRAME).then_some(frame)
 }
 
 /// Finds frames in a stream of bytes; it finds the first whole frame after a zero, whatever came before.

@@ -65,7 +65,7 @@ impl Chromium {
     pub fn wait_for(&mut self, expression: &str) {
         let begun = Instant::now();
         while self.value(expression) != Value::Bool(true) {
-            assert!(begun.elapsed() < Duration::from_secs(15), "timeout: {expression}");
+            assert!(begun.elapsed() < Duration::from_secs(60), "timeout: {expression}");
             std::thread::sleep(Duration::from_millis(30));
         }
     }

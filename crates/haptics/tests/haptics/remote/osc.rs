@@ -44,7 +44,7 @@ impl Bench {
 
     fn until(&mut self, mut seen: impl FnMut(&HapticSample) -> bool) -> Option<HapticSample> {
         let begun = Instant::now();
-        while begun.elapsed() < Duration::from_secs(3) {
+        while begun.elapsed() < Duration::from_secs(60) {
             let sample = self.opened.device.exchange(&HapticCommand::default(), DT);
             if seen(&sample) {
                 return Some(sample);

@@ -32,10 +32,10 @@ fn bench() -> Bench {
 }
 
 impl Bench {
-    /// Exchanges in real time until a condition is met, for at most three seconds.
+    /// Exchanges in real time until a condition is met, for at most a minute.
     fn until(&mut self, command: &HapticCommand, mut seen: impl FnMut(&HapticSample) -> bool) -> Option<HapticSample> {
         let begun = Instant::now();
-        while begun.elapsed() < Duration::from_secs(3) {
+        while begun.elapsed() < Duration::from_secs(60) {
             let sample = self.opened.device.exchange(command, DT);
             if seen(&sample) {
                 return Some(sample);

@@ -63,7 +63,7 @@ pub fn connect(address: SocketAddr) -> Tls {
         .with_no_client_auth();
     let name = ServerName::from(address.ip());
     let tcp = TcpStream::connect(address).unwrap();
-    tcp.set_read_timeout(Some(Duration::from_secs(5))).unwrap();
+    tcp.set_read_timeout(Some(Duration::from_secs(60))).unwrap();
     StreamOwned::new(ClientConnection::new(Arc::new(config), name).unwrap(), tcp)
 }
 
@@ -95,10 +95,10 @@ impl PhoneClient {
         let _ = self.0.send(Message::text(text));
     }
 
-    /// Returns the next message of a kind within five seconds, or `None` if the connection closes.
+    /// Returns the next message of a kind within a minute, or `None` if the connection closes.
     pub fn receive(&mut self, kind: &str) -> Option<Value> {
         let begun = Instant::now();
-        while begun.elapsed() < Duration::from_secs(5) {
+        while begun.elapsed() < Duration::from_secs(60) {
             let Ok(message) = self.0.read() else { return None };
             let Ok(text) = message.to_text() else { continue };
             let Ok(value) = serde_json::from_str::<Value>(text) else { continue };

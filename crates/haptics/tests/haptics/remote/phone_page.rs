@@ -48,7 +48,7 @@ impl Led {
     fn until(&mut self, what: &str, seen: impl Fn(&Self) -> bool) {
         let begun = Instant::now();
         while !seen(self) {
-            assert!(begun.elapsed() < Duration::from_secs(10), "timeout: {what}; {:?}", self.sample);
+            assert!(begun.elapsed() < Duration::from_secs(60), "timeout: {what}; {:?}", self.sample);
             self.frame();
         }
     }

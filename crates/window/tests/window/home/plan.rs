@@ -1,6 +1,7 @@
 //! Promise: a plan is found and shown in the window, and a cook that does each step when the strip says so gets what was promised.
 
-use std::sync::Arc;
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex};
 
 use egui::{accesskit::Role, vec2};
 use egui_kittest::{Harness, kittest::Queryable};
@@ -29,8 +30,14 @@ pub(super) fn plan(library: &Library) -> Plan {
     plan_for(library, "medium", 60.0)
 }
 
-/// As [`plan`], for another target and crust [%].
+/// As [`plan`], for another target and crust [%]; each is cooked once.
 pub(super) fn plan_for(library: &Library, target: &str, crust_pct: f64) -> Plan {
+    static COOKED: Mutex<BTreeMap<String, Plan>> = Mutex::new(BTreeMap::new());
+    let mut cooked = COOKED.lock().expect("no test panicked while it cooked");
+    cooked.entry(format!("{target} {crust_pct}")).or_insert_with(|| cook_plan(library, target, crust_pct)).clone()
+}
+
+fn cook_plan(library: &Library, target: &str, crust_pct: f64) -> Plan {
     let power = |at_s, hob_w| Power { at_s, hob_w };
     let order = Order {
         food: "beef-lean".into(),

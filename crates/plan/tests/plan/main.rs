@@ -1,0 +1,11 @@
+//! What goals, forecasts, plans, fits, studies and lessons promise, in one program: one is linked sooner than many.
+
+// A test that fails at an unwrap names its line.
+#![allow(clippy::unwrap_used)]
+
+mod advised;
+mod fit;
+mod forecast;
+mod judgement;
+mod study;
+mod verified;

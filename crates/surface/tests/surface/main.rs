@@ -1,0 +1,7 @@
+//! What readers of surfaces promise, in one program: one is linked sooner than many.
+
+// A test that fails at an unwrap names its line.
+#![allow(clippy::unwrap_used)]
+
+mod formats;
+mod hostile;

@@ -1,0 +1,38 @@
+//! Draws the conditions of `web/test/poses.json` as the native window does. The page's tests compare their canvas with these
+//! pictures.
+
+use std::path::Path;
+
+use saute_picture::cut::section::Picture;
+use saute_picture::still::png_file::png_bytes;
+use saute_window::Start;
+use saute_window::offscreen::Offscreen;
+use saute_window::pose::Pose;
+use serde_json::Value;
+
+/// Size of the window [pixels].
+const SIZE: [u32; 2] = [1280, 720];
+/// Frames after which a picture at rest is as the page shows it; between them passes a second of the window's clock.
+const FRAMES: u32 = 4;
+
+#[test]
+fn every_condition_of_the_page_is_drawn_natively_too() {
+    let poses: Vec<Value> = serde_json::from_str(include_str!("../../../../web/test/poses.json")).expect("poses");
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("page-stills");
+    std::fs::create_dir_all(&folder).expect("folder");
+    let mut window = Offscreen::open(Start::default(), SIZE).expect("graphics");
+    for (number, mut pose) in poses.into_iter().enumerate() {
+        let name = pose.as_object_mut().and_then(|keys| keys.remove("name")).expect("has a name");
+        let pose: Pose = serde_json::from_value(pose).expect("a pose");
+        window.app.pose(&pose).expect("a sound pose");
+        for frame in 0..FRAMES {
+            window.frame(f64::from(number as u32 * FRAMES + frame));
+        }
+        assert!(window.app.rests(), "{name} is still being drawn");
+        let picture = Picture { width: SIZE[0] as usize, height: SIZE[1] as usize, rgba: window.picture() };
+        let colours: std::collections::BTreeSet<_> = picture.rgba.chunks(4).collect();
+        assert!(colours.len() > 100, "{name} shows something");
+        let file = folder.join(format!("{}.png", name.as_str().expect("text")));
+        std::fs::write(file, png_bytes(&picture).expect("encodes")).expect("is written");
+    }
+}
