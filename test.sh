@@ -4,7 +4,7 @@
 #
 #   ./test.sh                  all of it
 #   ./test.sh step NAME        one step, with what was built before: step tests saute-heat, step browser web/test/link.test.mjs
-#   ./test.sh quick            format, lints and unit tests of the crates that were changed
+#   ./test.sh quick            format, lints of the crates that were changed and of those that need them, unit tests of the changed
 #   ./test.sh bless            draws the reference pictures again and prints the colour difference (ΔE) of each
 #   ./test.sh bless-counts     writes new instruction counts to scripts/counts.toml
 #   ./test.sh bless-durations  writes the work of the last whole run to scripts/durations.toml
@@ -95,7 +95,7 @@ everything() {
 }
 
 quick() {
-    local packages
+    local packages touched
     mapfile -t packages < <(changed_packages)
     step "format" cargo fmt --all --check
     if [ ${#packages[@]} = 0 ]; then
@@ -103,8 +103,10 @@ quick() {
         return
     fi
     say "changed: ${packages[*]}"
-    step "lints" cargo clippy --release "${packages[@]/#/--package=}" --all-targets -- -D warnings
-    step "unit tests" cargo test --release "${packages[@]/#/--package=}" --lib --bins -- --quiet
+    mapfile -t touched < <(with_dependents "${packages[@]}")
+    step "lints" cargo clippy --release "${touched[@]/#/--package=}" --all-targets -- -D warnings
+    # In the profile of development, which builds again only what has changed in a crate.
+    step "unit tests" cargo test "${packages[@]/#/--package=}" --lib --bins -- --quiet
     finish "quick checks passed"
 }
 

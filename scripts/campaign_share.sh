@@ -35,7 +35,7 @@ CAMPAIGN_PLANS=all
 # Fits of a kitchen at home to simulated logs (crates/plan/tests/plan/fit.rs). ./test.sh makes 3.
 CAMPAIGN_FIT_TRIALS=100
 
-# Kills of a cook that is recorded (crates/cli/tests/cli/sessions.rs). ./test.sh makes 100.
+# Kills of a cook that is recorded (crates/cli/tests/cli/sessions.rs). ./test.sh makes 20.
 CAMPAIGN_RANDOM_KILLS=1000
 
 # Updates of the policy in the training example; the whole training makes 110. ./test.sh makes 2, without a verdict.

@@ -25,6 +25,15 @@ packages_of() {
     done
 }
 
+# with_dependents PACKAGE...: these, and the packages of the workspace that need them.
+with_dependents() {
+    local package
+    for package in "$@"; do
+        cargo tree --workspace --offline --invert "$package" --edges normal,dev --prefix none --format '{p}' 2>/dev/null |
+            sed -n 's/^\([^ ]*\) v[^ ]* (\/.*/\1/p'
+    done | sort -u
+}
+
 # changed_packages: each once.
 changed_packages() {
     local files

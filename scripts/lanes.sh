@@ -27,7 +27,7 @@ run_step() {
 # note_times: time on the clock [s], then the processor's, of this shell and of what it ran.
 note_times() {
     {
-        awk -v from="${STEP_BEGUN/,/.}" -v to="${EPOCHREALTIME/,/.}" 'BEGIN { printf "%.1f\n", to - from }'
+        awk -v from="${STEP_BEGUN/,/.}" -v to="${EPOCHREALTIME/,/.}" 'BEGIN { printf "%.3f\n", to - from }'
         times
     } >"$STEPS_FOLDER/$STEP_NAME.times"
 }

@@ -4,7 +4,7 @@
 
 import { resolve } from "node:path";
 
-import { WEBGL2, WEBGPU, launch, reaches, watch } from "./test/browser.mjs";
+import { SHARP, WEBGL2, WEBGPU, launch, reaches, watch } from "./test/browser.mjs";
 import { serve } from "./test/site_server.mjs";
 
 const COOKS_S = 20;
@@ -21,7 +21,7 @@ async function interactive(page) {
 
 for (const [backend, args] of [["webgl2", WEBGL2], ["webgpu", WEBGPU]]) {
   const browser = await launch(args);
-  const { page } = await watch(browser, `${host.address}?backend=${backend}`);
+  const { page } = await watch(browser, `${host.address}?backend=${backend}`, SHARP);
   await reaches(page, "cooking");
   const ready = await interactive(page);
   await page.mouse.click(640, 560);

@@ -22,9 +22,13 @@ export function launch(args = WEBGL2) {
   return chromium.launch({ executablePath, args: [...BARE, ...args] });
 }
 
+/** For tests that look at the picture: a pixel of the canvas for each of the page. Others ask for a quarter of them: the layout is the same. */
+export const SHARP = { deviceScaleFactor: 1 };
+
 /** Opens an address in a fresh profile and notes what happens there. */
 export async function watch(browser, address, { prepare = async () => {}, ...options } = {}) {
-  const context = await browser.newContext({ viewport: { width: 1280, height: 720 }, locale: "en-GB", ...options });
+  const usual = { viewport: { width: 1280, height: 720 }, locale: "en-GB", deviceScaleFactor: 0.5 };
+  const context = await browser.newContext({ ...usual, ...options });
   // `scripts/durations.toml` has a ceiling for them.
   if (process.env.SAUTE_TALLY) appendFileSync(join(process.env.SAUTE_TALLY, "pages_opened.count"), "1\n");
   const page = await context.newPage();

@@ -52,10 +52,10 @@ const BLUR = 2;
  * and the share of pixels that differ by more than 5.
  */
 export function difference(one, other) {
-  const [a, b] = [one, other].map(blurredLab);
-  const deltas = new Float32Array(a.length / 3);
-  for (let i = 0; i < deltas.length; i++) {
-    deltas[i] = Math.hypot(a[3 * i] - b[3 * i], a[3 * i + 1] - b[3 * i + 1], a[3 * i + 2] - b[3 * i + 2]);
+  const deltas = new Float32Array(one.width * one.height);
+  for (const at of touched(one, other)) {
+    const [a, b] = [blurredLab(one, at), blurredLab(other, at)];
+    deltas[at] = Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
   }
   const sorted = deltas.slice().sort();
   const mean = deltas.reduce((sum, delta) => sum + delta, 0) / deltas.length;
@@ -63,21 +63,29 @@ export function difference(one, other) {
   return { mean, p99: sorted[Math.floor(0.99 * (sorted.length - 1))], most: sorted.at(-1), changed, deltas };
 }
 
-function blurredLab({ width, height, rgba }) {
-  const smooth = new Float32Array(width * height * 3);
-  for (let y = 0; y < height; y++) {
-    for (let x = 0; x < width; x++) {
-      const sum = [0, 0, 0];
-      let count = 0;
-      for (let v = Math.max(0, y - BLUR); v <= Math.min(height - 1, y + BLUR); v++) {
-        for (let u = Math.max(0, x - BLUR); u <= Math.min(width - 1, x + BLUR); u++, count++) {
-          for (let k = 0; k < 3; k++) sum[k] += rgba[(v * width + u) * 4 + k];
-        }
-      }
-      smooth.set(lab(sum.map((value) => value / count / 255)), (y * width + x) * 3);
+/** Places of the pixels that the blur of a difference reaches; elsewhere the pictures are equal. */
+function touched({ width, height, rgba }, other) {
+  const near = new Uint8Array(width * height);
+  for (let at = 0; at < near.length; at++) {
+    const byte = 4 * at;
+    if ([0, 1, 2].every((k) => rgba[byte + k] === other.rgba[byte + k])) continue;
+    const [x, y] = [at % width, Math.floor(at / width)];
+    for (let v = Math.max(0, y - BLUR); v <= Math.min(height - 1, y + BLUR); v++) {
+      near.fill(1, v * width + Math.max(0, x - BLUR), v * width + Math.min(width - 1, x + BLUR) + 1);
     }
   }
-  return smooth;
+  return [...near.keys()].filter((at) => near[at]);
+}
+
+function blurredLab({ width, height, rgba }, at) {
+  const [x, y, sum] = [at % width, Math.floor(at / width), [0, 0, 0]];
+  let count = 0;
+  for (let v = Math.max(0, y - BLUR); v <= Math.min(height - 1, y + BLUR); v++) {
+    for (let u = Math.max(0, x - BLUR); u <= Math.min(width - 1, x + BLUR); u++, count++) {
+      for (let k = 0; k < 3; k++) sum[k] += rgba[(v * width + u) * 4 + k];
+    }
+  }
+  return lab(sum.map((value) => value / count / 255)).map(Math.fround);
 }
 
 function lab(srgb) {

@@ -6,7 +6,7 @@ import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { after, before, test } from "node:test";
 
-import { WEBGL2, WEBGPU, launch, reaches, trouble, watch } from "./browser.mjs";
+import { SHARP, WEBGL2, WEBGPU, launch, reaches, trouble, watch } from "./browser.mjs";
 import { decoded, difference, pixels } from "./canvas.mjs";
 import { serve } from "./site_server.mjs";
 
@@ -52,7 +52,7 @@ for (const [backend, args] of [["webgl2", WEBGL2], ["webgpu", WEBGPU]]) {
     const browser = await launch(args);
     const wrong = [];
     try {
-      const { page, seen } = await watch(browser, `${host.address}?backend=${backend}&lang=en`);
+      const { page, seen } = await watch(browser, `${host.address}?backend=${backend}&lang=en`, SHARP);
       await reaches(page, "cooking");
       for (const { name, ...pose } of compared(backend)) {
         await show(page, pose);

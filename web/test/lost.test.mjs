@@ -6,7 +6,7 @@ import { mkdirSync, writeFileSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { test } from "node:test";
 
-import { WEBGL2, WEBGPU, launch, trouble } from "./browser.mjs";
+import { SHARP, WEBGL2, WEBGPU, launch, trouble } from "./browser.mjs";
 import { difference, pixels } from "./canvas.mjs";
 import { press, rests, stats, until, visit } from "./cooking.mjs";
 import { serve } from "./site_server.mjs";
@@ -50,7 +50,7 @@ for (const [backend, args, lose, known] of LOSSES) {
     mkdirSync(PICTURES, { recursive: true });
     const [browser, host] = await Promise.all([launch(args), serve(resolve(process.env.SAUTE_PAGE))]);
     try {
-      const { page, seen } = await visit(browser, `${host.address}?backend=${backend}`);
+      const { page, seen } = await visit(browser, `${host.address}?backend=${backend}`, SHARP);
       // At the pace of the clock, which every machine holds: no notice comes and goes.
       await press(page, "e");
       await until(page, "the hob is on", (now) => now.hob_w > 0 && now.time_s > 2);

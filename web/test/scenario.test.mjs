@@ -6,7 +6,7 @@ import { mkdirSync, writeFileSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { after, before, test } from "node:test";
 
-import { WEBGL2, WEBGPU, launch, reaches, trouble, watch } from "./browser.mjs";
+import { SHARP, WEBGL2, WEBGPU, launch, reaches, trouble, watch } from "./browser.mjs";
 import { difference, pixels } from "./canvas.mjs";
 import { press, until } from "./cooking.mjs";
 import { serve } from "./site_server.mjs";
@@ -78,7 +78,7 @@ for (const [backend, args] of [["webgl2", WEBGL2], ["webgpu", WEBGPU]]) {
   test(`a steak cooks in ${backend}`, { timeout: 1_200_000 }, async () => {
     const browser = await launch(args);
     try {
-      const visit = await watch(browser, `${host.address}?backend=${backend}`);
+      const visit = await watch(browser, `${host.address}?backend=${backend}`, SHARP);
       await reaches(visit.page, "cooking");
       await cook(visit.page, backend);
       assert.deepEqual(trouble(visit.seen), []);

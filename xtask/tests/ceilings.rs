@@ -66,8 +66,9 @@ struct Linked<'a> {
 /// All programs, libraries with unit tests and test programs of the workspace.
 fn programs(metadata: &Value) -> Vec<Linked<'_>> {
     let needs = needs(metadata);
-    let members: BTreeSet<_> = metadata["workspace_members"].as_array().unwrap().iter().collect();
-    let own = metadata["packages"].as_array().unwrap().iter().filter(|package| members.contains(&package["id"]));
+    let members: BTreeSet<_> = metadata["workspace_members"].as_array().unwrap().iter().map(Value::as_str).collect();
+    let own =
+        metadata["packages"].as_array().unwrap().iter().filter(|package| members.contains(&package["id"].as_str()));
     let mut found = Vec::new();
     for package in own {
         let id = package["id"].as_str().unwrap();
@@ -108,8 +109,11 @@ fn packages_test_programs_and_links_keep_to_their_ceilings() {
 
 #[test]
 fn packages_of_the_program_keep_to_their_ceiling() {
-    let metadata = metadata();
-    let needs = needs(&metadata);
-    let saute = needs.keys().find(|id| id.contains("/crates/cli#")).unwrap();
-    at_ceiling("packages_in_saute", linked(&needs, saute, false).len());
+    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let arguments = ["tree", "--package", "saute", "--edges", "normal", "--prefix", "none", "--locked", "--offline"];
+    let output = Command::new(cargo).args(arguments).current_dir(root()).output().unwrap();
+    let tree = String::from_utf8(output.stdout).unwrap();
+    // Name and version; a package that comes again, or is a macro, has a remark behind them.
+    let packages: BTreeSet<_> = tree.lines().map(|line| line.split(' ').take(2).collect::<Vec<_>>()).collect();
+    at_ceiling("packages_in_saute", packages.len());
 }

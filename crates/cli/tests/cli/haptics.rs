@@ -12,7 +12,8 @@ use crate::running::{Ran, run};
 fn build_simulator() {
     let beside = Path::new(env!("CARGO_BIN_EXE_saute")).parent().unwrap();
     let mut cargo = Command::new(env!("CARGO"));
-    cargo.args(["build", "--offline", "--quiet", "--package", "saute-spidar-sim", "--target-dir"]);
+    // With the features of the workspace, as the command was built: nothing is built anew.
+    cargo.args(["build", "--offline", "--quiet", "--workspace", "--bin", "saute-spidar-sim", "--target-dir"]);
     cargo.arg(beside.parent().unwrap()).current_dir(env!("CARGO_MANIFEST_DIR"));
     if beside.ends_with("release") {
         cargo.arg("--release");

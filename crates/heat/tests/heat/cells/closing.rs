@@ -2,7 +2,7 @@
 
 use saute_heat::{Defect, Soup, Surface};
 
-use crate::bodies::{ball, brick, loose, prism, soup};
+use super::bodies::{ball, brick, loose, prism, soup};
 
 const MM: f64 = 1e-3;
 

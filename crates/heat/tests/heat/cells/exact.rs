@@ -3,9 +3,9 @@
 
 use saute_heat::{CellMesh, Conduction, Soup};
 
+use super::bodies::{ball, brick, cylinder};
+use super::filling::meshed;
 use crate::bath::Bath;
-use crate::bodies::{ball, brick, cylinder};
-use crate::filling::meshed;
 
 const K: f64 = 0.48;
 const RHO_C: f64 = 0.48 / 1.3e-7;

@@ -5,7 +5,7 @@ use std::time::Instant;
 use glam::DVec3;
 use saute_heat::{CellMesh, Fineness, Soup, Surface};
 
-use crate::bodies::{angle_piece, ball, brick, cylinder};
+use super::bodies::{angle_piece, ball, brick, cylinder};
 
 pub fn meshed(soup: &Soup, coarseness: f64) -> CellMesh {
     let surface = Surface::close(soup, 1e-3).unwrap().centred(1.0);

@@ -1,6 +1,6 @@
 //! Promise: whatever is undone, redone, turned to and done otherwise, what is shown is what its commands make of the beginning.
 
-#[path = "../../../kitchen/tests/kitchen/draws/mod.rs"]
+#[path = "../../../../kitchen/tests/kitchen/draws/mod.rs"]
 mod draws;
 
 use std::sync::Arc;

@@ -1,0 +1,5 @@
+//! Tools in a hand.
+
+mod knife;
+mod led_turner;
+mod press;

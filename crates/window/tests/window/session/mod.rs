@@ -1,0 +1,6 @@
+//! The cook that the window shows: turned, played elsewhere, and fast enough.
+
+mod errands;
+mod scrubbing;
+mod timeline;
+mod turned_time;
