@@ -95,7 +95,7 @@ everything() {
 }
 
 quick() {
-    local packages touched
+    local packages touched kinds
     mapfile -t packages < <(changed_packages)
     step "format" cargo fmt --all --check
     if [ ${#packages[@]} = 0 ]; then
@@ -106,7 +106,8 @@ quick() {
     mapfile -t touched < <(with_dependents "${packages[@]}")
     step "lints" cargo clippy --release "${touched[@]/#/--package=}" --all-targets -- -D warnings
     # In the profile of development, which builds again only what has changed in a crate.
-    step "unit tests" cargo test "${packages[@]/#/--package=}" --lib --bins -- --quiet
+    mapfile -t kinds < <(unit_kinds "${packages[@]}")
+    step "unit tests" cargo test "${packages[@]/#/--package=}" "${kinds[@]}" -- --quiet
     finish "quick checks passed"
 }
 

@@ -30,6 +30,7 @@ first_build() {
 # tenths: cargo's bar as a line for each tenth; what else cargo says as it is, but for the names of the parts.
 tenths() {
     tr '\r' '\n' | awk '
+        { gsub(/\033\[K/, "") }
         /^ *Building \[/ {
             if (match($0, /[0-9]+\/[0-9]+/)) {
                 split(substr($0, RSTART, RLENGTH), part, "/")
@@ -38,7 +39,7 @@ tenths() {
             }
             next
         }
-        /^ *(Compiling|Downloaded) / || /^[ \033]*(\[K)?$/ { next }
+        /^ *(Compiling|Downloaded) / || /^ *$/ { next }
         { print; fflush() }'
 }
 

@@ -20,9 +20,21 @@ packages_of() {
                 if [ -f "$manifest" ]; then sed -n 's/^name = "\(.*\)"/\1/p' "$manifest" | head -1; fi
                 ;;
             fuzz/*) echo saute-attack ;;
+            xtask/* | scripts/*) echo saute-xtask ;;
             data/* | recipes/* | validation/* | gallery/*) echo saute-kitchen ;;
         esac
     done
+}
+
+# unit_kinds PACKAGE...: --lib and --bins, as far as one of them has such units: cargo refuses to look for what no package has.
+unit_kinds() {
+    local package folder kinds=()
+    for package in "$@"; do
+        folder="$(dirname "$(grep -l "^name = \"$package\"" crates/*/Cargo.toml xtask/Cargo.toml)")"
+        if [ -e "$folder/src/lib.rs" ]; then kinds+=(--lib); fi
+        if [ -e "$folder/src/main.rs" ]; then kinds+=(--bins); fi
+    done
+    printf '%s\n' "${kinds[@]}" | sort -u
 }
 
 # with_dependents PACKAGE...: these, and the packages of the workspace that need them.

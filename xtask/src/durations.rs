@@ -97,7 +97,7 @@ mod tests {
 
     #[test]
     fn a_misspelt_table_is_refused_with_the_remedy() {
-        let error = Budget::parse("[loop]\ntests = 1\n").unwrap_err();
+        let error = Budget::parse("[loop]\ntests = 1\n").expect_err("it is refused");
         assert!(error.contains("loop") && error.contains("remedy: write a table [loops]"), "{error}");
     }
 }

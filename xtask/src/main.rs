@@ -6,7 +6,7 @@ mod measured;
 mod pool;
 mod programs;
 mod report;
-mod tests;
+mod run_tests;
 
 use std::process::ExitCode;
 
@@ -24,7 +24,7 @@ struct Arguments {
 #[derive(Subcommand)]
 enum Task {
     /// Runs the test programs of the workspace, the longest first, one on each core.
-    Tests(tests::Tests),
+    Tests(run_tests::Tests),
     /// Prints how long each step of a run took, and which are beyond their budgets; fails where more was counted than is allowed.
     Durations(report::Report),
 }

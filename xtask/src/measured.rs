@@ -106,7 +106,7 @@ mod tests {
         assert_eq!(steps, [("tests".to_owned(), StepTime { wall_s: 2.0, cpu_s: 3.5 })].into());
         assert_eq!(counted(folder.path()).expect("reads"), [("pages_opened".to_owned(), 2)].into());
         write("broken.times", "soon");
-        let error = super::steps(folder.path()).unwrap_err();
+        let error = super::steps(folder.path()).expect_err("it is refused");
         assert!(error.to_string().contains("broken.times"), "{error}");
     }
 }

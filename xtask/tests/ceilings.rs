@@ -101,7 +101,7 @@ fn packages_test_programs_and_links_keep_to_their_ceilings() {
     at_ceiling("test_programs", programs.iter().filter(|program| program.is_test).count());
     let links = |name: &str| {
         let is = |id: &&str| id.rsplit('#').next().is_some_and(|rest| rest.split('@').next() == Some(name));
-        programs.iter().filter(|program| program.packages.iter().any(|id| is(id))).count()
+        programs.iter().filter(|program| program.packages.iter().any(is)).count()
     };
     at_ceiling("links_of_egui", links("egui"));
     at_ceiling("links_of_wgpu", links("wgpu"));

@@ -211,8 +211,8 @@ pub struct ValidateArgs {
     /// Prints the verdicts as JSON.
     #[arg(long)]
     pub json: bool,
-    /// Writes VALIDATION.md to the current folder and its pictures and pages to docs/.
-    #[arg(long, conflicts_with_all = ["case", "folder"])]
+    /// Writes VALIDATION.md to the current folder and its pictures and pages to docs/. With --folder, of the cases of that folder.
+    #[arg(long, conflicts_with = "case")]
     pub write: bool,
     /// Runs the cases of this folder instead of the shipped ones. Where it has an index.txt, its names are compared with the
     /// files, and with the CHANGELOG.md next to the folder.

@@ -35,18 +35,22 @@ impl Pages {
         Ok(Self { table: OutFile::prepare(Path::new(TABLE))?, segments: OutFile::prepare(Path::new(SEGMENTS))? })
     }
 
-    /// Draws the pictures and writes all files.
-    pub fn fill(self, runs: &[CaseRun], library: &Library) -> Result<(), CliError> {
+    /// Draws the pictures and writes all files; the charts of frying only with the library that cooks for them.
+    pub fn fill(self, runs: &[CaseRun], frying: Option<&Library>) -> Result<(), CliError> {
         let mut drawn = vec![("errors".to_owned(), picture::errors(runs))];
         drawn.extend(runs.iter().filter_map(|run| Some((run.id.clone(), picture::curves(run)?))));
-        drawn.extend(frying::charts(library, runs)?);
+        if let Some(library) = frying {
+            drawn.extend(frying::charts(library, runs)?);
+        }
         let (page, pictures) = segments::page(runs);
         drawn.extend(pictures);
         for (name, svg) in &drawn {
             OutFile::prepare(&picture_path(name))?.fill(svg.as_bytes())?;
         }
         self.segments.fill(page.as_bytes())?;
-        clear_old_pictures(&drawn)?;
+        if frying.is_some() {
+            clear_old_pictures(&drawn)?;
+        }
         let names: Vec<&str> = drawn.iter().map(|(name, _)| name.as_str()).collect();
         self.table.fill(markdown(runs, &names).as_bytes())
     }
