@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # What takes longer by nature than a test should, hours on 2 cores:
+#   the pages of validation with all their charts;
 #   random cooks drawn from new seeds, and random packets for every door to a device;
 #   a dish stored and restored at random instants, random sessions played again, and kills of a cook that is recorded;
 #   every plan of the list in crates/plan/tests cooked by its recipe;
@@ -31,8 +32,8 @@ source scripts/wasm.sh
 source scripts/web.sh
 
 # The part of each name is the function of that name; a line break in the name of a file would be none in these.
-PARTS=(random_cooks random_packets random_instants random_sessions random_kills plans fits fuzz day
-    judge_dependencies judge_advisories real_page test_wheel train_briefly sweeps haptics tables_of_2013 heat_solver)
+PARTS=(pages_of_validation random_cooks random_packets random_instants random_sessions random_kills plans fits fuzz day
+    judge_dependencies judge_advisories real_page quick_endings test_wheel train_briefly sweeps haptics tables_of_2013 heat_solver)
 # One file for each part: when it last passed, and of which commit.
 LAST="${CARGO_TARGET_DIR:-target}/campaign"
 
@@ -85,6 +86,19 @@ day() {
     scripts/soak.sh
     scripts/soak.sh --record
 }
+
+# The pages of all cases with the charts that are cooked for them; the table must be the kept one.
+pages_of_validation() {
+    local folder saute
+    folder="$(mktemp -d)"
+    saute="$(realpath "$RELEASE_DIR/saute")"
+    (cd "$folder" && "$saute" validate --write >/dev/null)
+    diff -q "$folder/VALIDATION.md" VALIDATION.md
+    rm -rf "$folder"
+}
+
+# Forces that must end within 50 ms, on a quiet machine.
+quick_endings() { SAUTE_CAMPAIGN=1 cargo test --release --workspace --test haptics drips; }
 
 sweeps() { scripts/sweeps.sh; }
 
