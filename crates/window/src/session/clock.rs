@@ -58,7 +58,7 @@ impl Session {
 
     /// Advances by one frame; at the start of a tick, the recipe's due steps run first. Returns true if a tick or the
     /// recipe has ended.
-    fn frame(&mut self) -> Result<bool, String> {
+    pub(super) fn frame(&mut self) -> Result<bool, String> {
         let begun = Instant::now();
         self.finish_travel();
         self.let_go_of_undone();

@@ -110,6 +110,30 @@ fn a_recorded_cook_is_played_elsewhere_with_its_curves_and_marks() {
     assert_eq!(session.recorder.rows, here.recorder.rows);
 }
 
+/// At real time a cook may be stopped between two ticks; it is that instant which comes back.
+#[test]
+fn a_cook_that_was_stopped_within_a_tick_comes_back_to_its_last_frame() {
+    let library = library();
+    let mut live = cooked(&library);
+    live.set_paused(false);
+    live.set_speed(1.0);
+    while live.kitchen.is_between_ticks() {
+        live.advance(Duration::from_millis(17), Duration::MAX).expect("goes on");
+    }
+    let end = live.kitchen.frame();
+    for helps in [true, false] {
+        let mut session = Session::new(Arc::clone(&library), &Default::default()).expect("sets out");
+        let helper = Beside::new(&library);
+        if helps {
+            session.employ(Box::new(helper.clone()));
+        }
+        session.resume(live.whole_recording()).expect("resumes");
+        arrive(&mut session, &helper);
+        assert_eq!(session.kitchen.frame(), end);
+        assert_eq!(session.kitchen.state_hash(), live.kitchen.state_hash());
+    }
+}
+
 #[test]
 fn an_instant_is_reached_elsewhere_and_a_way_beside_it() {
     let library = library();
