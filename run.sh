@@ -10,10 +10,11 @@ source scripts/wasm.sh
 source scripts/web.sh
 source scripts/python.sh
 
-# need_display COMMAND: before a long build, where the window cannot be opened.
+# need_display ARGUMENTS...: before a long build, where the window cannot be opened. Help needs none, nor do the commands of studies.
 need_display() {
-    case "${1:-}" in
-        "" | open | study | --device) ;;
+    case " $* " in
+        *" --help "* | *" -h "* | " study simulate "* | " study analyse "* | " study help "*) return 0 ;;
+        "  " | " open "* | " study "* | " --device "*) ;;
         *) return 0 ;;
     esac
     if [ "$(uname -s)" != Linux ] || [ -n "${WAYLAND_DISPLAY:-}${WAYLAND_SOCKET:-}${DISPLAY:-}" ]; then return 0; fi

@@ -31,7 +31,7 @@ source scripts/build.sh
 source scripts/wasm.sh
 source scripts/web.sh
 
-# The part of each name is the function of that name; a line break in the name of a file would be none in these.
+# Each part is the function of its name.
 PARTS=(pages_of_validation random_cooks random_packets random_instants random_sessions random_kills plans fits fuzz day
     judge_dependencies judge_advisories real_page quick_endings test_wheel train_briefly sweeps haptics tables_of_2013 heat_solver)
 # One file for each part: when it last passed, and of which commit.
@@ -41,7 +41,9 @@ saute() { ./run.sh "$@"; }
 
 random_cooks() { SAUTE_RANDOM_COOKS="$CAMPAIGN_RANDOM_COOKS" cargo test --release --workspace --test kitchen properties::; }
 
-random_packets() { PROPTEST_CASES="$CAMPAIGN_RANDOM_PACKETS" cargo test --release --workspace --test haptics -- --quiet; }
+random_packets() {
+    PROPTEST_CASES="$CAMPAIGN_RANDOM_PACKETS" "$RELEASE_DIR/saute-xtask" tests --kept "$LAST/tests" saute-haptics
+}
 
 random_instants() {
     SAUTE_RANDOM_INSTANTS="$CAMPAIGN_RANDOM_INSTANTS" cargo test --release --workspace --test kitchen bytes::

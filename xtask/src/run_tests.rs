@@ -122,7 +122,7 @@ impl Times {
 fn first_time(name: &str) -> f64 {
     match name {
         "saute cli" => 3.0,
-        "saute-window window" => 2.0,
+        "saute-window window" | "saute validation" | "saute-plan plan" => 2.0,
         _ if name.ends_with(" lib") => 0.0,
         _ => 1.0,
     }
