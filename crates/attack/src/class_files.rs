@@ -4,8 +4,8 @@ use std::sync::{Arc, LazyLock};
 
 use saute_kitchen::InputError;
 use saute_plan::Aimed;
-use saute_plan::class::{Lesson, Scenario};
-use saute_plan::study::{Event, LogRow, Participant, Protocol, Study, from_csv, shipped, to_csv};
+use saute_study::class::{Lesson, Scenario};
+use saute_study::{Event, LogRow, Participant, Protocol, Study, from_csv, shipped, to_csv};
 
 use crate::kitchen_files::{LIBRARY, library_with};
 use crate::text;

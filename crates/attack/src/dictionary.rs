@@ -8,11 +8,11 @@ use saute_kitchen::food::{FoodDescription, Kinetics};
 use saute_kitchen::liquids::oil::OilDescription;
 use saute_kitchen::pan::pan_description::PanDescription;
 use saute_lab::CaseFile;
-use saute_plan::class::scenario_file::ScenarioFile;
-use saute_plan::study::protocol_file::ProtocolFile;
+use saute_mirror::rig_file::RigFile;
 use saute_recipe::recipe_file::RecipeFile;
+use saute_study::class::scenario_file::ScenarioFile;
+use saute_study::protocol_file::ProtocolFile;
 use saute_sweep::SpecFile;
-use saute_window::mirror::rig_file::RigFile;
 use serde_json::Value;
 
 use crate::{Target, kept};

@@ -89,17 +89,13 @@ pub const TARGETS: &[Target] = &[
     Target {
         name: "protocol",
         work: Work::Reads,
-        sources: &[
-            "crates/plan/src/study/protocol.rs",
-            "crates/plan/src/study/protocol_file.rs",
-            "crates/plan/src/study/check.rs",
-        ],
+        sources: &["crates/study/src/protocol.rs", "crates/study/src/protocol_file.rs", "crates/study/src/check.rs"],
         run: class_files::protocol,
     },
     Target {
         name: "scenario",
         work: Work::Reads,
-        sources: &["crates/plan/src/class/scenario.rs", "crates/plan/src/class/scenario_file.rs"],
+        sources: &["crates/study/src/class/scenario.rs", "crates/study/src/class/scenario_file.rs"],
         run: class_files::scenario,
     },
     Target {
@@ -111,7 +107,7 @@ pub const TARGETS: &[Target] = &[
     Target {
         name: "study_log",
         work: Work::Reads,
-        sources: &["crates/plan/src/study/log_row.rs"],
+        sources: &["crates/study/src/log_row.rs"],
         run: class_files::study_log,
     },
     Target {
@@ -152,7 +148,7 @@ pub const TARGETS: &[Target] = &[
     Target {
         name: "rig",
         work: Work::Reads,
-        sources: &["crates/window/src/mirror/rig_file.rs", "crates/window/src/mirror/registration.rs"],
+        sources: &["crates/mirror/src/rig_file.rs", "crates/mirror/src/registration.rs"],
         run: machine_files::rig,
     },
     Target {

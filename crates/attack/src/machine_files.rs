@@ -5,7 +5,7 @@ use std::io;
 use glam::{DVec2, DVec3};
 use saute_haptics::strings::wire::{Frame, FrameError, Link};
 use saute_haptics::{Geometry, HapticCommand, HapticDevice, KeptCalibration, Spidar};
-use saute_window::mirror::rig_file;
+use saute_mirror::rig_file;
 use saute_window::settings::Settings;
 use saute_window::ui::stored_zoom;
 

@@ -74,7 +74,7 @@ pub enum CliError {
     Shot(#[from] ShotError),
     /// A rig of the half mirror that cannot be used.
     #[error(transparent)]
-    Rig(#[from] saute_window::mirror::rig_file::RigFileError),
+    Rig(#[from] saute_mirror::rig_file::RigFileError),
     /// Frames that cannot be rendered.
     #[error(transparent)]
     Offscreen(#[from] OffscreenError),

@@ -28,7 +28,6 @@ mod pace;
 pub mod painted;
 mod pan;
 pub mod pose;
-pub mod probe;
 pub mod seen_point;
 pub mod skin;
 pub mod split;

@@ -34,12 +34,11 @@ impl Aimed {
     }
 
     /// Returns the goal that a key of a text names.
-    pub(crate) fn named(
-        input: InputText,
-        library: &Library,
-        key: &str,
-        id: &Spanned<String>,
-    ) -> Result<Self, InputError> {
+    ///
+    /// # Errors
+    ///
+    /// Names the known goals if there is none of that name.
+    pub fn named(input: InputText, library: &Library, key: &str, id: &Spanned<String>) -> Result<Self, InputError> {
         let (name, at) = (id.get_ref(), id.span().start);
         if let Some(aimed) = Self::of(library, name) {
             return Ok(aimed);
@@ -49,7 +48,11 @@ impl Aimed {
     }
 
     /// Checks that the goal says something about every food of a recipe, and that there is one.
-    pub(crate) fn check_fits(
+    ///
+    /// # Errors
+    ///
+    /// Names the goals that fit if this one does not.
+    pub fn check_fits(
         &self,
         input: InputText,
         library: &Library,

@@ -2,16 +2,13 @@
 //!
 //! [`goal`] states what a cook is wanted to give and scores what it gave. [`schedule`] searches for the times and powers that
 //! meet a goal best. [`forecast`] says what comes of the present state of a cook. [`fit`] finds what a kitchen at home has
-//! otherwise, from what was measured there. [`study`] and [`class`] are protocols, lessons and their results. This crate starts no thread, opens no file and reads no clock; a shell runs the jobs
-//! of a round in any order, on as many threads as it likes: the answer is the same.
+//! otherwise, from what was measured there. This crate starts no thread, opens no file and reads no clock; a shell runs the
+//! jobs of a round in any order, on as many threads as it likes: the answer is the same.
 
 mod aimed;
-pub mod class;
 pub mod fit;
 pub mod forecast;
 pub mod goal;
 pub mod schedule;
-mod set_out;
-pub mod study;
 
 pub use aimed::Aimed;

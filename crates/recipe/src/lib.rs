@@ -52,6 +52,7 @@ pub mod condition;
 pub mod cook;
 pub mod file;
 pub mod full_pan;
+pub mod probe;
 pub mod recipe;
 pub mod session;
 pub mod summary;

@@ -3,8 +3,8 @@
 use std::time::Duration;
 
 use saute_kitchen::Library;
-use saute_window::work::Kind;
-use saute_window::work::bench::Bench;
+use saute_session::work::Kind;
+use saute_session::work::bench::Bench;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// A bench with its own foods and pans.

@@ -3,15 +3,16 @@
 use std::sync::Arc;
 
 use saute_kitchen::Library;
-use saute_plan::class::{self, Scenario};
-use saute_plan::study::{self, Participant, Protocol};
+use saute_study::class::{self, Scenario};
+use saute_study::{Participant, Protocol};
 use saute_window::browser::host::Host;
 use saute_window::guided::{LessonStart, StudyStart};
 
 /// A shipped study with the code of its participant; a page without a script keeps its rows in memory.
 pub(crate) fn study(library: &Library, (id, code): (&str, &str), host: Option<&Host>) -> Result<StudyStart, String> {
-    let names = study::shipped::names();
-    let text = study::shipped::text(id).ok_or_else(|| format!("study: there is no \"{id}\"; there are {names}"))?;
+    let names = saute_study::shipped::names();
+    let text =
+        saute_study::shipped::text(id).ok_or_else(|| format!("study: there is no \"{id}\"; there are {names}"))?;
     let protocol = Protocol::parse(text, id, library).map_err(|e| e.to_string())?;
     let (protocol, participant) = (Arc::new(protocol), participant("participant", code)?);
     match host {

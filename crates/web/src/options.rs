@@ -1,7 +1,7 @@
 //! What a page's script asks for.
 
-use saute_window::Language;
 use saute_window::browser::host::Host;
+use saute_words::language::Language;
 use wasm_bindgen::{JsCast, JsValue};
 
 use crate::backend::Choice;

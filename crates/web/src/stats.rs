@@ -27,6 +27,8 @@ pub(crate) struct Stats {
     paused: bool,
     quality: Quality,
     recipe: Option<String>,
+    /// Number of commands that the kitchen has taken.
+    commands: usize,
     /// Power of the hob [W].
     hob_w: f64,
     /// Temperature of the pan's floor [°C].
@@ -91,6 +93,7 @@ impl Stats {
             paused: session.paused,
             quality: app.quality(),
             recipe: session.recipe_title().map(str::to_owned),
+            commands: session.recording().entries().len(),
             hob_w: kitchen.hob_w(),
             pan_c: celsius(kitchen.pan_temperature()),
             pan_tilt_deg: tilt_deg(kitchen),

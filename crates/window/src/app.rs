@@ -1,5 +1,6 @@
 //! The program's window.
 
+mod export;
 pub(crate) mod frame;
 mod keys;
 mod open_session;
@@ -17,8 +18,6 @@ use saute_scene::quality::Quality;
 
 use crate::act::Card;
 use crate::apply::waiting::Waiting;
-use crate::at_home::fitting::AtHome;
-use crate::at_home::kept::KeptKitchen;
 #[cfg(target_arch = "wasm32")]
 use crate::browser::host::Surroundings;
 use crate::frame_meter::FrameMeter;
@@ -35,8 +34,6 @@ use crate::paint::ground::GroundCallback;
 use crate::paint::panel_layer::PanelLayer;
 use crate::paint::scene::SceneCallback;
 use crate::panels::window_state::PanelMemory;
-use crate::plan::live::Live;
-use crate::plan::planning::Planning;
 use crate::session::Session;
 use crate::settings::Settings;
 use crate::ui::fingers;
@@ -48,10 +45,16 @@ use crate::ui::theme;
 use crate::ui::ways_view::WaysView;
 #[cfg(not(target_arch = "wasm32"))]
 use crate::window::Surroundings;
-use crate::words::language::Language;
-use crate::work::Agency;
+use saute_haptics::control::scheduling::yield_to_others;
+use saute_session::at_home::fitting::AtHome;
+use saute_session::at_home::kept::KeptKitchen;
+use saute_session::permits::NotDone;
+use saute_session::plan::live::Live;
+use saute_session::plan::planning::Planning;
+use saute_session::work::Agency;
 #[cfg(not(target_arch = "wasm32"))]
-use crate::work::thread::Threads;
+use saute_session::work::thread::Threads;
+use saute_words::language::Language;
 
 /// Where settings are remembered.
 const SETTINGS_KEY: &str = "saute.settings";
@@ -278,7 +281,7 @@ impl SauteApp {
         #[cfg(not(target_arch = "wasm32"))]
         if start.threads {
             let context = context.clone();
-            app.employ(Box::new(Threads::new(Arc::new(move || context.request_repaint()))));
+            app.employ(Box::new(Threads::new(Arc::new(move || context.request_repaint()), yield_to_others)));
         }
         app.settings.language = Language::English;
         app.set_language(language);
@@ -324,13 +327,14 @@ impl SauteApp {
             return false;
         }
         let played = self.session.runner.is_some();
+        self.session.permits = self.permits();
         let taken = self.session.command(command);
         let is_taken = taken.is_ok();
         match taken {
             Ok(()) if played => self.say("notice.taken_over"),
             Ok(()) if self.session.paused && takes_time(command) => self.say("notice.later"),
             Ok(()) => {}
-            Err(refused) => self.say_refused(&refused),
+            Err(not_done) => self.say_not_done(&not_done),
         }
         is_taken
     }
@@ -356,9 +360,14 @@ impl SauteApp {
         self.notice.say(self.settings.language.text(key));
     }
 
-    /// Says why the kitchen refused.
-    pub(crate) fn say_refused(&self, refused: &saute_kitchen::Refused) {
-        self.notice.say(crate::words::refusal::words(refused, self.settings.language));
+    /// Says why a command was not carried out.
+    pub(crate) fn say_not_done(&self, not_done: &NotDone) {
+        match not_done {
+            NotDone::Locked => self.say("guided.locked"),
+            NotDone::Refused(refused) => {
+                self.notice.say(saute_words::refusal::words(refused, self.settings.language));
+            }
+        }
     }
 
     /// Says what the core could not do; recipes and data have their own words, with file and line.

@@ -10,7 +10,7 @@ pub(crate) mod waiting;
 
 use saute_kitchen::Command;
 
-use crate::act::{Act, Card, Setting};
+use crate::act::{Act, AppAct, Card, CookAct, LearnAct, Setting, TimeAct, ViewAct};
 use crate::app::SauteApp;
 use crate::input::tool_hand::TurnerPose;
 
@@ -18,122 +18,159 @@ use crate::input::tool_hand::TurnerPose;
 const TOSS_M: f64 = 0.12;
 
 impl SauteApp {
-    /// Carries out an act. Only this function lets acts change the window; the match is exhaustive, one line per act.
+    /// Carries out an act. Only this function lets acts change the window; the matches are exhaustive, one line per act.
     pub fn act(&mut self, act: Act, ctx: &egui::Context) {
         if self.refuses(&act) || self.is_hidden(&act) || self.puts_off(&act) {
             return;
         }
         match act {
-            Act::Pause => self.session.set_paused(!self.session.paused),
-            Act::Step => self.single_step(),
-            Act::Speed(by) => self.change_speed(by),
-            Act::SpeedSet(speed) => self.set_speed(speed),
-            Act::Hob(by) => self.change_hob(by),
-            Act::HobSet(w) => self.command(&Command::Hob(w)),
-            Act::HobHold(c) => self.hold_pan_at(c),
-            Act::Cloth => self.cool_with_cloth(),
-            Act::Put => self.lay_in(&self.session.its_group()),
-            Act::Lay(ids) => self.lay_in(&ids),
-            Act::Heap(ids) => self.heap_in(&ids),
-            Act::Remove(ids) => self.session.remove(&ids),
-            Act::Flip => self.command(&Command::Flip { food: self.handled_id() }),
-            Act::Asked(question) => self.do_asked(question),
-            Act::Halve => self.halve(),
-            Act::Out => self.take_out(),
-            Act::Toss => self.command(&Command::Toss { height: TOSS_M }),
-            Act::Pour(what) => self.pour(what),
-            Act::Portion => self.next_portion(),
-            Act::Lid => self.turn_lid(),
+            Act::Cook(act) => self.act_on_cook(act),
+            Act::Time(act) => self.act_on_time(act),
+            Act::View(act) => self.act_on_view(act),
+            Act::Learn(act) => self.act_on_learning(act, ctx),
+            Act::App(act) => self.act_on_app(act, ctx),
+        }
+    }
+
+    /// With food, pan, hob and tools.
+    fn act_on_cook(&mut self, act: CookAct) {
+        match act {
+            CookAct::Hob(by) => self.change_hob(by),
+            CookAct::HobSet(w) => self.command(&Command::Hob(w)),
+            CookAct::HobHold(c) => self.hold_pan_at(c),
+            CookAct::Cloth => self.cool_with_cloth(),
+            CookAct::Put => self.lay_in(&self.session.its_group()),
+            CookAct::Lay(ids) => self.lay_in(&ids),
+            CookAct::Heap(ids) => self.heap_in(&ids),
+            CookAct::Remove(ids) => self.session.remove(&ids),
+            CookAct::Flip => self.command(&Command::Flip { food: self.handled_id() }),
+            CookAct::Asked(question) => self.do_asked(question),
+            CookAct::Halve => self.halve(),
+            CookAct::Out => self.take_out(),
+            CookAct::Toss => self.command(&Command::Toss { height: TOSS_M }),
+            CookAct::Pour(what) => self.pour(what),
+            CookAct::Portion => self.next_portion(),
+            CookAct::Lid => self.turn_lid(),
             #[cfg(target_arch = "wasm32")]
-            Act::TiltPhone => self.tilt_phone(),
-            Act::Tool => self.choose_tool(),
-            Act::ToolBy(by) => self.with_turner(|turner| turner.shift(glam::DVec3::Z * by)),
-            Act::RollBy(by) => self.with_turner(|turner| turner.tilt(by, 0.0)),
-            Act::LevelTool => self.with_turner(TurnerPose::level),
-            Act::PutAway => self.put_tool_away(),
-            Act::NextPiece => self.select_next(),
-            Act::Select(id) => self.session.select(Some(id)),
-            Act::SetOut => self.set_out(),
-            Act::Add(count) => self.add(count),
-            Act::Play(id) => self.play(&id),
-            Act::ResumeRecipe => self.resume_recipe(),
-            Act::ChooseFile => self.choose_file(ctx),
-            Act::Export(what) => self.export(what, ctx),
-            Act::CopyLink => self.copy_link(),
+            CookAct::TiltPhone => self.tilt_phone(),
+            CookAct::Tool => self.choose_tool(),
+            CookAct::ToolBy(by) => self.with_turner(|turner| turner.shift(glam::DVec3::Z * by)),
+            CookAct::RollBy(by) => self.with_turner(|turner| turner.tilt(by, 0.0)),
+            CookAct::LevelTool => self.with_turner(TurnerPose::level),
+            CookAct::PutAway => self.put_tool_away(),
+            CookAct::SetOut => self.set_out(),
+            CookAct::Add(count) => self.add(count),
+            CookAct::Play(id) => self.play(&id),
+            CookAct::ResumeRecipe => self.resume_recipe(),
+            CookAct::Restart => self.restart(),
+        }
+    }
+
+    /// With the time of the cook.
+    fn act_on_time(&mut self, act: TimeAct) {
+        match act {
+            TimeAct::Pause => self.session.set_paused(!self.session.paused),
+            TimeAct::Step => self.single_step(),
+            TimeAct::Speed(by) => self.change_speed(by),
+            TimeAct::SpeedSet(speed) => self.set_speed(speed),
+            TimeAct::GoOn(goes_on) => self.decide_on_offer(goes_on),
+            TimeAct::Undo => self.undo(),
+            TimeAct::Redo => self.redo(),
+            TimeAct::Scrub(time_s) => self.scrub(time_s),
+            TimeAct::HoldTime(held) => self.session.hold_time(held),
+            TimeAct::Branch(place) => self.go_to_branch(place),
+        }
+    }
+
+    /// With what is seen.
+    fn act_on_view(&mut self, act: ViewAct) {
+        match act {
+            ViewAct::NextPiece => self.select_next(),
+            ViewAct::Select(id) => self.session.select(Some(id)),
+            ViewAct::Pieces => self.open_left(false, !self.settings.pieces_open),
+            ViewAct::SideBySide => self.toggle_ways(),
+            ViewAct::View(view) => self.settings.view = view,
+            ViewAct::Split => self.toggle_split(),
+            ViewAct::Probe => self.place_probe(),
+            ViewAct::Placing(on) => self.scene.placing = on,
+            ViewAct::SelectProbe(number) => self.session.probes.selected = number,
+            ViewAct::NameProbe(number, name) => self.session.probes.rename(number, name),
+            ViewAct::RemoveProbe(number) => self.session.probes.remove(number),
+            ViewAct::Map => self.next_map(),
+            ViewAct::Scale => self.next_scale(),
+            ViewAct::Slice => self.toggle_slice(),
+            ViewAct::SliceBy(by) => self.shift_slice(by),
+            ViewAct::SliceAt(place) => self.slice = Some(place),
+            ViewAct::Units => self.settings.fahrenheit = !self.settings.fahrenheit,
+            ViewAct::Camera => self.next_camera(),
+            ViewAct::Eye(view) => self.look_from(view),
+            ViewAct::Zoom(factor) => self.zoom(factor),
+            ViewAct::Orbit(dx, dy) => self.orbit(dx, dy),
+            ViewAct::Pantry => self.open_left(!self.settings.pantry_open, false),
+            ViewAct::Curves => self.settings.curves_open = !self.settings.curves_open,
+            ViewAct::Panels => self.settings.panels_hidden = !self.settings.panels_hidden,
             #[cfg(not(target_arch = "wasm32"))]
-            Act::OpenFile(path) => self.open_file(&path),
-            #[cfg(not(target_arch = "wasm32"))]
-            Act::ShowFile(path) => self.show_file(&path),
-            Act::Pieces => self.open_left(false, !self.settings.pieces_open),
-            Act::Restart => self.restart(),
-            Act::GoOn(goes_on) => self.decide_on_offer(goes_on),
-            Act::Undo => self.undo(),
-            Act::Redo => self.redo(),
-            Act::Scrub(time_s) => self.scrub(time_s),
-            Act::HoldTime(held) => self.session.hold_time(held),
-            Act::Branch(place) => self.go_to_branch(place),
-            Act::SideBySide => self.toggle_ways(),
-            Act::View(view) => self.settings.view = view,
-            Act::Split => self.toggle_split(),
-            Act::Probe => self.place_probe(),
-            Act::Placing(on) => self.scene.placing = on,
-            Act::SelectProbe(number) => self.session.probes.selected = number,
-            Act::NameProbe(number, name) => self.session.probes.rename(number, name),
-            Act::RemoveProbe(number) => self.session.probes.remove(number),
-            Act::Map => self.next_map(),
-            Act::Scale => self.next_scale(),
-            Act::Slice => self.toggle_slice(),
-            Act::SliceBy(by) => self.shift_slice(by),
-            Act::SliceAt(place) => self.slice = Some(place),
-            Act::Units => self.settings.fahrenheit = !self.settings.fahrenheit,
-            Act::Camera => self.next_camera(),
-            Act::Eye(view) => self.look_from(view),
-            Act::Zoom(factor) => self.zoom(factor),
-            Act::Orbit(dx, dy) => self.orbit(dx, dy),
-            Act::Pantry => self.open_left(!self.settings.pantry_open, false),
-            Act::Curves => self.settings.curves_open = !self.settings.curves_open,
-            Act::Panels => self.settings.panels_hidden = !self.settings.panels_hidden,
-            #[cfg(not(target_arch = "wasm32"))]
-            Act::StopHands => self.stop_hands(),
-            #[cfg(not(target_arch = "wasm32"))]
-            Act::ResumeHands => self.resume_hands(),
-            #[cfg(not(target_arch = "wasm32"))]
-            Act::Strings => self.toggle_strings(),
-            #[cfg(not(target_arch = "wasm32"))]
-            Act::Connect { role, device, pairing } => self.connect_hand(role, &device, pairing),
-            #[cfg(not(target_arch = "wasm32"))]
-            Act::Disconnect(role) => self.session.hands.disconnect(role),
+            ViewAct::Strings => self.toggle_strings(),
             #[cfg(target_arch = "wasm32")]
-            Act::StopHands | Act::Strings => {}
+            ViewAct::Strings => {}
+        }
+    }
+
+    /// With what leads, and with what is searched for.
+    fn act_on_learning(&mut self, act: LearnAct, ctx: &egui::Context) {
+        match act {
+            LearnAct::Tutorial(on) => self.set_tutorial(on),
+            LearnAct::Guided(act) => self.guided_act(act, ctx),
+            LearnAct::Plan(act) => self.act_on_plan(act, ctx),
+            LearnAct::AtHome(act) => self.act_on_home(act),
+        }
+    }
+
+    /// With cards, files, pictures, devices and settings.
+    fn act_on_app(&mut self, act: AppAct, ctx: &egui::Context) {
+        match act {
+            AppAct::ChooseFile => self.choose_file(ctx),
+            AppAct::Export(what) => self.export(what, ctx),
+            AppAct::CopyLink => self.copy_link(),
             #[cfg(not(target_arch = "wasm32"))]
-            Act::Picture if self.photo.open => self.take_photo(ctx),
-            Act::Picture => self.save_picture(ctx),
+            AppAct::OpenFile(path) => self.open_file(&path),
+            #[cfg(not(target_arch = "wasm32"))]
+            AppAct::ShowFile(path) => self.show_file(&path),
+            #[cfg(not(target_arch = "wasm32"))]
+            AppAct::StopHands => self.stop_hands(),
+            #[cfg(not(target_arch = "wasm32"))]
+            AppAct::ResumeHands => self.resume_hands(),
+            #[cfg(not(target_arch = "wasm32"))]
+            AppAct::Connect { role, device, pairing } => self.connect_hand(role, &device, pairing),
+            #[cfg(not(target_arch = "wasm32"))]
+            AppAct::Disconnect(role) => self.session.hands.disconnect(role),
             #[cfg(target_arch = "wasm32")]
-            Act::Photo => self.say("settings.native_only"),
+            AppAct::StopHands => {}
             #[cfg(not(target_arch = "wasm32"))]
-            Act::Photo => self.photo.open = !self.photo.open,
+            AppAct::Picture if self.photo.open => self.take_photo(ctx),
+            AppAct::Picture => self.save_picture(ctx),
+            #[cfg(target_arch = "wasm32")]
+            AppAct::Photo => self.say("settings.native_only"),
             #[cfg(not(target_arch = "wasm32"))]
-            Act::SetPhoto(choice) => self.photo.choice = choice,
+            AppAct::Photo => self.photo.open = !self.photo.open,
             #[cfg(not(target_arch = "wasm32"))]
-            Act::TimeLapse => self.make_time_lapse(ctx),
-            Act::Mirror if cfg!(target_arch = "wasm32") => self.say("settings.native_only"),
-            Act::Mirror => self.toggle_mirror(),
-            Act::MirrorWindow(open) => (self.mirror.open, self.mirror.full) = (open, false),
-            Act::Calibrate(on) => self.calibrate_mirror(on),
-            Act::ReadRig => self.mirror.forget_rig(),
-            Act::ShareResult => self.share_result(),
-            Act::Tutorial(on) => self.set_tutorial(on),
-            Act::Set(setting) => self.set(setting),
-            Act::Guided(act) => self.guided_act(act, ctx),
-            Act::Say(text) => self.notice.say(text),
-            Act::Plan(act) => self.act_on_plan(act, ctx),
-            Act::AtHome(act) => self.act_on_home(act),
-            Act::Open(card) => self.open_card(card),
-            Act::Shut(card) => self.shut_card(card),
-            Act::Help => self.toggle_card(Card::Help),
-            Act::Messages => self.toggle_card(Card::Messages),
-            Act::Settings => self.toggle_card(Card::Settings),
-            Act::Close => self.close_all(),
+            AppAct::SetPhoto(choice) => self.photo.choice = choice,
+            #[cfg(not(target_arch = "wasm32"))]
+            AppAct::TimeLapse => self.make_time_lapse(ctx),
+            AppAct::Mirror if cfg!(target_arch = "wasm32") => self.say("settings.native_only"),
+            AppAct::Mirror => self.toggle_mirror(),
+            AppAct::MirrorWindow(open) => (self.mirror.open, self.mirror.full) = (open, false),
+            AppAct::Calibrate(on) => self.calibrate_mirror(on),
+            AppAct::ReadRig => self.mirror.forget_rig(),
+            AppAct::ShareResult => self.share_result(),
+            AppAct::Set(setting) => self.set(setting),
+            AppAct::Say(text) => self.notice.say(text),
+            AppAct::Open(card) => self.open_card(card),
+            AppAct::Shut(card) => self.shut_card(card),
+            AppAct::Help => self.toggle_card(Card::Help),
+            AppAct::Messages => self.toggle_card(Card::Messages),
+            AppAct::Settings => self.toggle_card(Card::Settings),
+            AppAct::Close => self.close_all(),
         }
     }
 

@@ -16,34 +16,7 @@ pub const FROM_S: f64 = 60.0;
 const FOR_S: f64 = 30.0;
 
 /// The paper's dish all at once: steak, carrots and leeks that fry and steam.
-pub const DISH: &str = r#"
-title = "Steak, 11 carrots, 11 leeks"
-[pan]
-initial_c = 200
-[[food]]
-id = "steak"
-kind = "beef-lean"
-size_mm = [80, 60, 22]
-[[food]]
-id = "carrots"
-kind = "carrot-coin"
-count = 11
-[[food]]
-id = "leeks"
-kind = "leek-ring"
-count = 11
-[[step]]
-hob_w = 1200
-[[step]]
-put = "steak"
-[[step]]
-put = { food = "carrots", heap = true, at_mm = [-62, 0] }
-[[step]]
-put = { food = "leeks", heap = true, at_mm = [62, 0] }
-[[step]]
-after_s = 600
-end = true
-"#;
+pub const DISH: &str = include_str!("dish.toml");
 
 /// When the foods of that dish lie and steam [s].
 pub const DISH_FROM_S: f64 = 20.0;

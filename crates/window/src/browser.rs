@@ -20,10 +20,10 @@ use wasm_bindgen_futures::{JsFuture, spawn_local};
 use web_sys::{Blob, BlobPropertyBag, CustomEvent, File, HtmlAnchorElement, HtmlInputElement, Url};
 
 use crate::app::SauteApp;
-use crate::export::Export;
 use crate::plan::PlanFile;
 use crate::ui::japanese_font;
-use crate::words::language::Language;
+use saute_session::export::Export;
+use saute_words::language::Language;
 
 /// Sent to the page's window when Japanese is chosen and has no font yet.
 const FONT_WANTED: &str = "saute-font";

@@ -5,9 +5,9 @@ use std::process::{Command, Stdio};
 use std::sync::mpsc::{Receiver, channel};
 
 use crate::app::SauteApp;
-use crate::export::Export;
 use crate::plan::PlanFile;
 use crate::session_file::write_whole;
+use saute_session::export::Export;
 
 /// Recipes that are remembered at most (chosen: what is seen without scrolling).
 const REMEMBERED: usize = 5;

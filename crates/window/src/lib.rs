@@ -23,7 +23,6 @@ pub mod bench_frame;
 #[cfg(target_arch = "wasm32")]
 pub mod browser;
 pub mod controls;
-pub mod export;
 #[cfg(not(target_arch = "wasm32"))]
 mod files;
 pub mod frame_meter;
@@ -48,12 +47,9 @@ pub mod session;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod session_file;
 pub mod settings;
+pub mod spoken;
 pub mod ui;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod window;
-pub mod words;
-pub mod work;
 
 pub use app::{SauteApp, Start, StartError};
-pub use words::language::Language;
-pub use words::view_words::ViewWords;

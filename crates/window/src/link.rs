@@ -14,6 +14,7 @@ use crate::app::SauteApp;
 use crate::browser::host as outside;
 #[cfg(not(target_arch = "wasm32"))]
 use crate::window as outside;
+use saute_session::permits::Permit;
 
 /// What a fragment begins with that holds a cook; a version and a dot follow.
 const NAME: &str = "cook=";
@@ -93,7 +94,7 @@ impl SauteApp {
 
     /// Opens the cook that a fragment holds; nothing if it is about something else.
     pub fn open_link(&mut self, fragment: &str) {
-        if self.guided.as_ref().is_some_and(|guided| guided.locks().leaving) {
+        if !self.permits().allow(&[Permit::Leaving]) {
             return;
         }
         match read(fragment) {

@@ -4,9 +4,9 @@ use std::ops::RangeInclusive;
 
 use serde_json::{Map, Value};
 
-use crate::mirror::rig::MARKS;
-use crate::mirror::settings::WIDEST_MM;
 use crate::settings::Settings;
+use saute_mirror::rig::MARKS;
+use saute_mirror::settings::WIDEST_MM;
 
 impl Settings {
     /// Settings from JSON, and true if some of it could not be read.

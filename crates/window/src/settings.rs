@@ -9,14 +9,15 @@ use saute_picture::view::View;
 use saute_scene::light::room_light::RoomLight;
 use saute_scene::light::white_balance::WhiteBalance;
 
-use crate::at_home::kept::KeptKitchen;
-use crate::mirror::settings::MirrorSettings;
 use crate::plan::choice::PlanChoice;
-use crate::session::SteakChoice;
 use crate::ui::interface_size::InterfaceSize;
 use crate::ui::quality_choice::QualityChoice;
 use crate::ui::theme::Theme;
-use crate::words::language::Language;
+use saute_mirror::settings::MirrorSettings;
+use saute_session::SteakChoice;
+use saute_session::at_home::kept::KeptKitchen;
+use saute_words::language::Language;
+use saute_words::speech::Speech;
 
 /// Version of remembered settings: since 1 the goal is 62 °C at first, before it was 60 °C.
 pub const VERSION: u32 = 1;
@@ -32,7 +33,7 @@ pub struct Settings {
     #[serde(default)]
     pub version: u32,
     /// Language of the window; that of the system where none was ever chosen.
-    #[serde(default = "Language::of_system")]
+    #[serde(default = "crate::ui::system::language")]
     pub language: Language,
     /// Dark or light panels.
     pub theme: Theme,
@@ -177,28 +178,33 @@ impl Settings {
         self.split && self.view != View::Look
     }
 
+    /// How the user is spoken to.
+    pub fn speech(&self) -> Speech {
+        Speech { language: self.language, fahrenheit: self.fahrenheit }
+    }
+
     /// A temperature in the chosen unit, with its unit, never broken over two lines.
     pub fn temperature(&self, celsius: f64) -> String {
-        format!("{:.0}\u{a0}{}", self.degrees(celsius), self.unit())
+        self.speech().temperature(celsius)
     }
 
     /// As [`Self::temperature`], to a tenth.
     pub fn fine_temperature(&self, celsius: f64) -> String {
-        format!("{:.1}\u{a0}{}", self.degrees(celsius), self.unit())
+        self.speech().fine_temperature(celsius)
     }
 
     /// A temperature in the chosen unit.
     pub fn degrees(&self, celsius: f64) -> f64 {
-        if self.fahrenheit { celsius * 1.8 + 32.0 } else { celsius }
+        self.speech().degrees(celsius)
     }
 
     /// °C from the chosen unit.
     pub fn celsius(&self, degrees: f64) -> f64 {
-        if self.fahrenheit { (degrees - 32.0) / 1.8 } else { degrees }
+        self.speech().celsius(degrees)
     }
 
     /// The chosen unit.
     pub fn unit(&self) -> &'static str {
-        if self.fahrenheit { "°F" } else { "°C" }
+        self.speech().unit()
     }
 }

@@ -4,8 +4,8 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::Subcommand;
-use saute_plan::class::{ClassSummary, ResultRow, from_csv, to_csv};
-use saute_plan::study::LogError;
+use saute_study::LogError;
+use saute_study::class::{ClassSummary, ResultRow, from_csv, to_csv};
 
 use crate::error::CliError;
 use crate::input::text_file;

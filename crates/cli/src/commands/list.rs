@@ -9,11 +9,11 @@ use saute_kitchen::data::goals::GoalDescription;
 use saute_kitchen::data::library::DEFAULT_SCALE;
 use saute_kitchen::food::{FoodDescription, Scale};
 use saute_picture::View;
-use saute_plan::class::Scenario;
-use saute_plan::study::Protocol;
 use saute_recipe::Recipe;
-use saute_window::ViewWords;
+use saute_study::Protocol;
+use saute_study::class::Scenario;
 use saute_window::settings::Settings;
+use saute_window::spoken::view_words::ViewWords;
 use serde::Serialize;
 
 use super::list_actions;
@@ -153,12 +153,12 @@ fn recipes(data: &DataLibrary) -> Result<Vec<Entry>, CliError> {
 
 fn studies(library: &Library) -> Result<Vec<Entry>, CliError> {
     let entry = |(id, text): (&str, &str)| Ok(Entry::new(id, &Protocol::parse(text, id, library)?.title));
-    saute_plan::study::shipped::SHIPPED.into_iter().map(entry).collect()
+    saute_study::shipped::SHIPPED.into_iter().map(entry).collect()
 }
 
 fn scenarios(library: &Library) -> Result<Vec<Entry>, CliError> {
     let entry = |(id, text): (&str, &str)| Ok(Entry::new(id, &Scenario::parse(text, id, library)?.title.en));
-    saute_plan::class::shipped::SHIPPED.into_iter().map(entry).collect()
+    saute_study::class::shipped::SHIPPED.into_iter().map(entry).collect()
 }
 
 fn scales(library: &Library) -> Vec<Entry> {

@@ -5,8 +5,8 @@ use std::process::ExitCode;
 use std::sync::Arc;
 
 use saute_kitchen::data::library::DEFAULT_SCALE;
-use saute_plan::class::{Scenario, shipped};
-use saute_plan::study::{NoCode, Participant};
+use saute_study::class::{Scenario, shipped};
+use saute_study::{NoCode, Participant};
 use saute_window::Start;
 use saute_window::guided::{LessonStart, StudyStart};
 use saute_window::hand::HandsStart;

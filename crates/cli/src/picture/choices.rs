@@ -1,11 +1,11 @@
 //! Names of views, white balances, lights, qualities and stereo modes on the command line.
 
 use clap::ValueEnum;
+use saute_mirror::stereo::Stereo;
 use saute_picture::View;
 use saute_scene::light::room_light::RoomLight;
 use saute_scene::light::white_balance::WhiteBalance;
 use saute_scene::quality::Quality;
-use saute_window::mirror::stereo::Stereo;
 
 /// Names of the views.
 #[derive(Clone, Copy, Debug, ValueEnum)]

@@ -5,10 +5,10 @@ use std::time::Duration;
 
 use saute_plan::goal::Shortfall;
 use saute_plan::schedule::{Deed, Order, Plan, Step};
-use saute_window::Language;
 use saute_window::settings::Settings;
-use saute_window::words::cue_words;
-use saute_window::words::plan_words::{changed, crust, on_target};
+use saute_words::cue_words;
+use saute_words::language::Language;
+use saute_words::plan_words::{changed, crust, on_target};
 
 use crate::wording::clock;
 

@@ -4,8 +4,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use saute_plan::study::analysis::Mixed;
-use saute_plan::study::{Analysis, LogError, LogRow, from_csv};
+use saute_study::analysis::Mixed;
+use saute_study::{Analysis, LogError, LogRow, from_csv};
 
 use super::{page, tables};
 use crate::error::CliError;

@@ -3,8 +3,8 @@
 use std::fmt::Write;
 
 use maud::{Markup, PreEscaped, html};
-use saute_plan::study::Analysis;
-use saute_plan::study::analysis::{Point, Quantity};
+use saute_study::Analysis;
+use saute_study::analysis::{Point, Quantity};
 
 use super::tables;
 use crate::report::plot::{Mark, Panel, Scale, marks, nice_range};

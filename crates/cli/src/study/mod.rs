@@ -11,7 +11,7 @@ use std::process::ExitCode;
 use std::sync::Arc;
 
 use clap::Subcommand;
-use saute_plan::study::{Protocol, shipped};
+use saute_study::{Protocol, shipped};
 use saute_window::guided::StudyStart;
 
 use crate::args::HandArgs;

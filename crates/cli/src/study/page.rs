@@ -1,8 +1,8 @@
 //! The report of a study: a page that needs no other file.
 
 use maud::{Markup, html};
-use saute_plan::study::Analysis;
-use saute_plan::study::analysis::Quantity;
+use saute_study::Analysis;
+use saute_study::analysis::Quantity;
 
 use super::{curves_plot, tables};
 use crate::report;

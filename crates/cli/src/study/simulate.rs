@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use saute_plan::study::{Simulation, dictionary, to_csv};
+use saute_study::{Simulation, dictionary, to_csv};
 
 use super::load;
 use crate::error::CliError;

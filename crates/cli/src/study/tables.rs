@@ -2,8 +2,8 @@
 
 use std::fmt::Write;
 
-use saute_plan::study::Analysis;
-use saute_plan::study::analysis::{Change, Interval, Quantity, Span};
+use saute_study::Analysis;
+use saute_study::analysis::{Change, Interval, Quantity, Span};
 
 use crate::error::CliError;
 

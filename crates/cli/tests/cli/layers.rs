@@ -9,18 +9,22 @@ use serde_json::Value;
 
 /// Each crate with the crates that it needs directly, of the workspace and of [`NOTABLE`]. A crate that does not exist yet is
 /// skipped.
-const ARROWS: [(&str, &[&str]); 24] = [
+const ARROWS: [(&str, &[&str]); 28] = [
     ("saute-heat", &[]),
     ("saute-food", &["saute-heat"]),
     ("saute-kitchen", &["saute-heat", "saute-food", "rapier3d"]),
     ("saute-recipe", &["saute-food", "saute-kitchen"]),
     ("saute-lab", &["saute-heat", "saute-food", "saute-kitchen", "saute-recipe"]),
     ("saute-plan", &["saute-kitchen", "saute-recipe"]),
+    ("saute-study", &["saute-kitchen", "saute-plan", "saute-recipe"]),
     ("saute-formats", &["saute-kitchen", "saute-recipe"]),
     ("saute-sweep", &["saute-formats", "saute-kitchen", "saute-recipe"]),
     ("saute-sweep-folder", &["saute-formats", "saute-sweep"]),
     ("saute-surface", &["saute-heat"]),
     ("saute-scene", &["wgpu"]),
+    ("saute-mirror", &["saute-scene"]),
+    ("saute-session", &["saute-kitchen", "saute-plan", "saute-recipe", "saute-study", "saute-words"]),
+    ("saute-words", &["saute-kitchen", "saute-plan", "saute-recipe", "saute-study"]),
     ("saute-picture", &["saute-kitchen", "saute-recipe", "saute-scene", "wgpu"]),
     (
         "saute-haptics",
@@ -44,9 +48,11 @@ const ARROWS: [(&str, &[&str]); 24] = [
             "saute-haptics",
             "saute-kitchen",
             "saute-lab",
+            "saute-mirror",
             "saute-plan",
             "saute-recipe",
             "saute-spidar-sim",
+            "saute-study",
             "saute-surface",
             "saute-sweep",
             "saute-window",
@@ -81,6 +87,10 @@ const ARROWS: [(&str, &[&str]); 24] = [
             "saute-kitchen",
             "saute-recipe",
             "saute-plan",
+            "saute-study",
+            "saute-words",
+            "saute-session",
+            "saute-mirror",
             "saute-scene",
             "saute-picture",
             "saute-haptics",
@@ -105,7 +115,9 @@ const ARROWS: [(&str, &[&str]); 24] = [
             "saute-surface",
             "saute-scene",
             "saute-picture",
-            "saute-plan",
+            "saute-mirror",
+            "saute-study",
+            "saute-words",
             "saute-haptics",
             "saute-window",
             "clap",
@@ -116,10 +128,12 @@ const ARROWS: [(&str, &[&str]); 24] = [
 /// What the page needs in a browser.
 const WEB: &[&str] = &[
     "saute-kitchen",
-    "saute-plan",
     "saute-recipe",
     "saute-scene",
+    "saute-session",
+    "saute-study",
     "saute-window",
+    "saute-words",
     "eframe",
     "egui",
     "egui-wgpu",
@@ -155,13 +169,14 @@ const OUTSIDE_WORLD: &[&str] = &[
 ];
 
 /// The core: a pure function of model, state, commands and time step.
-const CORE: [&str; 8] = [
+const CORE: [&str; 9] = [
     "saute-heat",
     "saute-food",
     "saute-kitchen",
     "saute-recipe",
     "saute-lab",
     "saute-plan",
+    "saute-study",
     "saute-formats",
     "saute-sweep",
 ];

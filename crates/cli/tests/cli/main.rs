@@ -5,6 +5,7 @@
 
 mod architecture;
 mod cook;
+mod cycles;
 mod dependencies;
 mod fit;
 mod folders;

@@ -1,4 +1,4 @@
-//! What goals, forecasts, plans, fits, studies and lessons promise, in one program: one is linked sooner than many.
+//! What goals, forecasts, plans and fits promise, in one program: one is linked sooner than many.
 
 // A test that fails at an unwrap names its line.
 #![allow(clippy::unwrap_used)]
@@ -7,5 +7,4 @@ mod advised;
 mod fit;
 mod forecast;
 mod judgement;
-mod study;
 mod verified;

@@ -10,13 +10,14 @@ use saute_recipe::session::session_file::is_session;
 use web_time::{Duration, Instant};
 
 use super::SauteApp;
-use crate::act::{Act, Acts, Card};
+use crate::act::{Act, Acts, AppAct, Card};
+use crate::guided::Guided;
 use crate::panels;
 use crate::panels::ways::way_words;
 use crate::panels::window_state::WindowState;
-use crate::session::forecasts::Shown;
 use crate::ui::fingers;
 use crate::ui::layout::Layout;
+use saute_session::forecasts::Shown;
 
 /// Longest that one frame may spend on stepping the world [ms] (chosen: half a frame at 25 frames a second).
 const STEP_BUDGET_MS: u64 = 20;
@@ -140,7 +141,7 @@ impl SauteApp {
 
     /// Opens what was read of a recipe's or a session's file, or of a thermometer's log, or says why it cannot.
     pub(crate) fn take_file(&mut self, name: &str, read: Result<Vec<u8>, String>) {
-        if self.refuses(&Act::ChooseFile) {
+        if self.refuses(&Act::App(AppAct::ChooseFile)) {
             return;
         }
         let read = match read {
@@ -165,8 +166,9 @@ impl SauteApp {
         self.last_time = Some(now);
         self.take_hands(ctx, wall.clamp(0.0, LONGEST_FRAME_S));
         let begun = Instant::now();
-        // Behind a card nothing is missed.
-        let waits = self.card_is_open();
+        self.session.permits = self.permits();
+        // Behind a card nothing is missed; a trial whose time cannot be stopped goes on.
+        let waits = self.card_is_open() && self.guided.as_ref().is_none_or(Guided::time_waits);
         let passes = if waits { 0.0 } else { wall.max(0.0) };
         let passed = self.session.advance(Duration::from_secs_f64(passes), step_budget(wall));
         self.meter.frame(now, self.session.kitchen.time_s());

@@ -3,7 +3,7 @@
 use egui::{Context, Event, Key};
 
 use super::SauteApp;
-use crate::act::{Act, BINDINGS};
+use crate::act::{Act, BINDINGS, TimeAct};
 
 impl SauteApp {
     /// Carries out what was pressed since the last frame. A text field takes all keys, a widget with the focus only those
@@ -21,8 +21,9 @@ impl SauteApp {
         let keys: Vec<Key> = ctx.input(|i| i.events.iter().filter_map(plain_press).collect());
         for key in keys.into_iter().filter(|key| !(focused && uses_widgets(*key))) {
             let Some(binding) = BINDINGS.iter().find(|b| b.key == key) else { continue };
-            let framed = self.photo_is_open() && frames_a_photo(&binding.act);
-            if !self.card_is_open() || works_over_cards(&binding.act) || framed {
+            let traits = binding.act.traits();
+            let framed = self.photo_is_open() && traits.frames_photo;
+            if !self.card_is_open() || traits.over_cards || framed {
                 self.act(binding.act.clone(), ctx);
             }
         }
@@ -42,8 +43,8 @@ fn plain_press(event: &Event) -> Option<Key> {
 fn chord(event: &Event) -> Option<Act> {
     let Event::Key { key, pressed: true, modifiers, .. } = event else { return None };
     match (key, modifiers.command && !modifiers.alt, modifiers.shift) {
-        (Key::Z, true, false) => Some(Act::Undo),
-        (Key::Z, true, true) | (Key::Y, true, _) => Some(Act::Redo),
+        (Key::Z, true, false) => Some(Act::Time(TimeAct::Undo)),
+        (Key::Z, true, true) | (Key::Y, true, _) => Some(Act::Time(TimeAct::Redo)),
         _ => None,
     }
 }
@@ -51,17 +52,4 @@ fn chord(event: &Event) -> Option<Act> {
 /// Keys by which a button is pressed and a slider moved.
 fn uses_widgets(key: Key) -> bool {
     matches!(key, Key::Space | Key::Enter | Key::ArrowLeft | Key::ArrowRight | Key::ArrowUp | Key::ArrowDown)
-}
-
-/// Behind a card nobody cooks.
-fn works_over_cards(act: &Act) -> bool {
-    matches!(act, Act::Help | Act::Settings | Act::Messages | Act::Mirror | Act::Close | Act::StopHands | Act::Picture)
-}
-
-/// A photographer moves the eye and chooses what is seen.
-fn frames_a_photo(act: &Act) -> bool {
-    matches!(
-        act,
-        Act::Photo | Act::Camera | Act::Orbit(..) | Act::Zoom(_) | Act::View(_) | Act::Slice | Act::SliceBy(_)
-    )
 }

@@ -5,8 +5,8 @@ use crate::act::Card;
 use crate::frame_meter::FrameMeter;
 use crate::session::Session;
 use crate::settings::Settings;
-use crate::words::language::Language;
-use crate::work::{Agency, Helper, Kind};
+use saute_session::work::{Agency, Helper, Kind};
+use saute_words::language::Language;
 
 impl SauteApp {
     /// The world behind the window.
@@ -56,13 +56,13 @@ impl SauteApp {
     }
 
     /// What the guide says in a cook that follows a plan.
-    pub fn guidance(&self) -> Option<crate::plan::live::Guidance> {
+    pub fn guidance(&self) -> Option<saute_session::plan::live::Guidance> {
         let live = self.live.as_ref().filter(|live| live.is_of(&self.session))?;
         Some(live.guidance(&self.session))
     }
 
     /// What was entered about the kitchen at home, and the fit to it.
-    pub fn at_home(&self) -> &crate::at_home::fitting::AtHome {
+    pub fn at_home(&self) -> &saute_session::at_home::fitting::AtHome {
         &self.at_home
     }
 

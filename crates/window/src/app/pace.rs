@@ -1,7 +1,7 @@
 //! A speed that the machine cannot hold gives way to one that it can.
 
 use super::SauteApp;
-use crate::session::SPEEDS;
+use saute_session::SPEEDS;
 
 /// How long the clock may lag before a lower speed is chosen [wall s] (chosen: one slow moment is no slow machine).
 const PATIENCE_S: f64 = 2.0;

@@ -1,7 +1,7 @@
 //! Pause, step and speed by acts.
 
 use crate::app::SauteApp;
-use crate::session::SPEEDS;
+use saute_session::SPEEDS;
 
 impl SauteApp {
     pub(super) fn single_step(&mut self) {

@@ -4,7 +4,7 @@ use saute_kitchen::{Command, RestOn, kelvin};
 use saute_plan::forecast::Question;
 
 use crate::app::SauteApp;
-use crate::words::piece_words::name;
+use saute_words::piece_words::name;
 
 /// Most pieces that the kitchen holds (chosen: what a machine still computes).
 const MOST_PIECES: usize = 100;

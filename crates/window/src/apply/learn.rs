@@ -21,13 +21,7 @@ impl SauteApp {
 
     /// Returns true if an act would show what skill mode hides; says so then.
     pub(super) fn is_hidden(&self, act: &Act) -> bool {
-        let reads = match act {
-            Act::View(view) => *view != View::Look,
-            Act::Split | Act::Slice | Act::SliceBy(_) | Act::SliceAt(_) | Act::Probe | Act::Placing(true) => true,
-            Act::Curves | Act::SideBySide | Act::Pieces => true,
-            _ => false,
-        };
-        let is_hidden = self.settings.skill_mode && reads;
+        let is_hidden = self.settings.skill_mode && act.traits().reads;
         if is_hidden {
             self.say("skill.off");
         }

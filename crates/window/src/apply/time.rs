@@ -1,9 +1,9 @@
 //! Undo, redo, scrubbing and branches by acts.
 
 use crate::app::SauteApp;
-use crate::panels::inside::clock;
-use crate::session::timeline::Undone;
-use crate::words::act_words::act_words;
+use saute_session::timeline::Undone;
+use saute_words::act_words::act_words;
+use saute_words::clock::clock;
 
 impl SauteApp {
     /// Goes back to before the last act, and says so.

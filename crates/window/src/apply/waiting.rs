@@ -2,12 +2,11 @@
 
 use saute_kitchen::Command;
 
-use crate::act::{Act, BINDINGS};
+use crate::act::{Act, CookAct, TimeAct};
 use crate::app::SauteApp;
-use crate::plan::PlanAct;
-use crate::session::label;
-use crate::words::act_words::act_words;
-use crate::words::language::Language;
+use saute_session::label;
+use saute_words::act_words::act_words;
+use saute_words::language::Language;
 
 /// What waits until the instant is reached to which time is turned.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,19 +20,18 @@ pub(crate) enum Waiting {
 impl Waiting {
     /// Returns true if this one takes the place of the one before: a slider that is dragged gives many.
     fn replaces(&self, before: &Self) -> bool {
-        let is_hob = |waiting: &Self| matches!(waiting, Self::Act(Act::HobSet(_) | Act::HobHold(_)));
+        let is_hob = |waiting: &Self| {
+            matches!(waiting, Self::Act(Act::Cook(CookAct::HobSet(_)) | Act::Cook(CookAct::HobHold(_))))
+        };
         is_hob(self) && is_hob(before)
     }
 
     /// What it is called.
     pub(crate) fn words(&self, l: Language) -> String {
         match self {
-            Self::Act(Act::HobSet(w)) => act_words(&format!("{w:.0} W"), l),
-            Self::Act(Act::HobHold(c)) => act_words(&format!("{c:.0} °C"), l),
-            Self::Act(act) => {
-                let key = BINDINGS.iter().find(|binding| binding.act == *act).map(|binding| binding.words);
-                l.text(key.unwrap_or("waiting.act")).to_owned()
-            }
+            Self::Act(Act::Cook(CookAct::HobSet(w))) => act_words(&format!("{w:.0} W"), l),
+            Self::Act(Act::Cook(CookAct::HobHold(c))) => act_words(&format!("{c:.0} °C"), l),
+            Self::Act(act) => l.text(act.traits().words).to_owned(),
             Self::Command(command) => act_words(&label(command).unwrap_or_else(|| "hand".to_owned()), l),
         }
     }
@@ -47,13 +45,13 @@ impl SauteApp {
             return false;
         }
         match act {
-            Act::Undo => self.takes_back_waiting() || self.session.catches_up(),
-            Act::Redo => self.session.catches_up(),
-            Act::Scrub(_) => {
+            Act::Time(TimeAct::Undo) => self.takes_back_waiting() || self.session.catches_up(),
+            Act::Time(TimeAct::Redo) => self.session.catches_up(),
+            Act::Time(TimeAct::Scrub(_)) => {
                 self.waiting.clear();
                 false
             }
-            act if changes_cook(act) => {
+            act if act.traits().waits => {
                 self.wait_with(Waiting::Act(act.clone()));
                 true
             }
@@ -101,34 +99,4 @@ impl SauteApp {
             }
         }
     }
-}
-
-/// Acts that change the kitchen, or that begin another cook.
-fn changes_cook(act: &Act) -> bool {
-    matches!(
-        act,
-        Act::Step
-            | Act::Hob(_)
-            | Act::HobSet(_)
-            | Act::HobHold(_)
-            | Act::Cloth
-            | Act::Put
-            | Act::Lay(_)
-            | Act::Heap(_)
-            | Act::Remove(_)
-            | Act::Flip
-            | Act::Out
-            | Act::Asked(_)
-            | Act::Halve
-            | Act::Toss
-            | Act::Pour(_)
-            | Act::Lid
-            | Act::SetOut
-            | Act::Add(_)
-            | Act::Play(_)
-            | Act::ResumeRecipe
-            | Act::Restart
-            | Act::Branch(_)
-            | Act::Plan(PlanAct::CookLive | PlanAct::CookItself | PlanAct::DoStep)
-    )
 }

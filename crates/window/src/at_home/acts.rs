@@ -3,14 +3,13 @@
 use std::sync::Arc;
 
 use super::AtHomeAct;
-use super::fitting::Standing;
-use super::kept::KeptKitchen;
-use super::why_not::WhyNot;
 use crate::act::Card;
 use crate::app::SauteApp;
-use crate::export::Export;
-use crate::plan::live::Live;
-use crate::work::Kind;
+use saute_session::at_home::kept::KeptKitchen;
+use saute_session::at_home::why_not::WhyNot;
+use saute_session::export::Export;
+use saute_session::plan::live::Live;
+use saute_session::work::Kind;
 
 /// Scale in whose classes what was seen on the cut is stated.
 pub const SCALE: &str = "chefs";
@@ -53,7 +52,7 @@ impl SauteApp {
             return self.open_recipe(text, name);
         }
         self.at_home.entered.recipe = Some((name.to_owned(), text.to_owned()));
-        self.at_home.entered.cooked = super::entered::Cooked::File;
+        self.at_home.entered.cooked = saute_session::at_home::entered::Cooked::File;
     }
 
     fn fit_kitchen(&mut self) {
@@ -68,7 +67,7 @@ impl SauteApp {
         let (observed, recipe) = match made {
             Ok(made) => made,
             Err(error) => {
-                self.at_home.standing = Standing::Refused(error.into());
+                self.at_home.refuse(error.into());
                 return;
             }
         };

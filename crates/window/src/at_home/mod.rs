@@ -1,13 +1,8 @@
 //! "My kitchen": what was observed at a real stove, the fit to it, and the kitchen that was found.
 
 pub mod acts;
-pub mod craft;
-pub mod entered;
-pub mod fitting;
-pub mod kept;
-pub mod why_not;
 
-use self::entered::{Columns, Cooked, Row};
+use saute_session::at_home::entered::{Columns, Cooked, Row};
 
 /// What is done about the kitchen at home.
 #[derive(Clone, Debug, PartialEq)]

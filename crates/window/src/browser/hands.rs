@@ -22,26 +22,28 @@ pub struct Hands {
     felt: Felt,
 }
 
-impl Hands {
+impl saute_session::hands::Hands for Hands {
     /// A new kitchen: the hand takes hold of it gently.
-    pub fn begin(&mut self) {
+    fn begin(&mut self) {
         self.pan_in_hand = PanInHand::default();
         self.felt.forget();
     }
 
     /// Before a frame of the kitchen: the pan goes where the phone holds it.
-    pub fn lead(&mut self, kitchen: &mut Kitchen) {
+    fn lead(&mut self, kitchen: &mut Kitchen) {
         let pose = self.phone.as_mut().and_then(|phone| phone.step(FRAME_S));
         self.pan_in_hand.hold(pose.as_ref(), kitchen, FRAME_S);
     }
 
     /// After a frame at the pace of the clock.
-    pub fn send(&mut self, kitchen: &Kitchen) {
+    fn send(&mut self, kitchen: &Kitchen) {
         if self.felt.is_listened() {
             self.felt.look(kitchen);
         }
     }
+}
 
+impl Hands {
     /// Returns the rumble of a gamepad now, `wall` after the last call [s].
     pub fn rumble(&mut self, wall: f64) -> Rumble {
         self.felt.rumble(wall)

@@ -7,8 +7,8 @@ use saute_kitchen::Library;
 use wasm_bindgen::JsCast;
 
 use super::host::Host;
-use crate::work::in_frames::OrInFrames;
-use crate::work::{Agency, Helper, Kind};
+use saute_session::work::in_frames::OrInFrames;
+use saute_session::work::{Agency, Helper, Kind};
 
 /// The worker for a kind of work.
 struct OwnWorker {

@@ -112,7 +112,7 @@ impl SauteApp {
 
 impl Host {
     /// Hands a result to the page around this one, if the address says to whom.
-    pub(crate) fn report(&self, row: &saute_plan::class::ResultRow) {
+    pub(crate) fn report(&self, row: &saute_study::class::ResultRow) {
         if let Ok(text) = serde_json::to_string(row) {
             self.report_result(&text);
         }

@@ -9,7 +9,7 @@ use web_time::{Duration, Instant};
 
 use crate::app::SauteApp;
 use crate::controls::{Control, Identity, controls};
-use crate::words::told::told;
+use crate::spoken::told::told;
 
 /// Time between two looks at the panels (chosen: a screen reader speaks no faster, and looks cost time).
 const LOOK_EVERY: Duration = Duration::from_millis(250);

@@ -1,6 +1,6 @@
 //! A participant's log in the browser's storage: rows are kept there before the next trial begins.
 
-use saute_plan::study::{LogRow, from_csv, to_csv};
+use saute_study::{LogRow, from_csv, to_csv};
 
 use super::host::Host;
 

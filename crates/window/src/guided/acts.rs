@@ -3,13 +3,14 @@
 use std::sync::Arc;
 
 use saute_picture::View;
-use saute_plan::class::{Scenario, shipped, to_csv};
-use saute_plan::study::{Answers, Event, Stage};
+use saute_study::class::{Scenario, shipped, to_csv};
+use saute_study::{Answers, Event, Stage};
 
 use super::{Guided, LessonDesk, LessonStart, StudyDesk, StudyStart};
 use crate::act::Act;
 use crate::app::SauteApp;
-use crate::words::guided_words;
+use saute_session::permits::{Permit, Permits};
+use saute_words::guided_words;
 
 /// What a participant or a student does with a card or the ribbon.
 #[derive(Clone, Debug, PartialEq)]
@@ -76,9 +77,14 @@ impl SauteApp {
         self.guided = Some(Guided::Lesson(Box::new(desk)));
     }
 
+    /// What a person may do now.
+    pub(crate) fn permits(&self) -> Permits {
+        self.guided.as_ref().map(Guided::permits).unwrap_or_default()
+    }
+
     /// Returns true if an act is locked, and says so.
     pub(crate) fn refuses(&self, act: &Act) -> bool {
-        let refused = self.guided.as_ref().is_some_and(|guided| guided.locks().forbid(act));
+        let refused = !self.permits().allow(act.traits().needs);
         if refused {
             self.say("guided.locked");
         }
@@ -93,7 +99,7 @@ impl SauteApp {
                 let known = self.session.lesson.as_ref().and_then(|lesson| desk.newly_known(lesson));
                 let is_over = desk.is_over(&self.session);
                 if let (Some(place), Some(lesson)) = (known, &self.session.lesson) {
-                    let words = guided_words::truth(lesson, place, &self.settings);
+                    let words = guided_words::truth(lesson, place, self.settings.speech());
                     self.notice.say(words);
                 }
                 if is_over {
@@ -174,7 +180,7 @@ impl SauteApp {
     /// Where read-outs are hidden the window shows the look, without cut and curves.
     fn show_only_what_is_allowed(&mut self) {
         (self.glance, self.card) = (None, None);
-        if !self.guided.as_ref().is_some_and(|guided| guided.locks().views) {
+        if self.permits().allow(&[Permit::ReadOuts]) {
             return;
         }
         (self.settings.view, self.settings.split) = (View::Look, false);
@@ -251,7 +257,7 @@ impl SauteApp {
         self.say("guided.copied");
     }
 
-    fn lesson_result(&self) -> Option<&(saute_plan::class::ResultRow, saute_plan::study::Measures)> {
+    fn lesson_result(&self) -> Option<&(saute_study::class::ResultRow, saute_study::Measures)> {
         match &self.guided {
             Some(Guided::Lesson(desk)) => desk.result(),
             _ => None,

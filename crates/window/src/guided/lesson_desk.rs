@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
-use saute_plan::class::{Lesson, ResultRow, Scenario};
-use saute_plan::study::protocol_file::Information;
-use saute_plan::study::{Measures, Participant, Times};
+use saute_study::class::{Lesson, ResultRow, Scenario};
+use saute_study::protocol_file::Information;
+use saute_study::{Measures, Participant, Times};
 
 use super::study_desk::has_rested;
 use crate::session::Session;

@@ -4,7 +4,7 @@ use std::fs::{self, File, OpenOptions};
 use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
-use saute_plan::study::{LogRow, Participant, dictionary, from_csv, to_csv};
+use saute_study::{LogRow, Participant, dictionary, from_csv, to_csv};
 
 /// An open log.
 #[derive(Debug)]

@@ -2,16 +2,18 @@
 
 mod acts;
 mod lesson_desk;
-mod locks;
 #[cfg(not(target_arch = "wasm32"))]
 mod log_file;
+mod permits;
 mod study_desk;
+#[cfg(test)]
+mod walk;
 
 pub use self::acts::GuidedAct;
 pub use self::lesson_desk::{LessonDesk, LessonStart};
-pub use self::locks::Locks;
 pub(crate) use self::study_desk::is_out;
 pub use self::study_desk::{StudyDesk, StudyStart};
+use saute_session::permits::{Permit, Permits};
 
 /// What leads the cook.
 pub enum Guided {
@@ -38,11 +40,16 @@ impl Guided {
         }
     }
 
-    /// What cannot be done.
-    pub fn locks(&self) -> Locks {
+    /// What is allowed.
+    pub fn permits(&self) -> Permits {
         match self {
-            Self::Study(desk) => Locks::of_study(desk.hides_read_outs()),
-            Self::Lesson(desk) => Locks::of_lesson(&desk.scenario().locked, desk.is_locked(), desk.hides_read_outs()),
+            Self::Study(desk) => permits::of_study(desk.hides_read_outs()),
+            Self::Lesson(desk) => permits::of_lesson(&desk.scenario().locked, desk.is_locked(), desk.hides_read_outs()),
         }
+    }
+
+    /// Returns true if time waits while something is read or chosen over the scene.
+    pub fn time_waits(&self) -> bool {
+        self.asks() || self.permits().allow(&[Permit::Pause])
     }
 }

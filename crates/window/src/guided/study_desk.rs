@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use saute_plan::study::protocol_file::Information;
-use saute_plan::study::{Event, LogRow, Measures, Participant, Protocol, Stage, Study, StudyError, Times, to_csv};
+use saute_study::protocol_file::Information;
+use saute_study::{Event, LogRow, Measures, Participant, Protocol, Stage, Study, StudyError, Times, to_csv};
 use web_time::Instant;
 
 use crate::session::Session;

@@ -5,11 +5,11 @@ use egui::{RichText, TextEdit, Ui, WidgetInfo};
 use saute_haptics::open::{self, Access, Reach};
 
 use super::hands::Role;
-use crate::act::{Act, Acts};
+use crate::act::{Act, Acts, AppAct};
 use crate::panels::settings_card::{explained, named, row};
 use crate::panels::window_state::WindowState;
 use crate::ui::theme;
-use crate::words::language::Language;
+use saute_words::language::Language;
 
 /// Width of a line to type into at most [points] (chosen: an address and a port).
 const TYPED: f32 = 400.0;
@@ -78,13 +78,13 @@ fn buttons(state: &WindowState, choice: &Choice, ui: &mut Ui, acts: &mut Acts) {
     if ui.add(theme::of(ui).button(l.text("hand.connect"), false)).clicked() {
         let code = choice.code.trim();
         acts.push(match if code.is_empty() { Ok(0) } else { code.parse() } {
-            Ok(pairing) => Act::Connect { role, device: choice.text(), pairing },
-            Err(_) => Act::Say(l.fill("hand.no_code", &[("code", &code)])),
+            Ok(pairing) => Act::App(AppAct::Connect { role, device: choice.text(), pairing }),
+            Err(_) => Act::App(AppAct::Say(l.fill("hand.no_code", &[("code", &code)]))),
         });
     }
     let connected = state.session.hands.device(role).is_some();
     if ui.add_enabled(connected, theme::of(ui).button(l.text("hand.disconnect"), false)).clicked() {
-        acts.push(Act::Disconnect(role));
+        acts.push(Act::App(AppAct::Disconnect(role)));
     }
 }
 

@@ -52,6 +52,36 @@ pub struct Hands {
     pub file: Option<PathBuf>,
 }
 
+impl saute_session::hands::Hands for Hands {
+    /// A new kitchen: hands take hold of it gently.
+    fn begin(&mut self) {
+        (self.pan_in_hand, self.turner_in_hand) = Default::default();
+        self.felt.forget();
+    }
+
+    /// Before a frame of the kitchen: pan and turner go where hands hold them.
+    fn lead(&mut self, kitchen: &mut Kitchen) {
+        let pan = self.pan.as_mut().map(|d| d.update().sample);
+        let other = self.turner.as_mut().map(|d| d.update().sample).filter(|s| s.health == Health::Running);
+        let running = pan.filter(|s| s.health == Health::Running);
+        let led = other.and_then(|s| s.turner.or(s.leads_pan.then_some(s.pose)));
+        let turner = led.or(running.and_then(|s| s.turner));
+        self.pan_in_hand.step(pan.as_ref(), kitchen, FRAME_S);
+        self.turner_in_hand.step(turner.as_ref(), kitchen);
+    }
+
+    /// After a frame at the pace of the clock: sends the contact model to the device that holds the pan.
+    fn send(&mut self, kitchen: &Kitchen) {
+        if self.pan.is_none() && !self.felt.is_listened() {
+            return;
+        }
+        let model = self.felt.look(kitchen);
+        if let Some(pan) = &mut self.pan {
+            pan.send(model);
+        }
+    }
+}
+
 impl Hands {
     /// Connects a device by NAME[@PLACE] in place of the one that had its role.
     pub fn connect(&mut self, role: Role, text: &str, pairing: u32) -> Result<(), ConnectError> {
@@ -128,12 +158,6 @@ impl Hands {
         self.pan_in_hand.holds() || self.pan_in_hand.lays_down()
     }
 
-    /// A new kitchen: hands take hold of it gently.
-    pub fn begin(&mut self) {
-        (self.pan_in_hand, self.turner_in_hand) = Default::default();
-        self.felt.forget();
-    }
-
     /// Reads the state of the devices; returns the files into which calibrations were written, and errors.
     pub fn update(&mut self) -> Vec<Result<PathBuf, ConnectError>> {
         let mut kept = Vec::new();
@@ -142,28 +166,6 @@ impl Hands {
             kept.extend(device.keep_calibration().transpose());
         }
         kept
-    }
-
-    /// Before a frame of the kitchen: pan and turner go where hands hold them.
-    pub fn lead(&mut self, kitchen: &mut Kitchen) {
-        let pan = self.pan.as_mut().map(|d| d.update().sample);
-        let other = self.turner.as_mut().map(|d| d.update().sample).filter(|s| s.health == Health::Running);
-        let running = pan.filter(|s| s.health == Health::Running);
-        let led = other.and_then(|s| s.turner.or(s.leads_pan.then_some(s.pose)));
-        let turner = led.or(running.and_then(|s| s.turner));
-        self.pan_in_hand.step(pan.as_ref(), kitchen, FRAME_S);
-        self.turner_in_hand.step(turner.as_ref(), kitchen);
-    }
-
-    /// After a frame at the pace of the clock: sends the contact model to the device that holds the pan.
-    pub fn send(&mut self, kitchen: &Kitchen) {
-        if self.pan.is_none() && !self.felt.is_listened() {
-            return;
-        }
-        let model = self.felt.look(kitchen);
-        if let Some(pan) = &mut self.pan {
-            pan.send(model);
-        }
     }
 
     /// Returns the rumble of a gamepad now, `wall` after the last call [s].

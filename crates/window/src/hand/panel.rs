@@ -6,11 +6,11 @@ use saute_haptics::{Health, Rendering};
 use super::choice::role_word;
 use super::connected::Connected;
 use super::hands::{Hands, Role};
-use crate::act::{Act, Acts, hint, key_of};
+use crate::act::{Act, Acts, AppAct, ViewAct, hint, key_of};
 use crate::panels::window_state::WindowState;
 use crate::ui::layout::{GAP, Layout};
 use crate::ui::theme;
-use crate::words::language::Language;
+use saute_words::language::Language;
 
 /// Width of the panel, and height of the stop [points] (chosen: hit without looking).
 const WIDTH: f32 = 248.0;
@@ -87,11 +87,11 @@ fn buttons(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let (strung, shown) = (state.session.hands.strung().is_some(), state.session.hands.strings_are_shown());
     ui.horizontal(|ui| {
         let strings = theme::of(ui).button(l.text("hand.strings"), shown);
-        if ui.add_enabled(strung, strings).on_hover_text(hint(&Act::Strings, l)).clicked() {
-            acts.push(Act::Strings);
+        if ui.add_enabled(strung, strings).on_hover_text(hint(&Act::View(ViewAct::Strings), l)).clicked() {
+            acts.push(Act::View(ViewAct::Strings));
         }
         if ui.add(theme::of(ui).button(l.text("hand.disconnect"), false)).clicked() {
-            acts.extend([Role::Pan, Role::Turner].map(Act::Disconnect));
+            acts.extend([Role::Pan, Role::Turner].map(|role| Act::App(AppAct::Disconnect(role))));
         }
     });
     if shown {
@@ -102,19 +102,22 @@ fn buttons(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
 /// The stop; once pressed it looks so, and the way to go on appears below it.
 fn stop_button(stopped: bool, ui: &mut Ui, acts: &mut Acts, l: Language) {
     let word = l.text(if stopped { "hand.halted" } else { "hand.stop" });
-    let text = RichText::new(format!("{word} ({})", key_of(&Act::StopHands))).size(20.0).strong().color(Color32::WHITE);
+    let text = RichText::new(format!("{word} ({})", key_of(&Act::App(AppAct::StopHands))))
+        .size(20.0)
+        .strong()
+        .color(Color32::WHITE);
     let mut stop = egui::Button::new(text).fill(if stopped { PRESSED } else { RED }).selected(stopped);
     if stopped {
         stop = stop.stroke(egui::Stroke::new(RIM, RED));
     }
     // A second press does no harm: what is stopped stays stopped.
-    if ui.add_sized([WIDTH, STOP], stop).on_hover_text(hint(&Act::StopHands, l)).clicked() {
-        acts.push(Act::StopHands);
+    if ui.add_sized([WIDTH, STOP], stop).on_hover_text(hint(&Act::App(AppAct::StopHands), l)).clicked() {
+        acts.push(Act::App(AppAct::StopHands));
     }
     if stopped {
         let go_on = egui::Button::new(RichText::new(l.text("hand.go_on")).size(18.0).strong());
         if ui.add_sized([WIDTH, GO_ON], go_on).on_hover_text(l.text("hand.go_on_hint")).clicked() {
-            acts.push(Act::ResumeHands);
+            acts.push(Act::App(AppAct::ResumeHands));
         }
     }
 }

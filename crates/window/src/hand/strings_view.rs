@@ -13,7 +13,7 @@ use crate::ui::layout::Pane;
 use crate::ui::palette::Palette;
 use crate::ui::scene_view::on_screen;
 use crate::ui::theme;
-use crate::words::language::Language;
+use saute_words::language::Language;
 
 /// Radius of a slack string, and what the largest tension adds [m] (chosen: far thicker than the real 0.35 mm, distinct
 /// at a glance).

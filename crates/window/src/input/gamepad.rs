@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
-use crate::act::Act;
+use crate::act::{Act, AppAct, CookAct, TimeAct, ViewAct};
 
 /// Buttons of a gamepad, by where they are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -109,16 +109,16 @@ pub const PAD: [(&str, &str); 12] = [
 
 /// What each button does when it goes down.
 static ACTS: [(PadButton, Act); 10] = [
-    (PadButton::South, Act::Flip),
-    (PadButton::East, Act::PutAway),
-    (PadButton::West, Act::Toss),
-    (PadButton::North, Act::Tool),
-    (PadButton::Up, Act::Hob(1)),
-    (PadButton::Down, Act::Hob(-1)),
-    (PadButton::Left, Act::Put),
-    (PadButton::Right, Act::NextPiece),
-    (PadButton::Start, Act::Pause),
-    (PadButton::Select, Act::Help),
+    (PadButton::South, Act::Cook(CookAct::Flip)),
+    (PadButton::East, Act::Cook(CookAct::PutAway)),
+    (PadButton::West, Act::Cook(CookAct::Toss)),
+    (PadButton::North, Act::Cook(CookAct::Tool)),
+    (PadButton::Up, Act::Cook(CookAct::Hob(1))),
+    (PadButton::Down, Act::Cook(CookAct::Hob(-1))),
+    (PadButton::Left, Act::Cook(CookAct::Put)),
+    (PadButton::Right, Act::View(ViewAct::NextPiece)),
+    (PadButton::Start, Act::Time(TimeAct::Pause)),
+    (PadButton::Select, Act::App(AppAct::Help)),
 ];
 
 /// What sticks and triggers ask for.
@@ -194,7 +194,7 @@ mod tests {
     #[test]
     fn a_button_acts_once_each_time_it_goes_down() {
         let (up, down) = (PadState::default(), with(&[PadButton::South, PadButton::Start]));
-        assert_eq!(acts(&up, &down).collect::<Vec<_>>(), [Act::Flip, Act::Pause]);
+        assert_eq!(acts(&up, &down).collect::<Vec<_>>(), [Act::Cook(CookAct::Flip), Act::Time(TimeAct::Pause)]);
         assert_eq!(acts(&down, &down).count() + acts(&down, &up).count(), 0);
         for (button, act) in ACTS.clone() {
             assert_eq!(acts(&up, &with(&[button])).collect::<Vec<_>>(), [act]);

@@ -4,7 +4,7 @@ use saute_kitchen::advice::SMOKE_SEEN_MG_S;
 use saute_kitchen::{Command, EventKind, Kitchen};
 
 use crate::app::SauteApp;
-use crate::words::language::Language;
+use saute_words::language::Language;
 
 /// What can be poured or laid into the pan.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

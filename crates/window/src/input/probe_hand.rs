@@ -1,13 +1,13 @@
 //! Probes in the scene: put where the pointer is, shown as numbered markers, dragged.
 
 use egui::{Align2, FontId, Pos2, Rect, Sense, Stroke, Ui, Vec2, vec2};
-use saute_picture::probe::{MOST_PROBES, NoProbeLeft};
-use saute_picture::seen_point::SeenPoint;
+use saute_recipe::probe::SeenPoint;
+use saute_recipe::probe::{MOST_PROBES, NoProbeLeft};
 
 use crate::app::SauteApp;
 use crate::ui::layout::Pane;
 use crate::ui::theme;
-use crate::words::piece_words::name;
+use saute_words::piece_words::name;
 
 /// From the point of a probe to its number [points] (chosen: neither finger nor number hides the point).
 const NUMBER_AT: Vec2 = vec2(15.0, -17.0);

@@ -20,7 +20,7 @@ impl SauteApp {
                     }
                     Ok(_) if played => self.say("notice.taken_over"),
                     Ok(_) => {}
-                    Err(refused) => self.say_refused(&refused),
+                    Err(refused) => self.say_not_done(&refused),
                 }
             }
         }
@@ -30,7 +30,7 @@ impl SauteApp {
     pub(crate) fn heap_in(&mut self, ids: &[String]) {
         let wanted = self.outside(ids);
         if let Err(refused) = self.session.heap(&wanted) {
-            self.say_refused(&refused);
+            self.say_not_done(&refused);
         }
     }
 

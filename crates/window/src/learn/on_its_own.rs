@@ -8,8 +8,8 @@ use saute_picture::cut::section::Picture;
 use crate::learn::raster::Canvas;
 use crate::panels::cards::result::{CutOfResult, content};
 use crate::ui::theme;
-use crate::words::judgement_words::ResultWords;
-use crate::words::language::Language;
+use saute_words::judgement_words::ResultWords;
+use saute_words::language::Language;
 
 /// Size of the picture at most [points], and pixels to a point (chosen: sharp on a phone, read at a glance).
 const SIZE: Vec2 = vec2(680.0, 900.0);

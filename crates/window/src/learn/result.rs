@@ -6,7 +6,7 @@ use crate::act::Card;
 use crate::app::SauteApp;
 use crate::learn::goal_choice::goal_of;
 use crate::learn::on_its_own;
-use crate::words::judgement_words::ResultWords;
+use saute_words::judgement_words::ResultWords;
 
 /// Longest interval between the marks of one taking out [s] (chosen: pieces of a group follow each other within it).
 const SAME_OUT_S: f64 = 0.05;
@@ -36,9 +36,9 @@ impl SauteApp {
         // A plan is judged by what it was made for.
         let goal = live.map(|live| live.goal().clone()).or_else(|| goal_of(&self.session, &self.settings))?;
         let judgement = self.session.judgement(&goal)?;
-        let words = ResultWords::of(&judgement, &goal, &self.session, &self.settings);
+        let words = ResultWords::of(&judgement, &goal, &self.session.noun(), self.settings.speech());
         Some(match live {
-            Some(live) => words.of_plan(live.plan(), &live.kept(&self.session, &judgement), &self.settings),
+            Some(live) => words.of_plan(live.plan(), &live.kept(&self.session, &judgement), self.settings.speech()),
             None => words,
         })
     }

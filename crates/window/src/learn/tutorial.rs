@@ -5,9 +5,9 @@
 use saute_kitchen::Place;
 use saute_kitchen::advice::Advice;
 
-use crate::act::{Act, Card};
+use crate::act::{Act, AppAct, Card, CookAct, ViewAct};
 use crate::app::SauteApp;
-use crate::session::SteakChoice;
+use saute_session::SteakChoice;
 
 /// Speed of time while one waits [-].
 pub const FAST: f64 = 20.0;
@@ -177,14 +177,14 @@ impl SauteApp {
 /// The control that a step is about.
 pub fn control(step: Step) -> Option<Act> {
     Some(match step {
-        Step::PutIn => Act::Put,
-        Step::Inside => Act::Slice,
-        Step::Flip => Act::Flip,
-        Step::TakeOut => Act::Out,
-        Step::Halve => Act::Halve,
-        Step::Result => Act::Open(Card::Result),
-        Step::HobOn => Act::HobSet(1100.0),
-        Step::HobOff => Act::HobSet(0.0),
+        Step::PutIn => Act::Cook(CookAct::Put),
+        Step::Inside => Act::View(ViewAct::Slice),
+        Step::Flip => Act::Cook(CookAct::Flip),
+        Step::TakeOut => Act::Cook(CookAct::Out),
+        Step::Halve => Act::Cook(CookAct::Halve),
+        Step::Result => Act::App(AppAct::Open(Card::Result)),
+        Step::HobOn => Act::Cook(CookAct::HobSet(1100.0)),
+        Step::HobOff => Act::Cook(CookAct::HobSet(0.0)),
         Step::Heat | Step::Rest => return None,
     })
 }

@@ -3,9 +3,9 @@
 use egui::{Key, Modifiers, Rect, Response, Ui};
 use glam::DVec2;
 
-use super::calibration::Calibration;
 use super::pattern::nearest;
-use super::rig::{MARKS, Rig};
+use saute_mirror::calibration::Calibration;
+use saute_mirror::rig::{MARKS, Rig};
 
 /// Which mark is chosen, and how the mouse holds it.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -3,8 +3,8 @@
 use egui::{Color32, Painter, Pos2, Rect, Stroke, pos2};
 use glam::DVec2;
 
-use super::rig::{MARKS, Rig};
-use super::warp::Warp;
+use saute_mirror::rig::{MARKS, Rig};
+use saute_mirror::warp::Warp;
 
 /// Half a cross [points] (chosen: a centimetre on the table).
 const ARM: f32 = 16.0;

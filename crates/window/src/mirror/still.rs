@@ -11,9 +11,9 @@ use saute_scene::gpu::readback::read_picture;
 use saute_scene::input::SceneInput;
 use saute_scene::quality::Quality;
 
-use super::frame::{MirrorFrame, MirrorOptions};
 use super::presenter::MirrorPresenter;
-use super::rig::Rig;
+use saute_mirror::frame::{MirrorFrame, MirrorOptions};
+use saute_mirror::rig::Rig;
 
 /// Cooks up to a time and draws what the rig's device shows.
 pub fn mirror_shot(
@@ -96,8 +96,8 @@ mod tests {
     use saute_scene::sample::{Doneness, empty_pan, steak_in_pan};
 
     use super::*;
-    use crate::mirror::rig_file::shipped;
-    use crate::mirror::stereo::Stereo;
+    use saute_mirror::rig_file::shipped;
+    use saute_mirror::stereo::Stereo;
 
     const SIZE: [u32; 2] = [960, 540];
 

@@ -9,14 +9,14 @@ use saute_scene::input::SceneInput;
 use saute_scene::quality::Quality;
 
 use super::aim::Aim;
-use super::frame::MirrorFrame;
 use super::pattern::Pattern;
 use super::presenter::MirrorCallback;
-use super::rig::Rig;
-use super::rig_file;
-use super::settings::MirrorSettings;
 use crate::app::SauteApp;
-use crate::words::language::Language;
+use saute_mirror::frame::MirrorFrame;
+use saute_mirror::rig::Rig;
+use saute_mirror::rig_file;
+use saute_mirror::settings::MirrorSettings;
+use saute_words::language::Language;
 
 /// State of the mirror's window.
 #[derive(Clone, Debug, Default)]
@@ -190,8 +190,8 @@ impl SauteApp {
 }
 
 /// Name of a stereo mode.
-pub(crate) fn stereo_word(stereo: super::stereo::Stereo, l: Language) -> &'static str {
-    use super::stereo::Stereo;
+pub(crate) fn stereo_word(stereo: saute_mirror::stereo::Stereo, l: Language) -> &'static str {
+    use saute_mirror::stereo::Stereo;
     l.text(match stereo {
         Stereo::Off => "half_mirror.mono",
         Stereo::Anaglyph => "half_mirror.anaglyph",

@@ -2,7 +2,7 @@
 
 use egui::{Align2, Area, Color32, Id, Order, Rect, RichText, Ui, vec2};
 
-use crate::act::{Act, Acts};
+use crate::act::{Act, Acts, CookAct};
 use crate::panels::window_state::WindowState;
 use crate::ui::theme;
 
@@ -25,8 +25,8 @@ pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, whole: Rect) {
                     ui.spacing_mut().item_spacing = vec2(14.0, 6.0);
                     ui.label(words(l.text("alarm.fire")).size(22.0));
                     let lidded = kitchen.pan_state().lid.is_some();
-                    deed(ui, l.text("alarm.lid"), lidded, acts, Act::Lid);
-                    deed(ui, l.text("alarm.hob"), kitchen.hob_w() == 0.0, acts, Act::HobSet(0.0));
+                    deed(ui, l.text("alarm.lid"), lidded, acts, Act::Cook(CookAct::Lid));
+                    deed(ui, l.text("alarm.hob"), kitchen.hob_w() == 0.0, acts, Act::Cook(CookAct::HobSet(0.0)));
                     ui.label(words(l.text("alarm.water")).size(18.0));
                 });
             });

@@ -6,11 +6,11 @@ use saute_picture::view::View;
 
 use crate::act::Acts;
 use crate::panels::cards::messages;
-use crate::panels::inside::clock;
 use crate::panels::legend;
 use crate::panels::window_state::WindowState;
 use crate::ui::layout::{GAP, Layout};
 use crate::ui::theme;
+use saute_words::clock::clock;
 
 /// Height of the ribbon with its space [points].
 const RIBBON: f32 = 66.0;

@@ -8,12 +8,12 @@ use saute_kitchen::food::Scale;
 use saute_kitchen::food::change::doneness::Measure;
 
 use crate::panels::ahead::future_curves::futures;
-use crate::panels::inside::clock;
 use crate::panels::window_state::WindowState;
-use crate::session::Mark;
 use crate::ui::palette::Palette;
 use crate::ui::theme;
-use crate::words::language::Language;
+use saute_session::Mark;
+use saute_words::clock::clock;
+use saute_words::language::Language;
 
 /// Points drawn at most per curve (chosen: about one a pixel).
 pub(super) const MOST_POINTS: usize = 400;
@@ -112,7 +112,7 @@ pub(super) fn goal_line(state: &WindowState, palette: &Palette) -> Option<HLine>
 
 /// What happened, in a language; a power is a number and needs none.
 fn mark_words(mark: &Mark, l: Language) -> String {
-    crate::words::act_words::act_words(&mark.label, l)
+    saute_words::act_words::act_words(&mark.label, l)
 }
 
 fn curves(state: &WindowState, palette: &Palette) -> Vec<Curve> {

@@ -5,12 +5,12 @@ use saute_kitchen::food::Scale;
 use saute_kitchen::food::change::doneness::Measure;
 use saute_picture::colour::map::Tone;
 
-use crate::act::{Act, Acts, Setting};
+use crate::act::{Act, Acts, AppAct, Setting};
 use crate::panels::inside::Inside;
 use crate::panels::window_state::WindowState;
 use crate::settings::Settings;
 use crate::ui::{fingers, theme};
-use crate::words::piece_words::change;
+use saute_words::piece_words::change;
 
 /// Bounds of a class in the chosen unit; the first and the last bear the unit.
 fn range(settings: &Settings, scale: &Scale, class: usize) -> String {
@@ -58,7 +58,7 @@ fn selector(state: &WindowState, ui: &mut Ui, acts: &mut Acts, scale: &Scale) {
         shown.response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::ComboBox, true, &name));
         shown.response.on_hover_text(l.text("doneness.another"));
         if let Some(other) = chosen {
-            acts.push(Act::Set(Setting::Scale(other)));
+            acts.push(Act::App(AppAct::Set(Setting::Scale(other))));
         }
     });
 }

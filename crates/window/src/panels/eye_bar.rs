@@ -2,7 +2,7 @@
 
 use egui::{Rect, RichText, Ui, UiBuilder, vec2};
 
-use crate::act::{Act, Acts, hint};
+use crate::act::{Act, Acts, AppAct, ViewAct, hint};
 use crate::panels::window_state::WindowState;
 use crate::ui::glance::EyeView;
 use crate::ui::theme;
@@ -17,11 +17,11 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts, rect: Rect) {
         let mut all: Vec<(&str, String, Act)> = EyeView::ALL
             .map(|view| {
                 let (name, explained) = words(view);
-                (name, l.text(explained).to_owned(), Act::Eye(view))
+                (name, l.text(explained).to_owned(), Act::View(ViewAct::Eye(view)))
             })
             .into();
         // A page takes the picture at once: it has no photo mode.
-        let photo = if cfg!(target_arch = "wasm32") { Act::Picture } else { Act::Photo };
+        let photo = if cfg!(target_arch = "wasm32") { Act::App(AppAct::Picture) } else { Act::App(AppAct::Photo) };
         all.push(("photo.open", hint(&photo, l), photo));
         let width = (rect.width() - (all.len() - 1) as f32 * 3.0) / all.len() as f32;
         for (name, explained, act) in all {

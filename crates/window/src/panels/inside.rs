@@ -7,7 +7,7 @@ use saute_kitchen::food::change::doneness::Measure;
 use saute_kitchen::food::{Scale, Shares};
 use saute_kitchen::{Piece, Place, celsius};
 
-use crate::act::{Act, Acts, Card, Setting};
+use crate::act::{Act, Acts, AppAct, Card, CookAct, Setting, ViewAct};
 use crate::learn::goal_choice::named_goal;
 use crate::panels::cut_picture::CutPicture;
 use crate::panels::learn::callout::note_control;
@@ -16,6 +16,7 @@ use crate::panels::window_state::WindowState;
 use crate::panels::{ahead, curves, doneness_bar, probes};
 use crate::settings::Settings;
 use crate::ui::{fingers, theme};
+use saute_words::clock::clock;
 
 /// What the panel keeps between frames.
 #[derive(Default)]
@@ -76,8 +77,8 @@ fn more(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
         let text = RichText::new(l.text(if open { "inside.less" } else { "inside.more" })).size(13.0);
         let size = vec2(ui.available_width(), fingers::height(ui, 24.0));
         let button = egui::Button::new(text).min_size(size).truncate();
-        if ui.add(button).on_hover_text(crate::act::hint(&Act::Curves, l)).clicked() {
-            acts.push(Act::Curves);
+        if ui.add(button).on_hover_text(crate::act::hint(&Act::View(ViewAct::Curves), l)).clicked() {
+            acts.push(Act::View(ViewAct::Curves));
         }
     });
 }
@@ -88,7 +89,7 @@ fn result(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     if !is_out {
         return;
     }
-    let (l, act) = (state.settings.language, Act::Open(Card::Result));
+    let (l, act) = (state.settings.language, Act::App(AppAct::Open(Card::Result)));
     let text = RichText::new(l.text("result.title")).size(13.0).strong().color(theme::of(ui).accent);
     let response = ui.add(egui::Button::new(text).min_size(vec2(64.0, fingers::height(ui, 24.0))));
     note_control(ui, &act, response.rect);
@@ -107,7 +108,7 @@ fn skill(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
         let size = vec2(0.0, fingers::height(ui, 24.0));
         let end = egui::Button::new(RichText::new(l.text("skill.end")).size(13.0)).min_size(size);
         if ui.add(end).clicked() {
-            acts.push(Act::Set(Setting::SkillMode(false)));
+            acts.push(Act::App(AppAct::Set(Setting::SkillMode(false))));
         }
     });
 }
@@ -151,7 +152,7 @@ fn cut(state: &WindowState, inside: &Inside, ui: &mut Ui, acts: &mut Acts) {
         let name = l.fill("inside.place_of_cut", &[("food", &food)]);
         response.widget_info(|| egui::WidgetInfo::slider(true, place, &name));
         if response.changed() {
-            acts.push(Act::SliceAt(place));
+            acts.push(Act::View(ViewAct::SliceAt(place)));
         }
         probes::add_button(state, ui, acts);
     });
@@ -214,12 +215,6 @@ fn tidy(percent: f64) -> f64 {
     (10.0 * percent).round() / 10.0 + 0.0
 }
 
-/// Minutes and seconds.
-pub fn clock(seconds: f64) -> String {
-    let whole = seconds.max(0.0) as u64;
-    format!("{}:{:02}", whole / 60, whole % 60)
-}
-
 fn goal(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let Some(scale) = state.scale() else {
         show_advice(state, ui, ADVICE_LINES, acts);
@@ -237,7 +232,7 @@ fn goal(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
             .on_hover_text(goal_hint(state))
             .clicked()
         {
-            acts.push(Act::Open(Card::Goals));
+            acts.push(Act::App(AppAct::Open(Card::Goals)));
         }
         goals(state.settings, &scale, ui, acts);
         let share = scale.measure() == Measure::Share;
@@ -251,7 +246,7 @@ fn goal(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
             egui::WidgetInfo::labeled(egui::accesskit::Role::SpinButton, true, l.text("inside.goal_spoken"))
         });
         if response.changed() {
-            acts.push(Act::Set(Setting::Goal(if share { shown } else { state.settings.celsius(shown) })));
+            acts.push(Act::App(AppAct::Set(Setting::Goal(if share { shown } else { state.settings.celsius(shown) }))));
         }
     });
     show_advice(state, ui, ADVICE_LINES, acts);
@@ -278,7 +273,7 @@ fn goals(settings: &Settings, scale: &Scale, ui: &mut Ui, acts: &mut Acts) {
         });
         let on = (settings.goal(scale) - goal).abs() < 0.5;
         if ui.selectable_label(on, name).on_hover_text(settings.language.text("inside.goal_hint")).clicked() {
-            acts.push(Act::Set(Setting::Goal(goal)));
+            acts.push(Act::App(AppAct::Set(Setting::Goal(goal))));
         }
     }
 }
@@ -341,7 +336,7 @@ fn do_it(state: &WindowState, ui: &mut Ui, watts: f64, place: egui::Rect, acts: 
         ui.painter().rect_stroke(place, 4.0, line, egui::StrokeKind::Inside);
     }
     if response.on_hover_cursor(egui::CursorIcon::PointingHand).on_hover_text(name).clicked() {
-        acts.push(Act::HobSet(watts));
+        acts.push(Act::Cook(CookAct::HobSet(watts)));
     }
 }
 

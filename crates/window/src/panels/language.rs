@@ -2,10 +2,10 @@
 
 use egui::Ui;
 
-use crate::act::{Act, Acts, Setting};
+use crate::act::{Act, Acts, AppAct, Setting};
 use crate::panels::window_state::WindowState;
 use crate::ui::theme;
-use crate::words::language::Language;
+use saute_words::language::Language;
 
 /// Shows a chip that bears the other language's own name; where its letters cannot be drawn, its code.
 pub fn chip(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
@@ -14,7 +14,7 @@ pub fn chip(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let hint = state.settings.language.fill("top.language", &[("name", &name)]);
     if ui.add(theme::of(ui).button(name, false).min_size(egui::vec2(theme::TOUCH, 38.0))).on_hover_text(hint).clicked()
     {
-        acts.push(Act::Set(Setting::Language(other)));
+        acts.push(Act::App(AppAct::Set(Setting::Language(other))));
     }
 }
 

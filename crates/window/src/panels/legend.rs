@@ -4,11 +4,11 @@ use egui::{Align2, Color32, FontId, Painter, Rect, RichText, Sense, Stroke, Ui, 
 use saute_kitchen::food::Scale;
 use saute_picture::colour::map::{ColourMap, Tone};
 
-use crate::act::{Act, Acts};
+use crate::act::{Act, Acts, ViewAct};
 use crate::panels::window_state::WindowState;
+use crate::spoken::view_words::ViewWords;
 use crate::ui::{fingers, theme};
-use crate::words::language::Language;
-use crate::words::view_words::ViewWords;
+use saute_words::language::Language;
 
 /// Size of the bar with its marks at most [points].
 const BAR: egui::Vec2 = vec2(300.0, 34.0);
@@ -24,7 +24,7 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts, width: f32) {
     match scale.filter(|_| map.stepped) {
         Some(scale) => classes(ui, &scale, state.settings.language, width),
         None => {
-            ui.label(RichText::new(view.meaning(state.settings)).size(12.5).color(theme::of(ui).quiet));
+            ui.label(RichText::new(view.meaning(state.settings.speech())).size(12.5).color(theme::of(ui).quiet));
             bar(state, ui, acts, &map, width);
         }
     }
@@ -42,12 +42,12 @@ fn bar(state: &WindowState, ui: &mut Ui, acts: &mut Acts, map: &ColourMap, width
     } else {
         (egui::accesskit::Role::Label, "legend.spoken")
     };
-    let spoken = l.fill(key, &[("meaning", &view.meaning(state.settings))]);
+    let spoken = l.fill(key, &[("meaning", &view.meaning(state.settings.speech()))]);
     response.widget_info(|| egui::WidgetInfo::labeled(role, true, &spoken));
     paint_table(ui.painter(), Rect::from_min_size(rect.min, vec2(rect.width(), BAR_HEIGHT)), map);
     marks(state, ui, rect, map);
     if changes && response.on_hover_text(l.text("legend.change")).clicked() {
-        acts.push(Act::Map);
+        acts.push(Act::View(ViewAct::Map));
     }
 }
 
@@ -70,7 +70,7 @@ fn marks(state: &WindowState, ui: &Ui, rect: Rect, map: &ColourMap) {
     for &value in view.marks().iter().filter(|v| (map.from..=map.to).contains(*v)) {
         let x = rect.left() + map.coordinate(value) * rect.width();
         painter.line_segment([pos2(x, bottom), pos2(x, bottom + 4.0)], Stroke::new(1.0, theme::of(ui).quiet));
-        let text = painter.layout_no_wrap(view.mark(value, state.settings), font.clone(), theme::of(ui).text);
+        let text = painter.layout_no_wrap(view.mark(value, state.settings.speech()), font.clone(), theme::of(ui).text);
         // The first and the last number stay within the bar.
         let half = 0.5 * text.size().x;
         let left = (x - half).clamp(rect.left(), rect.right() - 2.0 * half);

@@ -3,16 +3,16 @@
 use egui::{Align, DragValue, Layout, Response, RichText, ScrollArea, TextEdit, Ui, vec2};
 
 use super::settings_card::{NAMES, NARROW, WIDTH, explained, row};
-use crate::act::{Act, Acts, Card, Setting};
-use crate::mirror::calibration::Calibration;
-use crate::mirror::rig::Rig;
-use crate::mirror::rig_file::SHIPPED;
-use crate::mirror::settings::{MirrorSettings, WIDEST_MM};
-use crate::mirror::stereo::Stereo;
+use crate::act::{Act, Acts, AppAct, Card, Setting};
 use crate::mirror::view::stereo_word;
 use crate::panels::cards::frame::Framed;
 use crate::panels::window_state::WindowState;
 use crate::ui::theme;
+use saute_mirror::calibration::Calibration;
+use saute_mirror::rig::Rig;
+use saute_mirror::rig_file::SHIPPED;
+use saute_mirror::settings::{MirrorSettings, WIDEST_MM};
+use saute_mirror::stereo::Stereo;
 
 /// Shows the card over everything; Esc, the button or a click beside it closes it.
 pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, whole: egui::Rect) {
@@ -28,7 +28,7 @@ pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, whole: egui::Rect) {
             eyes(state, &mut chosen, ui, narrow);
             calibration(state, &mut chosen, ui, acts, narrow);
             if chosen != state.settings.mirror {
-                acts.push(Act::Set(Setting::Mirror(Box::new(chosen))));
+                acts.push(Act::App(AppAct::Set(Setting::Mirror(Box::new(chosen)))));
             }
         });
     });
@@ -39,7 +39,7 @@ fn window(state: &WindowState, settings: &mut MirrorSettings, ui: &mut Ui, acts:
     let l = state.settings.language;
     let open = [(l.text("half_mirror.closed"), !state.mirror.open), (l.text("half_mirror.open"), state.mirror.open)];
     if let Some(chosen) = row(ui, narrow, l.text("half_mirror.window"), &open) {
-        acts.push(Act::MirrorWindow(chosen == 1));
+        acts.push(Act::App(AppAct::MirrorWindow(chosen == 1)));
     }
     explained(ui, true, l.text("half_mirror.opened"));
     let shown = settings.pan_shown;
@@ -59,7 +59,7 @@ fn place(state: &WindowState, settings: &mut MirrorSettings, ui: &mut Ui, acts: 
     }
     let typed = &mut settings.rig;
     if beside(ui, narrow, l.text("half_mirror.rig_file"), |ui| text_field(ui, typed)).lost_focus() {
-        acts.push(Act::ReadRig);
+        acts.push(Act::App(AppAct::ReadRig));
     }
     let said = match state.mirror.rig_read() {
         Err(error) => error,
@@ -119,7 +119,7 @@ fn calibration(state: &WindowState, settings: &mut MirrorSettings, ui: &mut Ui, 
     let on = state.mirror.calibrating;
     let shown = [(l.text("half_mirror.picture"), !on), (l.text("half_mirror.pattern"), on)];
     if let Some(chosen) = row(ui, narrow, l.text("half_mirror.calibration"), &shown) {
-        acts.push(Act::Calibrate(chosen == 1));
+        acts.push(Act::App(AppAct::Calibrate(chosen == 1)));
     }
     if let Ok(rig) = state.mirror.rig_read() {
         let [width, depth] = (1e3 * rig.sheet.size).round().to_array();

@@ -4,13 +4,13 @@ use egui::{RichText, Ui, vec2};
 use saute_kitchen::Library;
 use saute_kitchen::food::FoodDescription;
 
-use crate::act::{Act, Acts, Card, Setting};
-use crate::export::Export;
+use crate::act::{Act, Acts, AppAct, Card, CookAct, Setting};
 use crate::panels::still::Stills;
 use crate::panels::window_state::{PanelMemory, WindowState};
-use crate::session::{SteakChoice, noun};
 use crate::ui::theme;
-use crate::words::language::Language;
+use saute_session::export::Export;
+use saute_session::{SteakChoice, noun};
+use saute_words::language::Language;
 
 /// Most pieces that are added at once (chosen: a full pan).
 const MOST_AT_ONCE: usize = 35;
@@ -25,7 +25,7 @@ pub fn show(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &m
     let noun = noun(library, &state.settings.choice.kind);
     let food = l.called("noun", &noun);
     ui.heading(l.fill("pantry.mine", &[("food", &food)]));
-    let is_free = !state.forbids(&Act::SetOut) && !state.forbids(&Act::Add(1));
+    let is_free = !state.forbids(&Act::Cook(CookAct::SetOut)) && !state.forbids(&Act::Cook(CookAct::Add(1)));
     free(state, is_free, ui, |ui| {
         set_out(state, memory.count, ui, acts);
         how_many(&mut memory.count, ui, l);
@@ -36,10 +36,10 @@ pub fn show(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &m
     let mut choice = state.settings.choice.clone();
     free(state, is_free, ui, |ui| food_and_pan(state, &mut choice, &mut memory.stills, ui, acts));
     if choice != state.settings.choice {
-        acts.push(Act::Set(Setting::Choice(choice)));
+        acts.push(Act::App(AppAct::Set(Setting::Choice(choice))));
     }
     ui.separator();
-    free(state, !state.forbids(&Act::ChooseFile), ui, |ui| recipes(state, ui, acts));
+    free(state, !state.forbids(&Act::App(AppAct::ChooseFile)), ui, |ui| recipes(state, ui, acts));
 }
 
 /// Shows controls; those that a study or a lesson locks look so, and say why.
@@ -145,10 +145,10 @@ fn set_out(state: &WindowState, count: usize, ui: &mut Ui, acts: &mut Acts) {
         let palette = theme::of(ui);
         let button = |text: &str, on| palette.button(text, on).min_size(egui::vec2(half, theme::TOUCH));
         if ui.add(button(l.text("pantry.set_out"), true)).clicked() {
-            acts.push(Act::SetOut);
+            acts.push(Act::Cook(CookAct::SetOut));
         }
         if ui.add(button(&l.fill("pantry.add", &[("count", &count)]), false)).clicked() {
-            acts.push(Act::Add(count));
+            acts.push(Act::Cook(CookAct::Add(count)));
         }
     });
 }
@@ -158,7 +158,7 @@ fn plan_it(food: &str, ui: &mut Ui, acts: &mut Acts, l: Language) {
     let size = vec2(ui.available_width() - 8.0, theme::TOUCH);
     let button = theme::of(ui).button(&l.fill("plan.of_food", &[("food", &food)]), false).min_size(size);
     if ui.add(button).on_hover_text(l.text("learn.plan")).clicked() {
-        acts.push(Act::Open(Card::Plan));
+        acts.push(Act::App(AppAct::Open(Card::Plan)));
     }
 }
 
@@ -173,22 +173,22 @@ fn recipes(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     ui.heading(l.text("pantry.play"));
     ui.label(RichText::new(l.text("pantry.drop")).size(12.5).color(theme::of(ui).quiet));
     if ui.add(theme::of(ui).button(l.text("pantry.choose_file"), false)).clicked() {
-        acts.push(Act::ChooseFile);
+        acts.push(Act::App(AppAct::ChooseFile));
     }
     for what in Export::ALL {
         if ui.add(theme::of(ui).button(l.text(what.words()), false)).clicked() {
-            acts.push(Act::Export(what));
+            acts.push(Act::App(AppAct::Export(what)));
         }
     }
     if crate::link::page_address().is_some() && ui.add(theme::of(ui).button(l.text("link.copy"), false)).clicked() {
-        acts.push(Act::CopyLink);
+        acts.push(Act::App(AppAct::CopyLink));
     }
     #[cfg(not(target_arch = "wasm32"))]
     for file in &state.settings.recent {
         let name = file.file_name().map_or_else(|| file.display().to_string(), |n| n.to_string_lossy().into_owned());
         let button = egui::Button::new(name).min_size(vec2(ui.available_width(), 34.0));
         if ui.add(button).on_hover_text(file.display().to_string()).clicked() {
-            acts.push(Act::OpenFile(file.clone()));
+            acts.push(Act::App(AppAct::OpenFile(file.clone())));
         }
     }
     for id in state.session.library.recipes.keys() {
@@ -196,7 +196,7 @@ fn recipes(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
         let title = l.called("recipe_file", &plain);
         let clicked = ui.add(egui::Button::new(title).min_size(egui::vec2(ui.available_width(), 34.0))).clicked();
         if clicked {
-            acts.push(Act::Play(id.clone()));
+            acts.push(Act::Cook(CookAct::Play(id.clone())));
         }
     }
 }

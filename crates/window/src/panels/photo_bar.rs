@@ -3,7 +3,7 @@
 use egui::{Align2, Area, Id, ProgressBar, Rect, RichText, Slider, Ui, vec2};
 use saute_scene::light::photo::Photo;
 
-use crate::act::{Act, Acts, hint};
+use crate::act::{Act, Acts, AppAct, hint};
 use crate::panels::window_state::WindowState;
 use crate::photo::SIZES;
 use crate::ui::layout::GAP;
@@ -36,7 +36,7 @@ pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, whole: Rect) {
                 ui.horizontal(|ui| rows.iter_mut().for_each(|row| row(ui)));
             }
             if choice != state.photo.choice {
-                acts.push(Act::SetPhoto(choice));
+                acts.push(Act::App(AppAct::SetPhoto(choice)));
             }
         });
     });
@@ -69,7 +69,9 @@ fn buttons(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
         let text = RichText::new(l.text("photo.making")).size(13.0);
         ui.add(ProgressBar::new(progress).desired_width(180.0).text(text));
     } else {
-        for (key, act, first) in [("photo.take", Act::Picture, true), ("photo.lapse", Act::TimeLapse, false)] {
+        for (key, act, first) in
+            [("photo.take", Act::App(AppAct::Picture), true), ("photo.lapse", Act::App(AppAct::TimeLapse), false)]
+        {
             let shown = ui.add(theme::of(ui).button(l.text(key), first));
             let explained = if first { hint(&act, l) } else { l.text("photo.lapse_hint").to_owned() };
             if shown.on_hover_text(explained).clicked() {
@@ -78,6 +80,6 @@ fn buttons(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
         }
     }
     if ui.add(theme::of(ui).button(l.text("settings.done"), false)).clicked() {
-        acts.push(Act::Photo);
+        acts.push(Act::App(AppAct::Photo));
     }
 }

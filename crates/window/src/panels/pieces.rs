@@ -5,12 +5,12 @@ use std::collections::{BTreeMap, BTreeSet};
 use egui::{RichText, Sense, Ui, vec2};
 use saute_kitchen::{Piece, celsius};
 
-use crate::act::{Act, Acts};
+use crate::act::{Act, Acts, CookAct, ViewAct};
 use crate::panels::window_state::WindowState;
-use crate::session::group_of;
 use crate::ui::{fingers, theme};
-use crate::words::language::Language;
-use crate::words::piece_words::{doneness, grams, name, place};
+use saute_words::language::Language;
+use saute_words::piece_words::group_of;
+use saute_words::piece_words::{doneness, grams, name, place};
 
 /// What a line says.
 struct Line {
@@ -54,14 +54,14 @@ pub fn all_at_once(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
             .on_hover_text(l.text("piece.lay_all_hint"))
             .clicked()
         {
-            acts.push(Act::Lay(waiting.clone()));
+            acts.push(Act::Cook(CookAct::Lay(waiting.clone())));
         }
         if ui
             .add(theme::of(ui).button(l.text("piece.heap_all"), false))
             .on_hover_text(l.text("piece.heap_all_hint"))
             .clicked()
         {
-            acts.push(Act::Heap(waiting.clone()));
+            acts.push(Act::Cook(CookAct::Heap(waiting.clone())));
         }
     });
 }
@@ -98,7 +98,7 @@ fn piece_line(state: &WindowState, ui: &mut Ui, acts: &mut Acts, id: &str, inden
     let selected = state.session.steak().is_some_and(|p| p.id == id);
     let spoken = spoken(&line, l.fill("piece.select", &[("name", &name(id, l))]), l);
     if shown(ui, &line, indent, selected, &spoken) {
-        acts.push(Act::Select(id.to_owned()));
+        acts.push(Act::View(ViewAct::Select(id.to_owned())));
     }
 }
 
@@ -127,11 +127,11 @@ fn group_lines(
     }
     ui.horizontal(|ui| {
         ui.add_space(14.0);
-        let lay = Act::Lay as fn(Vec<String>) -> Act;
-        for (key, act) in [("piece.lay", lay), ("piece.heap", Act::Heap), ("piece.take_away", Act::Remove)] {
+        let lay = CookAct::Lay as fn(Vec<String>) -> CookAct;
+        for (key, act) in [("piece.lay", lay), ("piece.heap", CookAct::Heap), ("piece.take_away", CookAct::Remove)] {
             let button = egui::Button::new(RichText::new(l.text(key)).size(13.0)).min_size(vec2(0.0, 30.0));
             if ui.add(button).clicked() {
-                acts.push(act(members.to_vec()));
+                acts.push(Act::Cook(act(members.to_vec())));
             }
         }
     });

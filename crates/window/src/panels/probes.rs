@@ -2,7 +2,7 @@
 
 use egui::{RichText, Ui, vec2};
 
-use crate::act::{Act, Acts, key_of};
+use crate::act::{Act, Acts, ViewAct, key_of};
 use crate::panels::window_state::WindowState;
 use crate::ui::{fingers, theme};
 
@@ -11,15 +11,15 @@ pub fn add_button(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let l = state.settings.language;
     let text = RichText::new(l.text(if state.scene.placing { "probe.click" } else { "probe.add" })).size(13.0);
     let add = ui.add(egui::Button::new(text).selected(state.scene.placing));
-    if add.on_hover_text(l.fill("probe.add_hint", &[("key", &key_of(&Act::Probe))])).clicked() {
-        acts.push(Act::Placing(!state.scene.placing));
+    if add.on_hover_text(l.fill("probe.add_hint", &[("key", &key_of(&Act::View(ViewAct::Probe)))])).clicked() {
+        acts.push(Act::View(ViewAct::Placing(!state.scene.placing)));
     }
 }
 
 /// Shows the probes of the piece that the panels are about.
 pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let Some(piece) = state.session.steak() else { return };
-    let words = |p: &saute_picture::probe::Probe| state.settings.fine_temperature(p.celsius(piece));
+    let words = |p: &saute_recipe::probe::Probe| state.settings.fine_temperature(p.celsius(piece));
     let shown: Vec<(usize, String)> =
         state.session.probes.of(piece).map(|p| (p.number, format!("{} · {}", p.number, words(p)))).collect();
     if shown.is_empty() {
@@ -35,7 +35,7 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
             let chip =
                 ui.add(egui::Button::new(text).stroke(egui::Stroke::new(f32::from(u8::from(on)), theme::of(ui).text)));
             if chip.on_hover_text(state.settings.language.text("probe.chip_hint")).clicked() {
-                acts.push(Act::SelectProbe((!on).then_some(number)));
+                acts.push(Act::View(ViewAct::SelectProbe((!on).then_some(number))));
             }
         }
     });
@@ -54,10 +54,10 @@ fn edit(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
         let edit = theme::field(ui, edit);
         edit.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::TextInput, true, &spoken));
         if edit.changed() {
-            acts.push(Act::NameProbe(number, name));
+            acts.push(Act::View(ViewAct::NameProbe(number, name)));
         }
         if ui.button(l.text("probe.remove")).on_hover_text(l.text("probe.remove_hint")).clicked() {
-            acts.push(Act::RemoveProbe(number));
+            acts.push(Act::View(ViewAct::RemoveProbe(number)));
         }
     });
 }

@@ -5,9 +5,9 @@ use saute_kitchen::food::change::doneness::Measure;
 use saute_kitchen::{Piece, celsius};
 
 use crate::panels::window_state::WindowState;
+use crate::spoken::view_words::ViewWords;
 use crate::ui::theme;
-use crate::words::piece_words::{doneness, grams, name, place};
-use crate::words::view_words::ViewWords;
+use saute_words::piece_words::{doneness, grams, name, place};
 
 /// How far it stands below a mouse, and above a finger [points].
 const BY_MOUSE: Vec2 = vec2(18.0, 14.0);
@@ -52,5 +52,10 @@ fn here(state: &WindowState, piece: &Piece) -> Option<String> {
     let scale = state.scale_of(piece);
     let change = scale.as_ref().filter(|s| s.measure() == Measure::Share).map(|s| s.for_change.as_str());
     let value = point.shares.read(|node| view.value(&piece.model, &piece.state, node, change));
-    Some(state.settings.language.fill("value.here", &[("value", &view.words(value, state.settings, scale.as_deref()))]))
+    Some(
+        state
+            .settings
+            .language
+            .fill("value.here", &[("value", &view.words(value, state.settings.speech(), scale.as_deref()))]),
+    )
 }

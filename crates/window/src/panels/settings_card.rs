@@ -5,14 +5,14 @@ use saute_scene::light::room_light::RoomLight;
 use saute_scene::light::white_balance::WhiteBalance;
 use saute_scene::quality::Quality;
 
-use crate::act::{Act, Acts, Card, Setting};
+use crate::act::{Act, Acts, AppAct, Card, Setting};
 use crate::panels::cards::frame::Framed;
 use crate::panels::language;
 use crate::panels::window_state::{PanelMemory, WindowState};
 use crate::ui::interface_size::InterfaceSize;
 use crate::ui::quality_choice::QualityChoice;
 use crate::ui::theme::{self, Theme};
-use crate::words::language::Language;
+use saute_words::language::Language;
 
 /// Below this width names stand above their choices [points].
 pub(super) const NARROW: f32 = 640.0;
@@ -26,7 +26,7 @@ pub fn show(state: &WindowState, memory: &mut PanelMemory, ui: &Ui, acts: &mut A
     let to_mirror = |ui: &mut Ui, acts: &mut Acts| {
         let words = state.settings.language.text("half_mirror.more");
         if cfg!(not(target_arch = "wasm32")) && ui.add(theme::of(ui).button(words, false)).clicked() {
-            acts.push(Act::Open(Card::Mirror));
+            acts.push(Act::App(AppAct::Open(Card::Mirror)));
         }
     };
     framed.show_with(state, ui, acts, whole, to_mirror, |ui, acts| {
@@ -38,7 +38,7 @@ pub fn show(state: &WindowState, memory: &mut PanelMemory, ui: &Ui, acts: &mut A
 
 fn choices(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
     let (l, now) = (state.settings.language, state.settings);
-    let mut set = |setting| acts.push(Act::Set(setting));
+    let mut set = |setting| acts.push(Act::App(AppAct::Set(setting)));
     if let Some(theme) =
         row(ui, narrow, l.text("settings.theme"), &Theme::ALL.map(|t| (theme_word(t, l), t == now.theme)))
     {

@@ -3,11 +3,12 @@
 use egui::Ui;
 use saute_picture::view::View;
 
-use crate::act::{Act, Acts, Card, hint};
+use crate::act::{Act, Acts, AppAct, Card, ViewAct, hint};
 use crate::panels::learn::callout::note_control;
 use crate::panels::window_state::WindowState;
+use crate::spoken::view_words::ViewWords;
 use crate::ui::{fingers, theme};
-use crate::words::view_words::ViewWords;
+use saute_session::permits::Permit;
 
 /// Height of a chip [points]: two rows of them fit above a narrow scene.
 const HEIGHT: f32 = 34.0;
@@ -32,7 +33,7 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
 pub fn learn_and_settings(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
         // A study leads: what there is to learn is locked, the help is not.
-        if state.guided.is_some_and(|guided| guided.locks().leaving) {
+        if !state.permits().allow(&[Permit::Leaving]) {
             help(state, ui, acts);
         } else {
             learn(state, ui, acts);
@@ -46,11 +47,11 @@ pub fn learn_and_settings(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
 
 fn learn(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let name = state.settings.language.text("learn.title");
-    chip(state, ui, acts, name, state.card == Some(Card::Learn), Act::Open(Card::Learn));
+    chip(state, ui, acts, name, state.card == Some(Card::Learn), Act::App(AppAct::Open(Card::Learn)));
 }
 
 fn help(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
-    chip(state, ui, acts, "?", state.card == Some(Card::Help), Act::Help);
+    chip(state, ui, acts, "?", state.card == Some(Card::Help), Act::App(AppAct::Help));
 }
 
 fn views(state: &WindowState, ui: &mut Ui, acts: &mut Acts, padding: f32) {
@@ -58,10 +59,10 @@ fn views(state: &WindowState, ui: &mut Ui, acts: &mut Acts, padding: f32) {
     ui.spacing_mut().button_padding.x = padding;
     let l = state.settings.language;
     for view in View::ALL {
-        chip(state, ui, acts, view.name(l), state.settings.view == view, Act::View(view));
+        chip(state, ui, acts, view.name(l), state.settings.view == view, Act::View(ViewAct::View(view)));
     }
-    chip(state, ui, acts, l.text("top.cut"), state.slice.is_some(), Act::Slice);
-    chip(state, ui, acts, l.text("top.split"), state.settings.is_split(), Act::Split);
+    chip(state, ui, acts, l.text("top.cut"), state.slice.is_some(), Act::View(ViewAct::Slice));
+    chip(state, ui, acts, l.text("top.split"), state.settings.is_split(), Act::View(ViewAct::Split));
 }
 
 /// Shows the help, the settings and, where there is room, the switches of the panels at the left, from the right.
@@ -78,10 +79,10 @@ fn help_and_settings(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
         }
         if ui.available_width() > 90.0 {
             let food = l.fill("top.more", &[("what", &l.text("top.food"))]);
-            chip(state, ui, acts, &food, state.settings.pantry_open, Act::Pantry);
+            chip(state, ui, acts, &food, state.settings.pantry_open, Act::View(ViewAct::Pantry));
         }
         if ui.available_width() > 76.0 {
-            chip(state, ui, acts, l.text("top.pieces"), state.settings.pieces_open, Act::Pieces);
+            chip(state, ui, acts, l.text("top.pieces"), state.settings.pieces_open, Act::View(ViewAct::Pieces));
         }
     });
 }
@@ -114,7 +115,7 @@ impl Drawn {
 
 /// A speech bubble: the list of what was said.
 fn messages(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
-    let act = Act::Messages;
+    let act = Act::App(AppAct::Messages);
     Drawn {
         name: "messages.title",
         width: BUBBLE,
@@ -138,7 +139,7 @@ fn paint_bubble(painter: &egui::Painter, at: egui::Pos2, ink: egui::Color32) {
 
 /// A gear: the settings.
 fn gear(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
-    let act = Act::Settings;
+    let act = Act::App(AppAct::Settings);
     Drawn { name: "settings.title", width: 38.0, is_on: state.card == Some(Card::Settings), act, paint: paint_gear }
         .show(state, ui, acts);
 }
@@ -168,19 +169,18 @@ fn chip(state: &WindowState, ui: &mut Ui, acts: &mut Acts, text: &str, on: bool,
 
 /// True of a view that skill mode hides.
 fn is_off(state: &WindowState, act: &Act) -> bool {
-    let shows = matches!(act, Act::Slice | Act::Split) || matches!(act, Act::View(view) if *view != View::Look);
-    shows && !state.reads_out()
+    act.traits().reads && !state.reads_out()
 }
 
 /// What a chip does and its key; of a view also what its colours say.
 fn explained(state: &WindowState, act: &Act) -> String {
     let hint = hint(act, state.settings.language);
     match act {
-        Act::View(_) | Act::Slice | Act::Split if is_off(state, act) => {
+        Act::View(ViewAct::View(_)) | Act::View(ViewAct::Slice) | Act::View(ViewAct::Split) if is_off(state, act) => {
             state.settings.language.text("skill.off").to_owned()
         }
-        Act::View(view) => format!("{hint}\n{}", view.meaning(state.settings)),
-        Act::Open(Card::Learn) => state.settings.language.text("learn.hint").to_owned(),
+        Act::View(ViewAct::View(view)) => format!("{hint}\n{}", view.meaning(state.settings.speech())),
+        Act::App(AppAct::Open(Card::Learn)) => state.settings.language.text("learn.hint").to_owned(),
         _ => hint,
     }
 }

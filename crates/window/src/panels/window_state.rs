@@ -11,7 +11,6 @@ use saute_kitchen::food::Scale;
 use saute_scene::quality::Quality;
 
 use crate::act::{Act, Card};
-use crate::at_home::fitting::AtHome;
 use crate::guided::Guided;
 use crate::input::pouring::Portion;
 use crate::learn::tutorial::Tutorial;
@@ -22,14 +21,16 @@ use crate::panels::guided::Entries;
 use crate::panels::inside::Inside;
 use crate::panels::still::Stills;
 use crate::panels::ways::WaysMemory;
-use crate::plan::live::Live;
-use crate::plan::planning::Planning;
 use crate::session::Session;
-use crate::session::timeline::WayBeside;
 use crate::settings::Settings;
 use crate::ui::notice::{Notice, Said};
 use crate::ui::scene_view::SceneView;
-use crate::words::judgement_words::ResultWords;
+use saute_session::at_home::fitting::AtHome;
+use saute_session::permits::Permits;
+use saute_session::plan::live::Live;
+use saute_session::plan::planning::Planning;
+use saute_session::timeline::WayBeside;
+use saute_words::judgement_words::ResultWords;
 
 /// The window's state as panels read it; what they want changed they say with an [`crate::act::Act`].
 pub struct WindowState<'a> {
@@ -112,9 +113,14 @@ impl WindowState<'_> {
         self.guided.is_some_and(Guided::hides_read_outs)
     }
 
+    /// What a study or a lesson lets a person do.
+    pub fn permits(&self) -> Permits {
+        self.guided.map(Guided::permits).unwrap_or_default()
+    }
+
     /// Returns true if a study or a lesson does not let a person do something.
     pub fn forbids(&self, act: &Act) -> bool {
-        self.guided.is_some_and(|guided| guided.locks().forbid(act))
+        !self.permits().allow(act.traits().needs)
     }
 
     /// What a way is called.

@@ -7,13 +7,13 @@ use saute_plan::schedule::Plan;
 use saute_plan::schedule::voice::Keeping;
 
 use super::PlanFile;
-use super::live::Live;
 use super::{PlanAct, kitchen_card};
 use crate::act::Card;
 use crate::app::SauteApp;
-use crate::session::SPEEDS;
-use crate::work::Kind;
-use crate::work::in_frames::InFrames;
+use saute_session::SPEEDS;
+use saute_session::plan::live::Live;
+use saute_session::work::Kind;
+use saute_session::work::in_frames::InFrames;
 
 impl SauteApp {
     /// Carries out what is done about a plan.
@@ -39,8 +39,8 @@ impl SauteApp {
     }
 
     /// A helper for a kind of work; where no agency finds one, it works in frames.
-    pub(crate) fn hire_or_frames(&self, kind: Kind) -> Box<dyn crate::work::Helper> {
-        let in_frames = || Box::new(InFrames::new(kind, &self.session.library)) as Box<dyn crate::work::Helper>;
+    pub(crate) fn hire_or_frames(&self, kind: Kind) -> Box<dyn saute_session::work::Helper> {
+        let in_frames = || Box::new(InFrames::new(kind, &self.session.library)) as Box<dyn saute_session::work::Helper>;
         self.hire(kind).unwrap_or_else(in_frames)
     }
 

@@ -6,8 +6,8 @@ use saute_plan::schedule::Order;
 use saute_plan::schedule::asked::{Asked, scale_for};
 use serde::{Deserialize, Serialize};
 
-use crate::session::SteakChoice;
 use crate::settings::Settings;
+use saute_session::SteakChoice;
 
 /// Scale in whose classes a target is stated at first: the one that cooks speak.
 const FIRST_SCALE: &str = "chefs";

@@ -4,17 +4,17 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 use saute_kitchen::Library;
 use saute_plan::schedule::{Plan, Step};
 
-use crate::panels::inside::clock;
 use crate::settings::Settings;
-use crate::words::language::Language;
-use crate::words::{cue_words, plan_words};
+use saute_words::clock::clock;
+use saute_words::language::Language;
+use saute_words::{cue_words, plan_words};
 
 const STYLE: &str = include_str!("kitchen_card.css");
 
 /// Returns the whole page in the language and the unit of the settings.
 pub fn page(plan: &Plan, library: &Library, settings: &Settings) -> String {
     let l = settings.language;
-    let title = plan_words::heading(&plan.order, library, settings);
+    let title = plan_words::heading(&plan.order, library, settings.speech());
     let food = library.foods.get(&plan.order.food).map_or(plan.order.food.as_str(), |food| food.name.as_str());
     let page = html! {
         (DOCTYPE)
@@ -27,9 +27,9 @@ pub fn page(plan: &Plan, library: &Library, settings: &Settings) -> String {
             }
             body {
                 main {
-                    h1 { (l.called("food", food)) ", " (plan_words::target(&plan.order.goal, settings)) }
+                    h1 { (l.called("food", food)) ", " (plan_words::target(&plan.order.goal, settings.speech())) }
                     p { (title) }
-                    @if let Some(why) = plan_words::why_not(plan, settings) { p.notice { (why) } }
+                    @if let Some(why) = plan_words::why_not(plan, settings.speech()) { p.notice { (why) } }
                     table {
                         @for step in plan.steps() { (row(&step, plan, library, settings)) }
                     }
@@ -44,7 +44,7 @@ pub fn page(plan: &Plan, library: &Library, settings: &Settings) -> String {
 }
 
 fn row(step: &Step, plan: &Plan, library: &Library, settings: &Settings) -> Markup {
-    let sense = plan.sense(step, library).map(|sense| cue_words::sense(&sense, settings));
+    let sense = plan.sense(step, library).map(|sense| cue_words::sense(&sense, settings.speech()));
     html! {
         tr {
             td.time { (clock(f64::from(step.at_s))) }
@@ -71,7 +71,7 @@ fn changes(plan: &Plan, settings: &Settings) -> Markup {
         h2 { (settings.language.text("plan.if_different")) }
         table.changes {
             @for s in &plan.sensitivity {
-                tr { th { (plan_words::change(s.change, settings)) } td { (plan_words::changed(s, settings)) } }
+                tr { th { (plan_words::change(s.change, settings.speech())) } td { (plan_words::changed(s, settings.speech())) } }
             }
         }
     }

@@ -2,18 +2,14 @@
 
 mod acts;
 pub mod choice;
-pub mod craft;
 pub mod kitchen_card;
-pub mod live;
-pub mod planning;
-pub mod why_not;
 
 use saute_kitchen::Library;
 use saute_plan::schedule::Plan;
 
 use crate::settings::Settings;
-use crate::words::language::Language;
-use crate::words::plan_words;
+use saute_words::language::Language;
+use saute_words::plan_words;
 
 /// What is done about a plan.
 #[derive(Clone, Debug, PartialEq)]
@@ -86,12 +82,12 @@ pub fn recipe_file(plan: &Plan, library: &Library, settings: &Settings) -> Strin
     let l = settings.language;
     let core = settings.fine_temperature(plan.promised.core_peak_c);
     let mut lines = vec![
-        plan_words::heading(&plan.order, library, settings),
+        plan_words::heading(&plan.order, library, settings.speech()),
         format!("{} {}", l.text("plan.promised"), l.fill("plan.middle", &[("core", &core)])),
         plan_words::on_target(plan, l),
         plan_words::crust(&plan.promised, l),
     ];
-    lines.extend(plan_words::why_not(plan, settings));
+    lines.extend(plan_words::why_not(plan, settings.speech()));
     let comment: String = lines.iter().map(|line| format!("# {line}\n")).collect();
     comment + &plan.recipe_text()
 }

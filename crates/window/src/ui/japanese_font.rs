@@ -91,7 +91,7 @@ mod tests {
 
     use super::*;
     use crate::panels::language::name;
-    use crate::words::language::Language;
+    use saute_words::language::Language;
 
     /// Promise: with the shipped font, which is the only one of a page, no letter of the interface is missing.
     #[test]

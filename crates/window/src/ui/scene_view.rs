@@ -6,9 +6,10 @@ use std::sync::Arc;
 use egui::{Pos2, Rect, Sense, Stroke, Ui, pos2, vec2};
 use glam::{Mat4, Vec3};
 use saute_kitchen::Piece;
-use saute_picture::seen_point::{Ray, SeenPoint};
+use saute_picture::seen_point::Ray;
 use saute_picture::split;
 use saute_picture::stage::{Pose, StageOptions, half_length};
+use saute_recipe::probe::SeenPoint;
 use saute_scene::input::SceneInput;
 
 use crate::app::SauteApp;

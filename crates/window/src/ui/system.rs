@@ -1,4 +1,14 @@
-//! What the system says about the person at it; only browsers say it.
+//! What the system says about the person at it: the language, and in browsers the pointer and the wish for less motion.
+
+use saute_words::language::Language;
+
+/// Returns the language that the browser prefers, or that of the environment.
+pub(crate) fn language() -> Language {
+    #[cfg(target_arch = "wasm32")]
+    return crate::browser::language().map_or_else(Language::default, |tag| Language::of_locale(&tag));
+    #[cfg(not(target_arch = "wasm32"))]
+    Language::of_environment()
+}
 
 /// Returns true if the main pointer is a finger.
 pub(crate) fn has_coarse_pointer() -> bool {

@@ -2,8 +2,8 @@
 
 use egui::{Rect, Vec2, pos2, vec2};
 
-use crate::session::timeline::MOST_BESIDE;
 use crate::ui::layout::GAP;
+use saute_session::timeline::MOST_BESIDE;
 
 /// Ways at most.
 pub const MOST: usize = MOST_BESIDE + 1;

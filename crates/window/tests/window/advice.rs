@@ -8,9 +8,9 @@ use egui_kittest::{
 };
 use saute_kitchen::doneness::core_class;
 use saute_kitchen::{Kitchen, kelvin};
+use saute_session::SteakChoice;
 use saute_window::SauteApp;
-use saute_window::act::{Act, Setting};
-use saute_window::session::SteakChoice;
+use saute_window::act::{Act, AppAct, CookAct, Setting};
 
 use crate::harness::{WINDOW, cook, press, save, steps, window};
 
@@ -47,8 +47,8 @@ fn cooked(pan: &str, mm: f64) -> Harness<'static, SauteApp> {
     let mut harness = window(vec2(1280.0, 720.0));
     let choice = SteakChoice { pan: pan.to_owned(), size_mm: vec![120.0, 80.0, mm], ..SteakChoice::default() };
     let context = harness.ctx.clone();
-    harness.state_mut().act(Act::Set(Setting::Choice(choice)), &context);
-    harness.state_mut().act(Act::SetOut, &context);
+    harness.state_mut().act(Act::App(AppAct::Set(Setting::Choice(choice))), &context);
+    harness.state_mut().act(Act::Cook(CookAct::SetOut), &context);
     steps(&mut harness, 2);
     while !follow(&mut harness) {
         (0..50).for_each(|_| harness.state_mut().session_mut().tick().expect("ticks"));

@@ -9,7 +9,7 @@ use egui_kittest::{Harness, kittest::NodeT};
 use saute_kitchen::Command;
 use saute_kitchen::food::change::colour::decoded;
 use saute_window::SauteApp;
-use saute_window::act::{Act, Setting};
+use saute_window::act::{Act, AppAct, Setting};
 use saute_window::ui::palette::Palette;
 use saute_window::ui::theme::Theme;
 
@@ -191,7 +191,7 @@ fn every_text_and_control_stands_out_from_what_it_is_drawn_on_in_both_themes() {
         for size in [vec2(1280.0, 720.0), vec2(390.0, 844.0)] {
             let mut harness = window(size);
             let ctx = harness.ctx.clone();
-            harness.state_mut().act(Act::Set(Setting::Theme(theme)), &ctx);
+            harness.state_mut().act(Act::App(AppAct::Set(Setting::Theme(theme))), &ctx);
             steps(&mut harness, 2);
             let mut texts = 0;
             visit(&mut harness, |harness| {

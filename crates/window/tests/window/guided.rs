@@ -9,10 +9,11 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use saute_kitchen::Library;
 use saute_picture::View;
-use saute_plan::class::{Scenario, shipped};
-use saute_plan::study::{LogRow, Protocol, RowKind, Stage, from_csv};
+use saute_study::class::{Scenario, shipped};
+use saute_study::{LogRow, Protocol, RowKind, Stage, from_csv};
 use saute_window::guided::{Guided, LessonStart, StudyStart};
-use saute_window::{Language, SauteApp, Start};
+use saute_window::{SauteApp, Start};
+use saute_words::language::Language;
 
 use crate::harness::{cook, press, save, steps, window_with};
 
@@ -115,6 +116,17 @@ fn a_whole_study_is_gone_through_and_its_rows_are_on_the_disk() {
     check_rows(&folder);
 }
 
+/// Help, settings and messages can be read in a trial, and a photo cannot be taken: its time goes on.
+fn no_card_stops_time(harness: &mut Harness<'static, SauteApp>) {
+    for key in [Key::F1, Key::F2, Key::F3, Key::F8] {
+        press(harness, key);
+        let before = harness.state().session().kitchen.time_s();
+        steps(harness, 2);
+        assert!(harness.state().session().kitchen.time_s() > before, "{key:?}");
+        press(harness, Key::Escape);
+    }
+}
+
 /// What a study locks stays as it is.
 fn locks_hold(harness: &mut Harness<'static, SauteApp>) {
     for key in [Key::CloseBracket, Key::Space, Key::R, Key::Num2, Key::X, Key::G, Key::F4] {
@@ -126,6 +138,7 @@ fn locks_hold(harness: &mut Harness<'static, SauteApp>) {
     assert!(app.said().iter().any(|said| said == "This is locked here."), "{:?}", app.said());
     assert!(harness.query_by_label_contains("°C").is_none(), "no temperature is read");
     save(harness, "study-blind");
+    no_card_stops_time(harness);
     press(harness, Key::N);
     for locked in ["20×", "Pause", "Step", "Start over", "Undo", "Temperature", "Cut", "Set out"] {
         assert!(harness.get_by_label(locked).accesskit_node().is_disabled(), "{locked} looks as if it could be used");
@@ -238,7 +251,7 @@ fn a_lesson_pauses_and_asks_compares_the_answer_and_gives_a_row() {
     save(&mut harness, "lesson-result");
     click(&mut harness, "Save the result");
     let text = std::fs::read_to_string(pictures.join("when-to-flip-S01.csv")).expect("is written");
-    let rows = saute_plan::class::from_csv("s.csv", &text).expect("a result");
+    let rows = saute_study::class::from_csv("s.csv", &text).expect("a result");
     assert_eq!((rows[0].student.as_deref(), rows[0].q1_answer), (Some("S01"), Some(3.0)));
     assert!(rows[0].q1_truth.is_some() && rows[0].q2_answer.is_none());
 }

@@ -4,7 +4,8 @@ use egui::{FontId, Key, accesskit::Role, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use saute_kitchen::Command;
-use saute_window::{Language, SauteApp};
+use saute_window::SauteApp;
+use saute_words::language::Language;
 
 use crate::harness::{cook, graphics, press, save, steps, window};
 

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use saute_kitchen::{Library, Refused};
 use saute_recipe::Recipe;
-use saute_window::Language;
+use saute_words::language::Language;
 
 type Texts = BTreeMap<String, BTreeMap<String, String>>;
 
@@ -113,9 +113,9 @@ fn every_name_in_the_data_has_a_japanese_one() {
     }
     library.oils.keys().for_each(|id| known("oil", id));
     library.pans.values().for_each(|pan| known("pan", &pan.name));
-    for (id, _) in saute_window::mirror::rig_file::SHIPPED {
+    for (id, _) in saute_mirror::rig_file::SHIPPED {
         known("rig", id);
-        known("rig", &saute_window::mirror::rig_file::shipped(id).expect("is there").expect("is read").name);
+        known("rig", &saute_mirror::rig_file::shipped(id).expect("is there").expect("is read").name);
     }
     for scale in &library.scales {
         known("scale", &scale.name);
@@ -157,11 +157,11 @@ fn refusals() -> Vec<Refused> {
 #[test]
 fn refusals_in_japanese_hold_no_english_but_units() {
     for refused in refusals() {
-        let words = saute_window::words::refusal::words(&refused, Language::Japanese);
+        let words = saute_words::refusal::words(&refused, Language::Japanese);
         let latin = words.split(|c: char| !c.is_ascii_alphabetic()).filter(|w| !w.is_empty());
         let english: Vec<&str> = latin.filter(|w| !["mm", "g", "W", "C"].contains(w)).collect();
         assert!(english.is_empty() && !words.contains(['{', '}']), "{english:?} in {words}");
-        assert!(!saute_window::words::refusal::words(&refused, Language::English).contains('{'), "{refused:?}");
+        assert!(!saute_words::refusal::words(&refused, Language::English).contains('{'), "{refused:?}");
     }
 }
 

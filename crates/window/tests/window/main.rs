@@ -15,7 +15,6 @@ mod language;
 mod mirror;
 mod pan;
 mod photo;
-mod session;
 mod settings;
 mod steak;
 mod teaching;

@@ -4,15 +4,15 @@
 use egui::{Event, Key, Modifiers, Pos2, Ui, pos2, vec2};
 use egui_kittest::{Harness, kittest::Queryable};
 use glam::DVec2;
+use saute_mirror::rig_file::shipped;
+use saute_mirror::settings::MirrorSettings;
+use saute_mirror::stereo::Stereo;
 use saute_scene::input::SceneInput;
 use saute_scene::quality::Quality;
 use saute_scene::sample::{Doneness, steak_in_pan};
-use saute_window::Language;
 use saute_window::mirror::presenter::MirrorCallback;
-use saute_window::mirror::rig_file::shipped;
-use saute_window::mirror::settings::MirrorSettings;
-use saute_window::mirror::stereo::Stereo;
 use saute_window::mirror::view::MirrorView;
+use saute_words::language::Language;
 
 use crate::harness::{graphics, press, save, steps, window};
 

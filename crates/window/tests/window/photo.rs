@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use egui::{Key, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
-use saute_window::act::Act;
+use saute_window::act::{Act, AppAct};
 use saute_window::photo::PhotoChoice;
 use saute_window::{SauteApp, Start};
 
@@ -59,7 +59,7 @@ fn the_photo_mode_shows_the_scene_alone_and_time_waits() {
     let brighter =
         PhotoChoice { photo: saute_scene::light::photo::Photo { exposure_ev: 1.0, ..choice.photo }, ..choice };
     let ctx = harness.ctx.clone();
-    harness.state_mut().act(Act::SetPhoto(brighter), &ctx);
+    harness.state_mut().act(Act::App(AppAct::SetPhoto(brighter)), &ctx);
     steps(&mut harness, 3);
     assert!(brightness(&mut harness) > usual + 10.0, "one stop more is brighter");
     press(&mut harness, Key::Escape);

@@ -8,12 +8,13 @@ use egui_kittest::{
 use saute_scene::light::room_light::RoomLight;
 use saute_scene::light::white_balance::WhiteBalance;
 use saute_scene::quality::Quality;
+use saute_window::SauteApp;
 use saute_window::settings::Settings;
 use saute_window::ui::interface_size::InterfaceSize;
 use saute_window::ui::layout::Layout;
 use saute_window::ui::quality_choice::QualityChoice;
 use saute_window::ui::theme::Theme;
-use saute_window::{Language, SauteApp};
+use saute_words::language::Language;
 
 use crate::harness::{cook, press, save, steps, window};
 

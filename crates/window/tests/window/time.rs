@@ -231,7 +231,7 @@ fn a_cook_is_saved_as_a_whole_or_not_at_all() {
     assert!(harness.query_by_label("Save this cook…").is_some());
     // What lies ahead is saved, too.
     undo(&mut harness);
-    harness.state_mut().save_export(saute_window::export::Export::Cook, &folder.join("mine"));
+    harness.state_mut().save_export(saute_session::export::Export::Cook, &folder.join("mine"));
     steps(&mut harness, 2);
     assert!(harness.query_by_label_contains("The cook is saved in ").is_some());
     save(&mut harness, "time-saved");
@@ -239,7 +239,7 @@ fn a_cook_is_saved_as_a_whole_or_not_at_all() {
     let bytes = std::fs::read(&file).expect("is there");
     // A folder that is not there, and one whose name is taken by a file.
     for place in [folder.join("nowhere").join("mine.saute"), file.join("mine.saute")] {
-        harness.state_mut().save_export(saute_window::export::Export::Cook, &place);
+        harness.state_mut().save_export(saute_session::export::Export::Cook, &place);
         steps(&mut harness, 2);
         assert!(harness.query_by_label_contains("The cook could not be saved in ").is_some(), "{}", place.display());
     }

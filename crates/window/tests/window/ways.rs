@@ -4,11 +4,11 @@ use egui::Key;
 use egui::accesskit::Role;
 use egui_kittest::{Harness, kittest::Queryable};
 use saute_kitchen::Command;
-use saute_window::Language;
+use saute_session::timeline::Stand;
 use saute_window::SauteApp;
-use saute_window::act::{Act, Setting};
-use saute_window::session::timeline::Stand;
+use saute_window::act::{Act, AppAct, CookAct, Setting, TimeAct, ViewAct};
 use saute_window::ui::theme::{TOUCH, Theme};
+use saute_words::language::Language;
 
 use crate::harness::{cook, press, save, steps, window};
 
@@ -35,7 +35,7 @@ fn settle(harness: &mut Harness<'static, SauteApp>) {
 }
 
 fn turn_to(harness: &mut Harness<'static, SauteApp>, time_s: f64) {
-    act(harness, Act::Scrub(time_s));
+    act(harness, Act::Time(TimeAct::Scrub(time_s)));
     harness.state_mut().session_mut().finish_travel();
 }
 
@@ -51,10 +51,10 @@ fn three_ways(size: egui::Vec2) -> Harness<'static, SauteApp> {
     press(&mut harness, Key::F);
     cook(&mut harness, 90.0);
     turn_to(&mut harness, 60.0);
-    act(&mut harness, Act::HobSet(0.0));
+    act(&mut harness, Act::Cook(CookAct::HobSet(0.0)));
     cook(&mut harness, 50.0);
     turn_to(&mut harness, 60.0);
-    act(&mut harness, Act::HobSet(1000.0));
+    act(&mut harness, Act::Cook(CookAct::HobSet(1000.0)));
     cook(&mut harness, 60.0);
     press(&mut harness, Key::F);
     cook(&mut harness, 60.0);
@@ -83,7 +83,7 @@ fn ways_are_seen_side_by_side_and_turned_together() {
         assert!(harness.query_all_by_label(name).count() >= 1, "{name}");
     }
     // The strip turns all of them.
-    act(&mut harness, Act::Scrub(100.0));
+    act(&mut harness, Act::Time(TimeAct::Scrub(100.0)));
     settle(&mut harness);
     assert_eq!(stands(&harness), [Stand::Here, Stand::Here, Stand::Live]);
     let session = harness.state().session();
@@ -91,7 +91,7 @@ fn ways_are_seen_side_by_side_and_turned_together() {
     assert!(ways.iter().all(|way| (way.kitchen.time_s() - 100.0).abs() < 0.06));
     assert!(ways[0].kitchen.pieces()[0].flipped_at().is_some() && ways[2].kitchen.pieces()[0].flipped_at().is_none());
     save(&mut harness, "ways-turned");
-    act(&mut harness, Act::Scrub(45.0));
+    act(&mut harness, Act::Time(TimeAct::Scrub(45.0)));
     settle(&mut harness);
     assert!(harness.query_all_by_label("the same until 1:00").count() == 2);
     // A way whose kitchen is not computed yet says so, and no frame waits for it.
@@ -106,9 +106,9 @@ fn ways_are_seen_side_by_side_and_turned_together() {
     settle(&mut harness);
     let hashes: Vec<u64> = harness.state().session().ways().iter().map(|way| way.kitchen.state_hash()).collect();
     assert!(hashes.iter().all(|hash| *hash == hashes[0]));
-    act(&mut harness, Act::Set(Setting::Theme(Theme::Light)));
-    act(&mut harness, Act::View(saute_picture::view::View::Temperature));
-    act(&mut harness, Act::Scrub(130.0));
+    act(&mut harness, Act::App(AppAct::Set(Setting::Theme(Theme::Light))));
+    act(&mut harness, Act::View(ViewAct::View(saute_picture::view::View::Temperature)));
+    act(&mut harness, Act::Time(TimeAct::Scrub(130.0)));
     settle(&mut harness);
     save(&mut harness, "ways-light-temperature");
 }
@@ -117,7 +117,7 @@ fn ways_are_seen_side_by_side_and_turned_together() {
 fn another_way_is_cooked_on_at_the_same_time_and_keeps_its_column() {
     let mut harness = three_ways(WIDE);
     press(&mut harness, Key::F4);
-    act(&mut harness, Act::Scrub(100.0));
+    act(&mut harness, Act::Time(TimeAct::Scrub(100.0)));
     settle(&mut harness);
     let slots = |harness: &Harness<'static, SauteApp>| -> Vec<u64> {
         harness.state().session().ways().iter().map(|way| way.kitchen.state_hash()).collect()
@@ -137,9 +137,9 @@ fn another_way_is_cooked_on_at_the_same_time_and_keeps_its_column() {
     drop(ways);
     // A fourth way; then the oldest makes room.
     harness.state_mut().session_mut().set_paused(true);
-    act(&mut harness, Act::Scrub(50.0));
+    act(&mut harness, Act::Time(TimeAct::Scrub(50.0)));
     harness.state_mut().session_mut().finish_travel();
-    act(&mut harness, Act::HobSet(600.0));
+    act(&mut harness, Act::Cook(CookAct::HobSet(600.0)));
     cook(&mut harness, 10.0);
     settle(&mut harness);
     assert_eq!(stands(&harness).len(), 4);
@@ -153,15 +153,15 @@ fn another_way_is_cooked_on_at_the_same_time_and_keeps_its_column() {
 fn on_a_phone_two_ways_are_seen_at_a_time() {
     let mut harness = three_ways(PHONE);
     press(&mut harness, Key::F4);
-    act(&mut harness, Act::Scrub(100.0));
+    act(&mut harness, Act::Time(TimeAct::Scrub(100.0)));
     settle(&mut harness);
     save(&mut harness, "phone-ways");
     assert!(harness.query_all_by_label("flip at 1:00").count() == 2, "column and legend");
     harness.get_by_role_and_label(Role::Button, "The way after").click();
     steps(&mut harness, 4);
     assert!(harness.query_all_by_label("0 W at 1:00").count() == 2, "column and legend");
-    act(&mut harness, Act::Set(Setting::Theme(Theme::Light)));
-    act(&mut harness, Act::Set(Setting::Language(Language::Japanese)));
+    act(&mut harness, Act::App(AppAct::Set(Setting::Theme(Theme::Light))));
+    act(&mut harness, Act::App(AppAct::Set(Setting::Language(Language::Japanese))));
     steps(&mut harness, 10);
     save(&mut harness, "ja-phone-ways-light");
     harness.set_size(WIDE);
@@ -169,7 +169,7 @@ fn on_a_phone_two_ways_are_seen_at_a_time() {
     save(&mut harness, "ja-ways-light");
     // Fingers.
     harness.set_size(PHONE);
-    act(&mut harness, Act::Set(Setting::Language(Language::English)));
+    act(&mut harness, Act::App(AppAct::Set(Setting::Language(Language::English))));
     let (device_id, id) = (egui::TouchDeviceId(1), egui::TouchId(1));
     for phase in [egui::TouchPhase::Start, egui::TouchPhase::End] {
         harness.event(egui::Event::Touch { device_id, id, phase, pos: egui::pos2(4.0, 4.0), force: None });

@@ -8,8 +8,8 @@ use saute_plan::forecast::Question;
 use super::are_shown;
 use crate::panels::curves::Curve;
 use crate::panels::window_state::WindowState;
-use crate::session::forecasts::Standing;
 use crate::ui::palette::Palette;
+use saute_session::forecasts::Standing;
 
 /// How strongly a band is drawn, and what holds no more [-] (chosen: behind the curves).
 const BAND_SEEN: f32 = 0.25;

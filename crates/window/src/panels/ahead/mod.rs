@@ -10,8 +10,8 @@ use saute_kitchen::{celsius, kelvin};
 use saute_plan::forecast::{Outlook, Question};
 
 use crate::panels::window_state::WindowState;
-use crate::session::forecasts::Standing;
 use crate::settings::Settings;
+use saute_session::forecasts::Standing;
 
 /// Returns true if forecasts are made and wanted: then there is room for them.
 pub fn are_shown(state: &WindowState) -> bool {

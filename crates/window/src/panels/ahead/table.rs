@@ -5,13 +5,13 @@ use saute_kitchen::Command;
 use saute_plan::forecast::{Outlook, Question, SPANS_S, Sample};
 
 use super::{age_words, class, half_band, number, question_words};
-use crate::act::{Act, Acts};
+use crate::act::{Act, Acts, CookAct};
 use crate::panels::window_state::WindowState;
-use crate::session::forecasts::Standing;
-use crate::session::label;
 use crate::settings::Settings;
 use crate::ui::{fingers, theme};
-use crate::words::act_words::act_words;
+use saute_session::forecasts::Standing;
+use saute_session::label;
+use saute_words::act_words::act_words;
 
 /// Height of a question with its answer, and of the words above [points].
 const ROW: f32 = 29.0;
@@ -115,7 +115,7 @@ fn ask(state: &WindowState, question: Question, ui: &mut Ui, acts: &mut Acts, pl
         None => response,
     };
     if response.clicked() {
-        acts.push(Act::Asked(question));
+        acts.push(Act::Cook(CookAct::Asked(question)));
     }
 }
 

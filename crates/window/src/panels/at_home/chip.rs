@@ -2,7 +2,7 @@
 
 use egui::{RichText, Ui};
 
-use crate::act::{Act, Acts, Card};
+use crate::act::{Act, Acts, AppAct, Card, LearnAct};
 use crate::at_home::AtHomeAct;
 use crate::panels::window_state::WindowState;
 use crate::ui::theme;
@@ -17,7 +17,7 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
                 let response = ui.add(theme::of(ui).button(text, on));
                 response.widget_info(|| egui::WidgetInfo::selected(egui::accesskit::Role::RadioButton, true, on, text));
                 if response.clicked() && !on {
-                    acts.push(Act::AtHome(act));
+                    acts.push(Act::Learn(LearnAct::AtHome(act)));
                 }
             };
             choice(l.text("athome.mine"), kept.is_used, AtHomeAct::Use(true));
@@ -26,7 +26,7 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
             ui.label(RichText::new(l.text("athome.is_typical")).size(13.0).color(theme::of(ui).quiet));
             let button = theme::of(ui).button(l.text("athome.fit_mine"), false);
             if ui.add(button).on_hover_text(l.text("learn.athome")).clicked() {
-                acts.push(Act::Open(Card::AtHome));
+                acts.push(Act::App(AppAct::Open(Card::AtHome)));
             }
         }
     });

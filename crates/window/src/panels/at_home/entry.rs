@@ -3,12 +3,12 @@
 use egui::{DragValue, RichText, TextEdit, Ui, vec2};
 use saute_plan::fit::log_file::LogFile;
 
-use crate::act::{Act, Acts};
+use crate::act::{Act, Acts, AppAct, LearnAct};
 use crate::at_home::AtHomeAct;
 use crate::at_home::acts::SCALE;
-use crate::at_home::entered::{Columns, Cooked, Row, Seen};
 use crate::panels::window_state::WindowState;
 use crate::ui::theme;
+use saute_session::at_home::entered::{Columns, Cooked, Row, Seen};
 
 /// Most rows by hand [-] (chosen: who has more has a log).
 const MOST_ROWS: usize = 40;
@@ -28,7 +28,7 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let size = vec2(ui.available_width(), theme::TOUCH);
     let button = theme::of(ui).button(l.text("athome.fit"), true).min_size(size);
     if ui.add_enabled(!state.at_home.is_fitting(), button).clicked() {
-        acts.push(Act::AtHome(AtHomeAct::Fit));
+        acts.push(Act::Learn(LearnAct::AtHome(AtHomeAct::Fit)));
     }
 }
 
@@ -42,7 +42,7 @@ fn cooked(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
             let response = ui.add(theme::of(ui).button(text, on));
             response.widget_info(|| egui::WidgetInfo::selected(egui::accesskit::Role::RadioButton, true, on, text));
             if response.clicked() {
-                acts.push(Act::AtHome(AtHomeAct::Cooked(cooked)));
+                acts.push(Act::Learn(LearnAct::AtHome(AtHomeAct::Cooked(cooked))));
             }
         }
     });
@@ -65,10 +65,10 @@ fn log(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let (l, entered) = (state.settings.language, &state.at_home.entered);
     ui.horizontal_wrapped(|ui| {
         if ui.add(theme::of(ui).button(l.text("athome.choose_file"), false)).clicked() {
-            acts.push(Act::ChooseFile);
+            acts.push(Act::App(AppAct::ChooseFile));
         }
         if entered.log.is_some() && ui.add(theme::of(ui).button(l.text("athome.no_log"), false)).clicked() {
-            acts.push(Act::AtHome(AtHomeAct::NoLog));
+            acts.push(Act::Learn(LearnAct::AtHome(AtHomeAct::NoLog)));
         }
     });
     let Some((name, log, chosen)) = &entered.log else {
@@ -92,7 +92,7 @@ fn log(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
         ui.end_row();
     });
     if columns != *chosen {
-        acts.push(Act::AtHome(AtHomeAct::Columns(columns)));
+        acts.push(Act::Learn(LearnAct::AtHome(AtHomeAct::Columns(columns))));
     }
 }
 
@@ -173,7 +173,7 @@ fn rows(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     });
     ui.label(RichText::new(l.text("athome.rows_how")).size(13.0).color(theme::of(ui).quiet));
     if rows != entered.rows {
-        acts.push(Act::AtHome(AtHomeAct::Rows(rows)));
+        acts.push(Act::Learn(LearnAct::AtHome(AtHomeAct::Rows(rows))));
     }
 }
 

@@ -7,12 +7,12 @@ use saute_plan::fit::found::Estimate;
 use saute_plan::fit::observed::Quantity;
 use saute_plan::fit::run::Fitted;
 
-use crate::act::{Act, Acts};
+use crate::act::{Act, Acts, LearnAct};
 use crate::at_home::AtHomeAct;
-use crate::at_home::fitting::Standing;
-use crate::at_home::kept::KeptKitchen;
 use crate::panels::window_state::WindowState;
 use crate::ui::theme;
+use saute_session::at_home::fitting::Standing;
+use saute_session::at_home::kept::KeptKitchen;
 
 /// Height of the plot [points].
 const PLOT: f32 = 210.0;
@@ -42,7 +42,7 @@ fn fitting(state: &WindowState, ui: &mut Ui, acts: &mut Acts, share: f64) {
     ui.add(bar).widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::ProgressIndicator, true, &spoken));
     ui.label(RichText::new(l.text("athome.meanwhile")).size(13.0).color(theme::of(ui).quiet));
     if ui.add(theme::of(ui).button(l.text("plan.cancel"), false)).clicked() {
-        acts.push(Act::AtHome(AtHomeAct::Cancel));
+        acts.push(Act::Learn(LearnAct::AtHome(AtHomeAct::Cancel)));
     }
 }
 
@@ -73,7 +73,7 @@ fn found(state: &WindowState, fitted: &Fitted, ui: &mut Ui, acts: &mut Acts) {
     ui.label(RichText::new(l.fill(key, &[("misfit", &misfit), ("values", &found.samples)])).size(13.5).color(colour));
     plot(state, fitted, ui);
     if ui.add(theme::of(ui).button(l.text("athome.keep"), true)).clicked() {
-        acts.push(Act::AtHome(AtHomeAct::Keep));
+        acts.push(Act::Learn(LearnAct::AtHome(AtHomeAct::Keep)));
     }
     ui.label(RichText::new(l.text("athome.keep_how")).size(13.0).color(theme::of(ui).quiet));
 }
@@ -143,6 +143,6 @@ fn kept(state: &WindowState, kept: &KeptKitchen, ui: &mut Ui, acts: &mut Acts) {
     ui.label(l.fill("athome.kept_is", &parts));
     super::chip::show(state, ui, acts);
     if ui.add(theme::of(ui).button(l.text("athome.forget"), false)).clicked() {
-        acts.push(Act::AtHome(AtHomeAct::Forget));
+        acts.push(Act::Learn(LearnAct::AtHome(AtHomeAct::Forget)));
     }
 }

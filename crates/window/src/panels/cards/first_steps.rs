@@ -2,7 +2,7 @@
 
 use egui::{Align, Color32, Id, Layout, Modal, Pos2, Rect, RichText, Sense, Shape, Stroke, Ui, Vec2, pos2, vec2};
 
-use crate::act::{Act, Acts, Card};
+use crate::act::{Act, Acts, AppAct, Card, LearnAct};
 use crate::panels::language;
 use crate::panels::window_state::WindowState;
 use crate::ui::theme;
@@ -76,14 +76,14 @@ pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, whole: Rect) {
                     .clicked();
                 let shown = ui.add(theme::of(ui).button(l.text("tutorial.begin"), false));
                 if shown.on_hover_text(l.text("learn.tutorial")).clicked() {
-                    acts.push(Act::Tutorial(true));
+                    acts.push(Act::Learn(LearnAct::Tutorial(true)));
                 }
                 ui.label(RichText::new(l.text("first.again")).size(13.0).color(theme::of(ui).quiet));
             });
         },
     );
     if begun || modal.should_close() {
-        acts.push(Act::Shut(Card::FirstSteps));
+        acts.push(Act::App(AppAct::Shut(Card::FirstSteps)));
     }
 }
 

@@ -2,7 +2,7 @@
 
 use egui::{Id, Modal, Rect, Ui};
 
-use crate::act::{Act, Acts, Card};
+use crate::act::{Act, Acts, AppAct, Card};
 use crate::panels::window_state::WindowState;
 use crate::ui::theme;
 
@@ -57,7 +57,7 @@ impl Framed {
             content(ui, acts);
         });
         if done || modal.should_close() {
-            acts.push(Act::Shut(self.card));
+            acts.push(Act::App(AppAct::Shut(self.card)));
         }
     }
 }

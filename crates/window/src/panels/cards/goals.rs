@@ -3,7 +3,7 @@
 use egui::{Rect, RichText, ScrollArea, Ui, vec2};
 use saute_kitchen::data::goals::{Counted, GoalDescription};
 
-use crate::act::{Act, Acts, Card, Setting};
+use crate::act::{Act, Acts, AppAct, Card, Setting};
 use crate::learn::goal_choice::{goals_for, named_goal};
 use crate::panels::cards::frame::Framed;
 use crate::panels::settings_card::{explained, row};
@@ -46,7 +46,7 @@ fn goals(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
         let spoken = l.fill("goals.spoken", &[("goal", &name)]);
         button.widget_info(|| egui::WidgetInfo::selected(egui::accesskit::Role::RadioButton, true, is_on, &spoken));
         if button.clicked() {
-            acts.push(Act::Set(Setting::GoalNamed(goal.id.clone())));
+            acts.push(Act::App(AppAct::Set(Setting::GoalNamed(goal.id.clone()))));
         }
         ui.label(RichText::new(wants(state, goal)).size(12.5).color(theme::of(ui).quiet));
     }
@@ -77,16 +77,16 @@ fn switches(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let (l, now, narrow) = (state.settings.language, state.settings, ui.available_width() < NARROW);
     let on_off = |on: bool| [(l.text("goals.on"), on), (l.text("goals.off"), !on)];
     if let Some(place) = row(ui, narrow, l.text("goals.coach"), &on_off(now.coach)) {
-        acts.push(Act::Set(Setting::Coach(place == 0)));
+        acts.push(Act::App(AppAct::Set(Setting::Coach(place == 0))));
     }
     if let Some(place) = row(ui, narrow, l.text("goals.forecasts"), &on_off(now.forecasts)) {
-        acts.push(Act::Set(Setting::Forecasts(place == 0)));
+        acts.push(Act::App(AppAct::Set(Setting::Forecasts(place == 0))));
     }
     if let Some(place) = row(ui, narrow, l.text("goals.result_opens"), &on_off(now.result_opens)) {
-        acts.push(Act::Set(Setting::ResultOpens(place == 0)));
+        acts.push(Act::App(AppAct::Set(Setting::ResultOpens(place == 0))));
     }
     if let Some(place) = row(ui, narrow, l.text("goals.skill"), &on_off(now.skill_mode)) {
-        acts.push(Act::Set(Setting::SkillMode(place == 0)));
+        acts.push(Act::App(AppAct::Set(Setting::SkillMode(place == 0))));
     }
     explained(ui, narrow, l.text("goals.skill_how"));
 }

@@ -2,12 +2,12 @@
 
 use egui::{Id, Modal, Rect, RichText, TextEdit, Ui, vec2};
 
-use crate::act::{Act, Acts, BINDINGS, CHORDS, Card, Subject};
+use crate::act::{Act, Acts, AppAct, BINDINGS, CHORDS, Card, Subject, ViewAct};
 use crate::input::gamepad::PAD;
 use crate::input::pan_keys::HELD;
 use crate::panels::window_state::{PanelMemory, WindowState};
 use crate::ui::theme;
-use crate::words::language::Language;
+use saute_words::language::Language;
 
 /// Room for a key as it is written [points].
 const KEY: egui::Vec2 = vec2(82.0, 18.0);
@@ -20,9 +20,15 @@ struct Group {
 
 /// The keys of a subject; a browser reaches no haptic device and no half mirror.
 fn keys(subject: Subject) -> impl Iterator<Item = (&'static str, &'static str)> {
-    let native = |act: &Act| matches!(act, Act::StopHands | Act::Strings | Act::Mirror);
+    let native =
+        |act: &Act| matches!(act, Act::App(AppAct::StopHands) | Act::View(ViewAct::Strings) | Act::App(AppAct::Mirror));
     let here = move |b: &&crate::act::Binding| cfg!(not(target_arch = "wasm32")) || !native(&b.act);
-    BINDINGS.iter().filter(here).filter(move |b| Subject::of(&b.act) == subject).map(|b| (b.written, b.words))
+    BINDINGS
+        .iter()
+        .filter(here)
+        .map(|b| (b.written, b.act.traits()))
+        .filter(move |(_, traits)| traits.subject == subject)
+        .map(|(written, traits)| (written, traits.words))
 }
 
 /// Groups of keys that have what was searched for in their words, or in how they are written.
@@ -73,7 +79,7 @@ pub fn show(state: &WindowState, memory: &mut PanelMemory, ui: &Ui, acts: &mut A
         });
     if done || modal.should_close() {
         memory.search.clear();
-        acts.push(Act::Shut(Card::Help));
+        acts.push(Act::App(AppAct::Shut(Card::Help)));
     }
 }
 
@@ -95,7 +101,7 @@ fn heading(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mu
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             done = ui.add(theme::of(ui).button(l.text("settings.done"), true)).clicked();
             if ui.add(theme::of(ui).button(l.text("help.first_steps"), false)).clicked() {
-                acts.push(Act::Open(Card::FirstSteps));
+                acts.push(Act::App(AppAct::Open(Card::FirstSteps)));
             }
         });
     });

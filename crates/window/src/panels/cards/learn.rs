@@ -2,7 +2,7 @@
 
 use egui::{Rect, RichText, ScrollArea, Ui, vec2};
 
-use crate::act::{Act, Acts, Card};
+use crate::act::{Act, Acts, AppAct, Card, LearnAct};
 use crate::panels::cards::frame::Framed;
 use crate::panels::window_state::WindowState;
 use crate::ui::{fingers, theme};
@@ -17,13 +17,13 @@ type Entry = (&'static str, &'static str, Act);
 
 /// What the menu offers, in its order.
 const ENTRIES: [Entry; 7] = [
-    ("tutorial.title", "learn.tutorial", Act::Tutorial(true)),
-    ("goals.title", "learn.goals", Act::Open(Card::Goals)),
-    ("plan.title", "learn.plan", Act::Open(Card::Plan)),
-    ("lesson.title", "learn.lessons", Act::Open(Card::Lessons)),
-    ("athome.title", "learn.athome", Act::Open(Card::AtHome)),
-    ("help.first_steps", "learn.first_steps", Act::Open(Card::FirstSteps)),
-    ("help.title", "learn.help", Act::Open(Card::Help)),
+    ("tutorial.title", "learn.tutorial", Act::Learn(LearnAct::Tutorial(true))),
+    ("goals.title", "learn.goals", Act::App(AppAct::Open(Card::Goals))),
+    ("plan.title", "learn.plan", Act::App(AppAct::Open(Card::Plan))),
+    ("lesson.title", "learn.lessons", Act::App(AppAct::Open(Card::Lessons))),
+    ("athome.title", "learn.athome", Act::App(AppAct::Open(Card::AtHome))),
+    ("help.first_steps", "learn.first_steps", Act::App(AppAct::Open(Card::FirstSteps))),
+    ("help.title", "learn.help", Act::App(AppAct::Open(Card::Help))),
 ];
 
 /// Shows the menu over everything; Esc, the button or a click beside it closes it.

@@ -1,14 +1,14 @@
 //! The card of the lessons.
 
 use egui::{Rect, RichText, ScrollArea, Ui, vec2};
-use saute_plan::class::{Scenario, shipped};
+use saute_study::class::{Scenario, shipped};
 
-use crate::act::{Act, Acts, Card};
+use crate::act::{Act, Acts, Card, LearnAct};
 use crate::guided::GuidedAct;
 use crate::panels::cards::frame::Framed;
 use crate::panels::window_state::WindowState;
 use crate::ui::{fingers, theme};
-use crate::words::language::Language;
+use saute_words::language::Language;
 
 /// Width of the card at most [points].
 const WIDTH: f32 = 520.0;
@@ -36,7 +36,7 @@ fn row(state: &WindowState, ui: &mut Ui, acts: &mut Acts, id: &str, scenario: &S
     let japanese = state.settings.language == Language::Japanese;
     let size = vec2(ui.available_width(), fingers::height(ui, HEIGHT));
     if ui.add(theme::of(ui).button(scenario.title.of(japanese), false).min_size(size)).clicked() {
-        acts.push(Act::Guided(GuidedAct::Lesson(id.to_owned())));
+        acts.push(Act::Learn(LearnAct::Guided(GuidedAct::Lesson(id.to_owned()))));
     }
     ui.label(RichText::new(scenario.intro.of(japanese)).size(13.0).color(theme::of(ui).quiet));
     ui.add_space(6.0);

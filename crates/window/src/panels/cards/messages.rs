@@ -4,9 +4,9 @@ use egui::{Rect, RichText, ScrollArea, Ui};
 
 use crate::act::{Acts, Card};
 use crate::panels::cards::frame::Framed;
-use crate::panels::inside::clock;
 use crate::panels::window_state::WindowState;
 use crate::ui::theme;
+use saute_words::clock::clock;
 
 /// Width of the card at most [points].
 const WIDTH: f32 = 560.0;
@@ -44,6 +44,6 @@ pub fn show_button(state: &WindowState, ui: &mut Ui, acts: &mut Acts, said: &cra
     if let Some(file) = &said.file
         && ui.button(state.settings.language.text("messages.show")).clicked()
     {
-        acts.push(crate::act::Act::ShowFile(file.clone()));
+        acts.push(crate::act::Act::App(crate::act::AppAct::ShowFile(file.clone())));
     }
 }

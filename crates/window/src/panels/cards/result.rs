@@ -9,11 +9,11 @@ use saute_kitchen::heat::BodyMesh;
 use saute_picture::View;
 use saute_picture::cut::section::section_picture;
 
-use crate::act::{Act, Acts, Card};
+use crate::act::{Act, Acts, AppAct, Card, CookAct};
 use crate::panels::cards::frame::Framed;
 use crate::panels::window_state::{PanelMemory, WindowState};
 use crate::ui::theme;
-use crate::words::judgement_words::ResultWords;
+use saute_words::judgement_words::ResultWords;
 
 /// Width of the card at most, and below which its parts lie below each other [points].
 const WIDTH: f32 = 660.0;
@@ -75,17 +75,17 @@ pub fn show(state: &WindowState, memory: &mut PanelMemory, ui: &Ui, acts: &mut A
 fn buttons(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let (l, palette) = (state.settings.language, theme::of(ui));
     if ui.add(palette.button(l.text("result.share"), true)).on_hover_text(l.text("result.share_hint")).clicked() {
-        acts.push(Act::ShareResult);
+        acts.push(Act::App(AppAct::ShareResult));
     }
     if ui.add(palette.button(l.text("result.again"), false)).clicked() {
-        acts.extend([Act::Shut(Card::Result), Act::Restart]);
+        acts.extend([Act::App(AppAct::Shut(Card::Result)), Act::Cook(CookAct::Restart)]);
     }
     let rewind = ui.add(palette.button(l.text("result.rewind"), false));
     if rewind.on_hover_text(l.text("result.rewind_hint")).clicked() {
-        acts.push(Act::Shut(Card::Result));
+        acts.push(Act::App(AppAct::Shut(Card::Result)));
     }
     if ui.add(palette.button(l.text("goals.title"), false)).clicked() {
-        acts.push(Act::Open(Card::Goals));
+        acts.push(Act::App(AppAct::Open(Card::Goals)));
     }
 }
 

@@ -2,10 +2,10 @@
 
 use egui::{Id, Modal, Rect, Ui};
 
-use crate::act::{Act, Acts};
-use crate::panels::inside::clock;
+use crate::act::{Act, Acts, TimeAct};
 use crate::panels::window_state::WindowState;
 use crate::ui::theme;
+use saute_words::clock::clock;
 
 /// Width of the card at most [points].
 const WIDTH: f32 = 380.0;
@@ -21,7 +21,7 @@ pub fn show(state: &WindowState, time_s: f64, ui: &Ui, acts: &mut Acts, whole: R
         ui.horizontal(|ui| {
             for (key, first) in [("unfinished.go_on", true), ("unfinished.leave", false)] {
                 if ui.add(palette.button(l.text(key), first)).clicked() {
-                    acts.push(Act::GoOn(first));
+                    acts.push(Act::Time(TimeAct::GoOn(first)));
                 }
             }
         });

@@ -5,13 +5,13 @@ use saute_kitchen::advice::Advice;
 use saute_kitchen::doneness::core_class;
 use saute_kitchen::{Place, celsius};
 
-use crate::act::{Act, Acts, hint};
+use crate::act::{Act, Acts, CookAct, TimeAct, hint};
 use crate::panels::cook::{hob_slider, pour, status, time_strip};
-use crate::panels::inside::clock;
 use crate::panels::learn::callout::note_control;
 use crate::panels::window_state::WindowState;
-use crate::session::SPEEDS;
 use crate::ui::theme;
+use saute_session::SPEEDS;
+use saute_words::clock::clock;
 
 /// Height of a control for a mouse, and space at the sides of its text [points].
 const DESK: f32 = 36.0;
@@ -98,7 +98,7 @@ fn hold(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
         for c in &kitchen.hob().hold.settings_c {
             let on = held.is_some_and(|held| (held - c).abs() < 0.5);
             if ui.selectable_label(on, state.settings.temperature(*c)).clicked() {
-                acts.push(Act::HobHold(*c));
+                acts.push(Act::Cook(CookAct::HobHold(*c)));
             }
         }
     });
@@ -114,18 +114,18 @@ fn hands(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     // Not before the pan is hot: a button that is lit asks to be pressed.
     let next_is_put = state.advice.iter().any(|advice| matches!(advice, Advice::PutIn { .. }));
     let food_in = l.fill("hob.food_in", &[("food", &capitalised(l.called("noun", &state.session.noun())))]);
-    button(state, ui, acts, &food_in, next_is_put, some_outside, Act::Put);
-    button(state, ui, acts, l.text("hob.flip"), false, in_pan, Act::Flip);
+    button(state, ui, acts, &food_in, next_is_put, some_outside, Act::Cook(CookAct::Put));
+    button(state, ui, acts, l.text("hob.flip"), false, in_pan, Act::Cook(CookAct::Flip));
     if matches!(place, Some(Place::Rest(_))) {
         // What lies on the board cannot be taken out, but cut.
         let whole = state.session.steak().is_some_and(|p| p.halved().is_none());
-        button(state, ui, acts, l.text("hob.halve"), false, whole, Act::Halve);
+        button(state, ui, acts, l.text("hob.halve"), false, whole, Act::Cook(CookAct::Halve));
     } else {
-        button(state, ui, acts, l.text("hob.take_out"), false, in_pan, Act::Out);
+        button(state, ui, acts, l.text("hob.take_out"), false, in_pan, Act::Cook(CookAct::Out));
     }
     let on_cloth = state.session.kitchen.cloth().is_some();
-    button(state, ui, acts, l.text("hob.cloth"), on_cloth, true, Act::Cloth);
-    button(state, ui, acts, l.text("hob.restart"), false, true, Act::Restart);
+    button(state, ui, acts, l.text("hob.cloth"), on_cloth, true, Act::Cook(CookAct::Cloth));
+    button(state, ui, acts, l.text("hob.restart"), false, true, Act::Cook(CookAct::Restart));
 }
 
 fn capitalised(text: &str) -> String {
@@ -136,16 +136,16 @@ fn capitalised(text: &str) -> String {
 fn time(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let pause = pause_word(state);
     ui.label(RichText::new(clock(state.session.shown_s())).size(20.0).strong());
-    button(state, ui, acts, pause, state.session.paused, true, Act::Pause);
-    button(state, ui, acts, state.settings.language.text("hob.step"), false, true, Act::Step);
+    button(state, ui, acts, pause, state.session.paused, true, Act::Time(TimeAct::Pause));
+    button(state, ui, acts, state.settings.language.text("hob.step"), false, true, Act::Time(TimeAct::Step));
     SPEEDS.into_iter().for_each(|speed| speed_button(state, ui, acts, speed));
 }
 
 fn time_right_to_left(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     SPEEDS.into_iter().rev().for_each(|speed| speed_button(state, ui, acts, speed));
-    button(state, ui, acts, state.settings.language.text("hob.step"), false, true, Act::Step);
+    button(state, ui, acts, state.settings.language.text("hob.step"), false, true, Act::Time(TimeAct::Step));
     let pause = pause_word(state);
-    button(state, ui, acts, pause, state.session.paused, true, Act::Pause);
+    button(state, ui, acts, pause, state.session.paused, true, Act::Time(TimeAct::Pause));
     ui.label(RichText::new(clock(state.session.shown_s())).size(20.0).strong());
 }
 
@@ -154,7 +154,7 @@ fn pause_word(state: &WindowState) -> &'static str {
 }
 
 fn speed_button(state: &WindowState, ui: &mut Ui, acts: &mut Acts, speed: f64) {
-    let (hint, act) = (state.settings.language.text("hob.speed"), Act::SpeedSet(speed));
+    let (hint, act) = (state.settings.language.text("hob.speed"), Act::Time(TimeAct::SpeedSet(speed)));
     let enabled = !state.forbids(&act);
     let response = pressed(ui, &format!("{speed:.0}×"), state.session.speed == speed, enabled, hint);
     if why_off(state, response, &act).clicked() {

@@ -2,7 +2,7 @@
 
 use egui::{Align2, FontId, Rect, Response, Sense, Ui, pos2, vec2};
 
-use crate::act::{Act, Acts};
+use crate::act::{Act, Acts, CookAct};
 use crate::panels::learn::callout::note_control;
 use crate::panels::window_state::WindowState;
 use crate::ui::spoken_range::spoken_range;
@@ -36,12 +36,12 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let track = rect.shrink2(vec2(END, 0.0)).split_top_bottom_at_fraction(TRACK / (TRACK + MARKS)).0;
     let power = Power { track, whole: rect, most, settings };
     if let Some(watts) = dragged(state, ui, &power, now) {
-        acts.push(Act::HobSet(watts));
+        acts.push(Act::Cook(CookAct::HobSet(watts)));
     }
     advised(state, ui, &power);
     for watts in settings {
         if mark(state, ui, &power, *watts, !held && (watts - now).abs() < 0.5) {
-            acts.push(Act::HobSet(*watts));
+            acts.push(Act::Cook(CookAct::HobSet(*watts)));
         }
     }
 }
@@ -130,7 +130,7 @@ fn mark(state: &WindowState, ui: &mut Ui, power: &Power, watts: f64, on: bool) -
     let place = Rect::from_min_max(pos2(x - half, upper), pos2(x + half, power.whole.bottom()));
     let response = ui.interact(place, ui.scope_id().with(("setting", watts as i64)), Sense::click());
     response.widget_info(|| egui::WidgetInfo::selected(egui::accesskit::Role::RadioButton, true, on, &text));
-    note_control(ui, &Act::HobSet(watts), place);
+    note_control(ui, &Act::Cook(CookAct::HobSet(watts)), place);
     let ink = if on { palette.accent } else { palette.text };
     let tick = [pos2(x, power.track.center().y + 5.0), pos2(x, top)];
     ui.painter().line_segment(tick, egui::Stroke::new(1.5, ink));

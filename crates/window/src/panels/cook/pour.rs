@@ -3,7 +3,7 @@
 use egui::Ui;
 use saute_kitchen::dynamics::Tool;
 
-use crate::act::{Act, Acts, ROLL_STEP, TOOL_STEP};
+use crate::act::{Act, Acts, CookAct, ROLL_STEP, TOOL_STEP};
 use crate::input::pouring::Pourable;
 use crate::panels::cook::hob_bar::button;
 use crate::panels::window_state::WindowState;
@@ -15,21 +15,21 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     for what in Pourable::ALL {
         let grams = format!("{:.0}", state.portion.grams(what));
         let text = l.fill("pour.portion_of", &[("what", &what.name(l)), ("grams", &grams)]);
-        button(state, ui, acts, &text, false, true, Act::Pour(what));
+        button(state, ui, acts, &text, false, true, Act::Cook(CookAct::Pour(what)));
     }
     let portion = state.portion.name(l);
-    button(state, ui, acts, portion, false, true, Act::Portion);
-    button(state, ui, acts, l.text("pour.lid"), lid, true, Act::Lid);
+    button(state, ui, acts, portion, false, true, Act::Cook(CookAct::Portion));
+    button(state, ui, acts, l.text("pour.lid"), lid, true, Act::Cook(CookAct::Lid));
     let tool = match state.tool {
         Tool::Tongs => "pour.tongs",
         Tool::Turner => "pour.turner",
     };
-    button(state, ui, acts, l.text(tool), state.turner_in_hand, true, Act::Tool);
+    button(state, ui, acts, l.text(tool), state.turner_in_hand, true, Act::Cook(CookAct::Tool));
     #[cfg(target_arch = "wasm32")]
     if let Some(on) = state.phone_tilts {
         let button = crate::ui::theme::of(ui).button(l.text("pour.tilt"), on);
         if ui.add(button).on_hover_text(l.text("pour.tilt_hint")).clicked() {
-            acts.push(Act::TiltPhone);
+            acts.push(Act::Cook(CookAct::TiltPhone));
         }
     }
 }
@@ -37,10 +37,10 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
 /// What moves the turner in the hand: fingers have no wheel and no right button.
 pub fn turner(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let by_hand = [
-        ("pour.up", Act::ToolBy(TOOL_STEP)),
-        ("pour.down", Act::ToolBy(-TOOL_STEP)),
-        ("pour.roll", Act::RollBy(ROLL_STEP)),
-        ("pour.put_away", Act::PutAway),
+        ("pour.up", Act::Cook(CookAct::ToolBy(TOOL_STEP))),
+        ("pour.down", Act::Cook(CookAct::ToolBy(-TOOL_STEP))),
+        ("pour.roll", Act::Cook(CookAct::RollBy(ROLL_STEP))),
+        ("pour.put_away", Act::Cook(CookAct::PutAway)),
     ];
     let l = state.settings.language;
     by_hand.into_iter().for_each(|(key, act)| button(state, ui, acts, l.text(key), false, true, act));

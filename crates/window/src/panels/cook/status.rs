@@ -4,7 +4,7 @@ use egui::{Label, RichText, Ui, vec2};
 use saute_kitchen::Kitchen;
 use saute_kitchen::advice::NoPower;
 
-use crate::act::{Act, Acts};
+use crate::act::{Act, Acts, CookAct};
 use crate::input::pouring::{danger, in_the_pan};
 use crate::panels::window_state::WindowState;
 use crate::ui::{fingers, theme};
@@ -36,7 +36,7 @@ fn recipe(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
         let height = fingers::height(ui, 18.0);
         let button = egui::Button::new(RichText::new(text).size(13.0)).min_size(vec2(0.0, height));
         if ui.add(button).on_hover_text(l.text("hob.resume_hint")).clicked() {
-            acts.push(Act::ResumeRecipe);
+            acts.push(Act::Cook(CookAct::ResumeRecipe));
         }
         return;
     }
@@ -44,7 +44,7 @@ fn recipe(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let (done, all) = (runner.waiting_step(), runner.recipe().steps.len());
     bar(ui, done as f32 / all.max(1) as f32, &l.fill("hob.progress", &[("done", &done), ("all", &all)]));
     let title = l.called("recipe", &runner.recipe().title);
-    let step = crate::words::next_step::words(runner, state.settings);
+    let step = saute_words::next_step::words(runner, state.settings.speech());
     let text = l.fill("hob.next_step", &[("title", &title), ("step", &step)]);
     said(ui, RichText::new(text).color(theme::of(ui).quiet));
 }

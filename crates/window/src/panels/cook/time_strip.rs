@@ -2,14 +2,14 @@
 
 use egui::{Color32, EventFilter, FontId, Key, Pos2, Rect, Response, Sense, Stroke, Ui, pos2, vec2};
 
-use crate::act::{Act, Acts};
-use crate::panels::inside::clock;
+use crate::act::{Act, Acts, TimeAct, ViewAct};
 use crate::panels::ways::way_words;
 use crate::panels::window_state::WindowState;
-use crate::session::Mark;
 use crate::ui::spoken_range::spoken_range;
 use crate::ui::theme;
-use crate::words::act_words::act_words;
+use saute_session::Mark;
+use saute_words::act_words::act_words;
+use saute_words::clock::clock;
 
 /// Ends of the strip [s]: the first that the cook fits in is shown, so that marks stay where they are while time passes.
 const SPANS: [f64; 8] = [120.0, 300.0, 600.0, 1200.0, 1800.0, 3600.0, 7200.0, 14_400.0];
@@ -31,7 +31,9 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts, size: egui::Vec2)
     let strip = Strip::new(state, rect);
     let l = state.settings.language;
     response.widget_info(|| egui::WidgetInfo::slider(true, strip.shown_s, l.text("strip.name")));
-    acts.extend(spoken_range(ui, &response, 0.0..=strip.end_s, strip.shown_s).map(Act::Scrub));
+    acts.extend(
+        spoken_range(ui, &response, 0.0..=strip.end_s, strip.shown_s).map(|to_s| Act::Time(TimeAct::Scrub(to_s))),
+    );
     strip.turn_by_pointer(&response, acts);
     strip.turn_by_keys(ui, &response, acts);
     strip.paint(ui, &response);
@@ -60,8 +62,8 @@ pub fn undo_and_redo(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
             acts.push(act);
         }
     };
-    button("strip.undo", "strip.undo_hint", state.session.can_undo(), Act::Undo);
-    button("strip.redo", "strip.redo_hint", state.session.can_redo(), Act::Redo);
+    button("strip.undo", "strip.undo_hint", state.session.can_undo(), Act::Time(TimeAct::Undo));
+    button("strip.redo", "strip.redo_hint", state.session.can_redo(), Act::Time(TimeAct::Redo));
 }
 
 /// Shows the other ways that the cook went, if there are any.
@@ -75,14 +77,14 @@ pub fn branches(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     ui.spacing_mut().button_padding = vec2(7.0, 0.0);
     let shown = ui.menu_button(text, |ui| {
         if ui.selectable_label(!state.ways.is_empty(), l.text("ways.side_by_side")).clicked() {
-            acts.push(Act::SideBySide);
+            acts.push(Act::View(ViewAct::SideBySide));
             ui.close();
         }
         ui.separator();
         ui.label(egui::RichText::new(l.text("strip.ways_title")).size(13.0).color(theme::of(ui).quiet));
         for (place, name) in state.session.branches().iter().enumerate() {
             if ui.button(way_words(name, l)).clicked() {
-                acts.push(Act::Branch(place));
+                acts.push(Act::Time(TimeAct::Branch(place)));
                 ui.close();
             }
         }
@@ -132,17 +134,19 @@ impl<'a> Strip<'a> {
 
     fn turn_by_pointer(&self, response: &Response, acts: &mut Acts) {
         if response.drag_started() {
-            acts.push(Act::HoldTime(true));
+            acts.push(Act::Time(TimeAct::HoldTime(true)));
         }
         if let Some(at) = response.interact_pointer_pos() {
             if response.dragged() {
-                acts.push(Act::Scrub(self.time_at(at)));
+                acts.push(Act::Time(TimeAct::Scrub(self.time_at(at))));
             } else if response.clicked() {
-                acts.push(Act::Scrub(self.mark_near(at).map_or_else(|| self.time_at(at), |mark| mark.time_s)));
+                acts.push(Act::Time(TimeAct::Scrub(
+                    self.mark_near(at).map_or_else(|| self.time_at(at), |mark| mark.time_s),
+                )));
             }
         }
         if response.drag_stopped() {
-            acts.push(Act::HoldTime(false));
+            acts.push(Act::Time(TimeAct::HoldTime(false)));
         }
     }
 
@@ -156,15 +160,15 @@ impl<'a> Strip<'a> {
         let times = |key| ui.input(|i| i.num_presses(key)) as f64;
         let by = times(Key::ArrowRight) - times(Key::ArrowLeft);
         if by != 0.0 {
-            acts.push(Act::Scrub((self.shown_s + by * KEY_STEP).clamp(0.0, self.end_s)));
+            acts.push(Act::Time(TimeAct::Scrub((self.shown_s + by * KEY_STEP).clamp(0.0, self.end_s))));
         }
         let apart = 0.5 * saute_kitchen::TICK_S;
         let is_before = |mark: &&Mark| mark.time_s < self.shown_s - apart;
         let is_after = |mark: &&Mark| mark.time_s > self.shown_s + apart;
         if times(Key::ArrowDown) > 0.0 {
-            acts.extend(self.marks.iter().rev().find(is_before).map(|mark| Act::Scrub(mark.time_s)));
+            acts.extend(self.marks.iter().rev().find(is_before).map(|mark| Act::Time(TimeAct::Scrub(mark.time_s))));
         } else if times(Key::ArrowUp) > 0.0 {
-            acts.extend(self.marks.iter().find(is_after).map(|mark| Act::Scrub(mark.time_s)));
+            acts.extend(self.marks.iter().find(is_after).map(|mark| Act::Time(TimeAct::Scrub(mark.time_s))));
         }
     }
 

@@ -1,7 +1,7 @@
 //! Fields of a card: steps, numbers, choices, and free text.
 
 use egui::{RichText, TextEdit, Ui, vec2};
-use saute_plan::study::{Answer, Answering, LIKERT_STEPS};
+use saute_study::{Answer, Answering, LIKERT_STEPS};
 
 use super::Entries;
 use crate::panels::window_state::WindowState;

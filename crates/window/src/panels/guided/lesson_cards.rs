@@ -1,16 +1,16 @@
 //! The cards of a lesson: what it is about, questions, and the result.
 
 use egui::{Grid, Rect, RichText, Slider, Ui};
-use saute_plan::class::{Ask, Lesson, ResultRow};
-use saute_plan::study::Measures;
+use saute_study::Measures;
+use saute_study::class::{Ask, Lesson, ResultRow};
 
 use super::{Entries, button, card};
-use crate::act::{Act, Acts};
+use crate::act::{Act, Acts, LearnAct};
 use crate::guided::{GuidedAct, LessonDesk};
 use crate::panels::window_state::WindowState;
 use crate::ui::theme;
-use crate::words::guided_words;
-use crate::words::language::Language;
+use saute_words::guided_words;
+use saute_words::language::Language;
 
 /// Shows the card that is due; returns false while the cook runs.
 pub(super) fn show(
@@ -53,7 +53,7 @@ fn intro(state: &WindowState, desk: &LessonDesk, ui: &Ui, acts: &mut Acts, whole
     };
     card(ui, ("intro", scenario.title.of(japanese)), whole, content, |ui| {
         if button(ui, l.text("lesson.begin"), true) {
-            acts.push(Act::Guided(GuidedAct::BeginLesson));
+            acts.push(Act::Learn(LearnAct::Guided(GuidedAct::BeginLesson)));
         }
         leave(state, desk, ui, acts);
     });
@@ -61,7 +61,7 @@ fn intro(state: &WindowState, desk: &LessonDesk, ui: &Ui, acts: &mut Acts, whole
 
 fn leave(state: &WindowState, desk: &LessonDesk, ui: &mut Ui, acts: &mut Acts) {
     if !desk.is_locked() && button(ui, state.settings.language.text("lesson.leave"), false) {
-        acts.push(Act::Guided(GuidedAct::Leave));
+        acts.push(Act::Learn(LearnAct::Guided(GuidedAct::Leave)));
     }
 }
 
@@ -92,7 +92,7 @@ fn question(
         let given = answer.get();
         let response = ui.add_enabled(given.is_some(), theme::of(ui).button(l.text("lesson.answer"), given.is_some()));
         if let Some(value) = given.filter(|_| response.clicked()) {
-            acts.push(Act::Guided(GuidedAct::Predict(value)));
+            acts.push(Act::Learn(LearnAct::Guided(GuidedAct::Predict(value))));
         }
     });
 }
@@ -131,11 +131,11 @@ fn truth(state: &WindowState, lesson: &Lesson, place: usize, ui: &Ui, acts: &mut
     let l = state.settings.language;
     let content = |ui: &mut Ui| {
         ui.label(guided_words::question(lesson.scenario.predictions[place].ask, l));
-        ui.label(RichText::new(guided_words::truth(lesson, place, state.settings)).size(17.0).strong());
+        ui.label(RichText::new(guided_words::truth(lesson, place, state.settings.speech())).size(17.0).strong());
     };
     card(ui, ("truth", l.text("lesson.foresee")), whole, content, |ui| {
         if button(ui, l.text("lesson.go_on"), true) {
-            acts.push(Act::Guided(GuidedAct::GoOn));
+            acts.push(Act::Learn(LearnAct::Guided(GuidedAct::GoOn)));
         }
     });
 }
@@ -151,7 +151,7 @@ fn result(
 ) {
     let l = state.settings.language;
     let content = |ui: &mut Ui| {
-        ui.label(RichText::new(guided_words::outcome(measures, state.settings)).size(16.0));
+        ui.label(RichText::new(guided_words::outcome(measures, state.settings.speech())).size(16.0));
         ui.add_space(4.0);
         foreseen(state, lesson, ui);
         ui.add_space(4.0);
@@ -164,7 +164,7 @@ fn result(
             ("lesson.again", GuidedAct::AgainLesson, false),
         ] {
             if button(ui, l.text(key), first) {
-                acts.push(Act::Guided(act));
+                acts.push(Act::Learn(LearnAct::Guided(act)));
             }
         }
         leave(state, desk, ui, acts);
@@ -185,7 +185,7 @@ fn foreseen(state: &WindowState, lesson: &Lesson, ui: &mut Ui) {
         for (asked, predict) in lesson.asked().iter().zip(&lesson.scenario.predictions) {
             ui.label(guided_words::short_question(predict.ask, l));
             for value in [asked.answer, asked.truth] {
-                ui.label(guided_words::value(predict.ask, value, lesson, state.settings));
+                ui.label(guided_words::value(predict.ask, value, lesson, state.settings.speech()));
             }
             ui.end_row();
         }

@@ -1,9 +1,9 @@
 //! The ribbon over the scene: where one is in a study or a lesson, the goal, and the way to the end.
 
 use egui::{Align2, Area, Id, RichText, Ui, vec2};
-use saute_plan::study::Stage;
+use saute_study::Stage;
 
-use crate::act::{Act, Acts};
+use crate::act::{Act, Acts, LearnAct};
 use crate::guided::{GuidedAct, LessonDesk, StudyDesk, is_out};
 use crate::panels::window_state::WindowState;
 use crate::ui::layout::{GAP, Layout};
@@ -29,13 +29,13 @@ pub(super) fn of_lesson(state: &WindowState, desk: &LessonDesk, ui: &Ui, acts: &
         return;
     }
     let l = state.settings.language;
-    let title = desk.scenario().title.of(l == crate::words::language::Language::Japanese).to_owned();
+    let title = desk.scenario().title.of(l == saute_words::language::Language::Japanese).to_owned();
     let goal = l.called("goal", &desk.scenario().goal.goal.name).to_owned();
     ribbon(ui, layout, (&title, &goal), |ui| {
         end_button(state, ui, acts, "lesson.end", GuidedAct::EndLesson);
         let leave = theme::of(ui).button(l.text("lesson.leave_short"), false);
         if !desk.is_locked() && ui.add(leave).on_hover_text(l.text("lesson.leave")).clicked() {
-            acts.push(Act::Guided(GuidedAct::Leave));
+            acts.push(Act::Learn(LearnAct::Guided(GuidedAct::Leave)));
         }
     });
 }
@@ -47,7 +47,7 @@ fn end_button(state: &WindowState, ui: &mut Ui, acts: &mut Acts, key: &'static s
     let end = theme::of(ui).button(l.text(key), can).min_size(vec2(84.0, fingers::height(ui, 32.0)));
     let response = ui.add_enabled(can, end).on_disabled_hover_text(l.text("guided.take_out_first"));
     if response.clicked() {
-        acts.push(Act::Guided(act));
+        acts.push(Act::Learn(LearnAct::Guided(act)));
     }
 }
 

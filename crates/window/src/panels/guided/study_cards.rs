@@ -1,15 +1,15 @@
 //! The cards of a study: consent, trials, the cook at a real stove, questions, the end.
 
 use egui::{Rect, RichText, Ui};
-use saute_plan::study::protocol_file::Entered;
-use saute_plan::study::{Answering, Answers, CookForReal, Measures, Questionnaire, Simulate, Stage};
+use saute_study::protocol_file::Entered;
+use saute_study::{Answering, Answers, CookForReal, Measures, Questionnaire, Simulate, Stage};
 
 use super::{Entries, answers, button, card};
-use crate::act::{Act, Acts};
+use crate::act::{Act, Acts, LearnAct};
 use crate::guided::{GuidedAct, StudyDesk};
 use crate::panels::window_state::WindowState;
 use crate::ui::theme;
-use crate::words::guided_words;
+use saute_words::guided_words;
 
 /// Shows the card of the stage.
 pub(super) fn show(
@@ -59,10 +59,10 @@ fn consent(state: &WindowState, desk: &StudyDesk, ui: &Ui, acts: &mut Acts, whol
     };
     card(ui, ("consent", &protocol.title), whole, content, |ui| {
         if button(ui, l.text("study.agree"), true) {
-            acts.push(Act::Guided(GuidedAct::Agree));
+            acts.push(Act::Learn(LearnAct::Guided(GuidedAct::Agree)));
         }
         if button(ui, l.text("study.decline"), false) {
-            acts.push(Act::Guided(GuidedAct::Decline));
+            acts.push(Act::Learn(LearnAct::Guided(GuidedAct::Decline)));
         }
     });
 }
@@ -92,7 +92,7 @@ fn next_trial(
 /// What came of the trial before, if the participant is told.
 fn told(state: &WindowState, last: Option<&Measures>, ui: &mut Ui) {
     if let Some(measures) = last {
-        ui.label(guided_words::outcome(measures, state.settings));
+        ui.label(guided_words::outcome(measures, state.settings.speech()));
         ui.separator();
     }
 }
@@ -174,7 +174,7 @@ fn hand_in(
             let done = theme::of(ui).button(l.text("study.hand_in"), is_whole);
             let response = ui.add_enabled(is_whole, done).on_disabled_hover_text(l.text("study.answer_all"));
             if response.clicked() {
-                acts.push(Act::Guided(GuidedAct::Answer(found.take())));
+                acts.push(Act::Learn(LearnAct::Guided(GuidedAct::Answer(found.take()))));
             }
             trouble(state, desk, ui, acts);
         },
@@ -191,7 +191,7 @@ fn begin_unless_in_trouble(
     act: GuidedAct,
 ) {
     if desk.trouble().is_none() && button(ui, state.settings.language.text(key), true) {
-        acts.push(Act::Guided(act));
+        acts.push(Act::Learn(LearnAct::Guided(act)));
     }
     trouble(state, desk, ui, acts);
 }
@@ -200,11 +200,11 @@ fn begin_unless_in_trouble(
 fn trouble(state: &WindowState, desk: &StudyDesk, ui: &mut Ui, acts: &mut Acts) {
     let l = state.settings.language;
     if desk.offers_download() && button(ui, l.text("study.save_log"), false) {
-        acts.push(Act::Guided(GuidedAct::SaveLog));
+        acts.push(Act::Learn(LearnAct::Guided(GuidedAct::SaveLog)));
     }
     let Some(trouble) = desk.trouble() else { return };
     if button(ui, l.text("study.write_again"), true) {
-        acts.push(Act::Guided(GuidedAct::KeepRows));
+        acts.push(Act::Learn(LearnAct::Guided(GuidedAct::KeepRows)));
     }
     ui.label(RichText::new(l.fill("study.not_written", &[("error", &trouble)])).color(theme::of(ui).accent));
 }
@@ -219,7 +219,7 @@ fn the_end(state: &WindowState, desk: &StudyDesk, key: &'static str, ui: &Ui, ac
         trouble(state, desk, ui, acts);
         let can_close = cfg!(not(target_arch = "wasm32")) && desk.trouble().is_none();
         if can_close && button(ui, l.text("study.close"), !desk.offers_download()) {
-            acts.push(Act::Guided(GuidedAct::CloseWindow));
+            acts.push(Act::Learn(LearnAct::Guided(GuidedAct::CloseWindow)));
         }
     });
 }

@@ -3,12 +3,13 @@
 use egui::{Align2, Area, Id, Rect, RichText, Sense, Stroke, StrokeKind, Ui, vec2};
 use saute_kitchen::advice::Advice;
 
-use crate::act::{Act, Acts};
+use crate::act::{Act, Acts, CookAct, LearnAct};
 use crate::learn::tutorial::{Step, Tutorial, control};
-use crate::panels::inside::{advice_words, clock, do_it_words};
+use crate::panels::inside::{advice_words, do_it_words};
 use crate::panels::window_state::WindowState;
 use crate::ui::layout::{GAP, Layout};
 use crate::ui::theme;
+use saute_words::clock::clock;
 
 /// Width of the callout beside the pan, and over the scene of a narrow window [points].
 const WIDTH: f32 = 236.0;
@@ -41,7 +42,7 @@ pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, layout: &Layout) {
             if let Some(watts) = hob.and_then(Advice::hob_w)
                 && ui.button(do_it_words(watts, state)).clicked()
             {
-                acts.push(Act::HobSet(watts));
+                acts.push(Act::Cook(CookAct::HobSet(watts)));
             }
             foot(state, tutorial, ui, acts);
         });
@@ -102,7 +103,7 @@ fn foot(state: &WindowState, tutorial: &Tutorial, ui: &mut Ui, acts: &mut Acts) 
         ui.label(RichText::new(words).size(12.0).color(palette.quiet));
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             if ui.button(l.text("tutorial.skip")).clicked() {
-                acts.push(Act::Tutorial(false));
+                acts.push(Act::Learn(LearnAct::Tutorial(false)));
             }
         });
     });

@@ -4,7 +4,7 @@ use egui::{Label, RichText, Ui};
 
 use crate::panels::window_state::WindowState;
 use crate::ui::theme;
-use crate::words::coach_words;
+use saute_words::coach_words;
 
 /// Height of two lines of the sentence [points].
 const TWO_LINES: f32 = 29.0;
@@ -13,8 +13,8 @@ const TWO_LINES: f32 = 29.0;
 pub fn show(state: &WindowState, ui: &mut Ui, cue_alone: bool) {
     let Some(coaching) = &state.coaching else { return };
     let palette = theme::of(ui);
-    let happening = coach_words::happening(coaching, state.settings);
-    if let Some(cue) = coach_words::cue(coaching, state.settings) {
+    let happening = coach_words::happening(coaching, state.settings.speech());
+    if let Some(cue) = coach_words::cue(coaching, state.settings.speech()) {
         let words = Label::new(RichText::new(cue).size(13.0).strong()).truncate();
         ui.add(words).on_hover_text(cue);
     }

@@ -2,7 +2,7 @@
 
 use egui::{Align2, Area, Id, RichText, Ui, vec2};
 
-use crate::act::{Act, Acts};
+use crate::act::{Act, Acts, CookAct};
 use crate::panels::window_state::WindowState;
 use crate::ui::layout::Layout;
 use crate::ui::theme;
@@ -28,7 +28,7 @@ pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, layout: &Layout) {
                 let spoken = l.text("coach.take_out_spoken");
                 response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Button, true, spoken));
                 if response.clicked() {
-                    acts.push(Act::Out);
+                    acts.push(Act::Cook(CookAct::Out));
                 }
             });
         });

@@ -4,12 +4,12 @@ use egui::{RichText, Ui, vec2};
 use saute_plan::schedule::{Plan, Step};
 
 use super::time_line;
-use crate::act::{Act, Acts};
-use crate::panels::inside::clock;
+use crate::act::{Act, Acts, LearnAct};
 use crate::panels::window_state::WindowState;
 use crate::plan::{PlanAct, PlanFile};
 use crate::ui::theme;
-use crate::words::{cue_words, plan_words};
+use saute_words::clock::clock;
+use saute_words::{cue_words, plan_words};
 
 /// Room for the time of a step, and for what is done [points].
 const TIME: f32 = 44.0;
@@ -18,8 +18,8 @@ const DEED: f32 = 150.0;
 /// Shows a plan.
 pub fn show(state: &WindowState, plan: &Plan, ui: &mut Ui, acts: &mut Acts) {
     let (l, settings) = (state.settings.language, state.settings);
-    ui.label(RichText::new(plan_words::heading(&plan.order, &state.session.library, settings)).size(15.0));
-    if let Some(why) = plan_words::why_not(plan, settings) {
+    ui.label(RichText::new(plan_words::heading(&plan.order, &state.session.library, settings.speech())).size(15.0));
+    if let Some(why) = plan_words::why_not(plan, settings.speech()) {
         ui.label(RichText::new(why).color(theme::of(ui).accent).strong());
     }
     if is_of_other_choice(state) {
@@ -32,7 +32,7 @@ pub fn show(state: &WindowState, plan: &Plan, ui: &mut Ui, acts: &mut Acts) {
     ui.add_space(6.0);
     ui.label(RichText::new(l.text("plan.if_different")).strong());
     for s in &plan.sensitivity {
-        ui.label(RichText::new(plan_words::sentence(s, &plan.order.goal, settings)).size(13.5));
+        ui.label(RichText::new(plan_words::sentence(s, &plan.order.goal, settings.speech())).size(13.5));
     }
     ui.add_space(4.0);
     ui.label(RichText::new(l.text("plan.honest")).size(12.5).color(theme::of(ui).quiet));
@@ -51,7 +51,7 @@ fn buttons(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
         ui.spacing_mut().item_spacing = vec2(6.0, 6.0);
         let mut button = |key: &'static str, hint: &'static str, on, act| {
             if ui.add(theme::of(ui).button(l.text(key), on)).on_hover_text(l.text(hint)).clicked() {
-                acts.push(Act::Plan(act));
+                acts.push(Act::Learn(LearnAct::Plan(act)));
             }
         };
         button("plan.cook_live", "plan.cook_live_hint", true, PlanAct::CookLive);
@@ -77,7 +77,7 @@ fn promise(state: &WindowState, plan: &Plan, ui: &mut Ui) {
 /// A step: when, what, and what there is to see, hear and feel.
 fn row(state: &WindowState, plan: &Plan, step: &Step, ui: &mut Ui) {
     let (l, settings) = (state.settings.language, state.settings);
-    let sense = plan.sense(step, &state.session.library).map(|sense| cue_words::sense(&sense, settings));
+    let sense = plan.sense(step, &state.session.library).map(|sense| cue_words::sense(&sense, settings.speech()));
     let narrow = ui.available_width() < 420.0;
     ui.horizontal_top(|ui| {
         let cell = |ui: &mut Ui, width: f32, text: RichText| {

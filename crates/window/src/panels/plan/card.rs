@@ -3,13 +3,13 @@
 use egui::{Rect, RichText, ScrollArea, Ui};
 
 use super::{answer, form};
-use crate::act::{Act, Acts, Card};
+use crate::act::{Act, Acts, Card, LearnAct};
 use crate::panels::cards::frame::{Framed, part};
 use crate::panels::window_state::WindowState;
 use crate::plan::PlanAct;
-use crate::plan::planning::Standing;
 use crate::ui::theme;
-use crate::words::plan_words;
+use saute_session::plan::planning::Standing;
+use saute_words::plan_words;
 
 /// Width of the card at most, and of what is asked where the answer stands beside it [points].
 const WIDTH: f32 = 1000.0;
@@ -76,6 +76,6 @@ fn searching(state: &WindowState, ui: &mut Ui, acts: &mut Acts, share: f32, doin
     ui.label(RichText::new(doing).color(theme::of(ui).quiet));
     ui.label(RichText::new(l.text("plan.meanwhile")).size(13.0).color(theme::of(ui).quiet));
     if ui.add(theme::of(ui).button(l.text("plan.cancel"), false)).clicked() {
-        acts.push(Act::Plan(PlanAct::Cancel));
+        acts.push(Act::Learn(LearnAct::Plan(PlanAct::Cancel)));
     }
 }

@@ -3,13 +3,13 @@
 use egui::{RichText, TextEdit, Ui, vec2};
 use saute_plan::schedule::asked::{scale_for, scales_for};
 
-use crate::act::{Act, Acts, Setting};
+use crate::act::{Act, Acts, AppAct, LearnAct, Setting};
 use crate::panels::pantry::{pans, sizes, slider, temperature};
 use crate::panels::window_state::WindowState;
 use crate::plan::PlanAct;
 use crate::plan::choice::{MOST_FLIPS, PlanChoice};
-use crate::session::SteakChoice;
 use crate::ui::theme;
+use saute_session::SteakChoice;
 
 /// Shows what is asked, and the button that searches.
 pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
@@ -31,10 +31,10 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     crate::panels::at_home::chip::show(state, ui, acts);
     powers(state, ui, &mut plan);
     if choice != settings.choice {
-        acts.push(Act::Set(Setting::Choice(choice)));
+        acts.push(Act::App(AppAct::Set(Setting::Choice(choice))));
     }
     if plan != settings.plan {
-        acts.push(Act::Plan(PlanAct::Choose(plan)));
+        acts.push(Act::Learn(LearnAct::Plan(PlanAct::Choose(plan))));
     }
 }
 
@@ -43,7 +43,7 @@ fn find(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let size = vec2(ui.available_width(), theme::TOUCH);
     let button = theme::of(ui).button(text, true).min_size(size);
     if ui.add_enabled(!state.planning.is_searching(), button).clicked() {
-        acts.push(Act::Plan(PlanAct::Find));
+        acts.push(Act::Learn(LearnAct::Plan(PlanAct::Find)));
     }
 }
 

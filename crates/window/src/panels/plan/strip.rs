@@ -6,15 +6,15 @@ use saute_plan::schedule::Deed;
 use saute_plan::schedule::follow::{Followed, LATE_S, Left};
 use saute_plan::schedule::voice::Keeping;
 
-use crate::act::{Act, Acts, Card};
-use crate::panels::inside::clock;
+use crate::act::{Act, Acts, AppAct, Card, LearnAct, TimeAct};
 use crate::panels::window_state::WindowState;
 use crate::plan::PlanAct;
-use crate::plan::live::{Guidance, Live, READY_S};
 use crate::ui::layout::{GAP, Layout};
 use crate::ui::{fingers, theme};
-use crate::words::language::Language;
-use crate::words::{cue_words, plan_words};
+use saute_session::plan::live::{Guidance, Live, READY_S};
+use saute_words::clock::clock;
+use saute_words::language::Language;
+use saute_words::{cue_words, plan_words};
 
 /// Its width at most, and its height: always the same, so that nothing moves when the words change [points].
 const WIDTH: f32 = 600.0;
@@ -82,7 +82,7 @@ fn next(state: &WindowState, live: &Live, guidance: &Guidance, ui: &mut Ui, acts
         if state.session.paused && !can_do {
             let start = l.text("plan.start");
             if ui.add(theme::of(ui).button(start, due_in_s > 0.0).min_size(size(ui))).clicked() {
-                acts.push(Act::Pause);
+                acts.push(Act::Time(TimeAct::Pause));
             }
         } else {
             button(ui, acts, (hurry, hurry), false, due_in_s > READY_S && state.session.speed < 20.0, PlanAct::Hurry);
@@ -101,7 +101,7 @@ fn button(ui: &mut Ui, acts: &mut Acts, (text, spoken): (&str, &str), on: bool, 
     let response = ui.add_enabled(enabled, button);
     response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Button, enabled, spoken));
     if response.clicked() {
-        acts.push(Act::Plan(act));
+        acts.push(Act::Learn(LearnAct::Plan(act)));
     }
 }
 
@@ -109,7 +109,7 @@ fn leave(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let l = state.settings.language;
     let button = theme::of(ui).button(l.text("plan.leave"), false).min_size(size(ui));
     if ui.add(button).on_hover_text(l.text("plan.leave_hint")).clicked() {
-        acts.push(Act::Plan(PlanAct::Leave));
+        acts.push(Act::Learn(LearnAct::Plan(PlanAct::Leave)));
     }
 }
 
@@ -117,7 +117,7 @@ fn cue(state: &WindowState, live: &Live, followed: &Followed) -> Option<String> 
     // Of food that is out there is nothing to feel.
     let followed = Some(followed).filter(|followed| followed.left != Left::Hob)?;
     let sense = live.plan().sense(&followed.step, &state.session.library)?;
-    Some(cue_words::sense(&sense, state.settings))
+    Some(cue_words::sense(&sense, state.settings.speech()))
 }
 
 /// In how long, now, or how late.
@@ -189,7 +189,7 @@ fn verdict(state: &WindowState, live: &Live, gave: &Outcome, ui: &mut Ui, acts: 
         ui.spacing_mut().item_spacing.x = 6.0;
         let result = theme::of(ui).button(l.text("result.title"), true).min_size(size(ui));
         if ui.add(result).on_hover_text(l.text("result.hint")).clicked() {
-            acts.push(Act::Open(Card::Result));
+            acts.push(Act::App(AppAct::Open(Card::Result)));
         }
         leave(state, ui, acts);
     });

@@ -3,11 +3,11 @@
 use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Sense, Stroke, Ui, pos2, vec2};
 use saute_plan::schedule::{Deed, Plan};
 
-use crate::panels::inside::clock;
 use crate::panels::window_state::WindowState;
 use crate::ui::palette::Palette;
 use crate::ui::theme;
-use crate::words::cue_words;
+use saute_words::clock::clock;
+use saute_words::cue_words;
 
 /// Height of the picture, of the marks above the powers, and of the times below them [points].
 const HEIGHT: f32 = 96.0;

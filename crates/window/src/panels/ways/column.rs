@@ -4,16 +4,16 @@ use egui::{Align2, Rect, RichText, Sense, Stroke, StrokeKind, Ui, UiBuilder, vec
 use saute_kitchen::{Piece, celsius};
 
 use super::{WaysMemory, within};
-use crate::act::{Act, Acts};
+use crate::act::{Act, Acts, TimeAct, ViewAct};
 use crate::input::grab::ORBIT_PER_POINT;
 use crate::panels::curves::sample;
-use crate::panels::inside::clock;
 use crate::panels::ways::plot::style;
 use crate::panels::window_state::WindowState;
-use crate::session::timeline::{Stand, WayBeside};
 use crate::ui::ways_layout::WayColumn;
 use crate::ui::{fingers, theme};
-use crate::words::piece_words::doneness;
+use saute_session::timeline::{Stand, WayBeside};
+use saute_words::clock::clock;
+use saute_words::piece_words::doneness;
 
 /// Height of the picture of the cut at most, as a share of its place [-] (chosen: a line of readings below it).
 const CUT_SHARE: f32 = 0.7;
@@ -116,7 +116,7 @@ fn beside(state: &WindowState, place: usize, ui: &mut Ui, acts: &mut Acts, pictu
     });
     if response.dragged() {
         let delta = response.drag_delta();
-        acts.push(Act::Orbit(-ORBIT_PER_POINT * delta.x, ORBIT_PER_POINT * delta.y));
+        acts.push(Act::View(ViewAct::Orbit(-ORBIT_PER_POINT * delta.x, ORBIT_PER_POINT * delta.y)));
     }
     let text = RichText::new(l.text("ways.go")).size(13.0);
     let height = fingers::height(ui, BUTTON);
@@ -129,7 +129,7 @@ fn beside(state: &WindowState, place: usize, ui: &mut Ui, acts: &mut Acts, pictu
             .id_salt(("go", place)),
     );
     if child.add(button).on_hover_text(l.text("ways.go_hint")).clicked() {
-        acts.push(Act::Branch(place));
+        acts.push(Act::Time(TimeAct::Branch(place)));
     }
 }
 

@@ -10,12 +10,12 @@ use egui::{Rect, Ui, UiBuilder, pos2};
 use crate::act::Acts;
 use crate::panels::cut_picture::CutPicture;
 use crate::panels::window_state::WindowState;
-use crate::panels::{badge, inside};
-use crate::session::timeline::{BranchName, WayBeside};
+use crate::panels::badge;
 use crate::ui::theme;
 use crate::ui::ways_layout::WaysLayout;
-use crate::words::act_words::act_words;
-use crate::words::language::Language;
+use saute_session::timeline::{BranchName, WayBeside};
+use saute_words::act_words::act_words;
+use saute_words::language::Language;
 
 use self::plot::Quantity;
 
@@ -85,7 +85,7 @@ pub(crate) fn displayed<'a, 'b>(
 
 /// What a way is called: what was done differently in it, and when.
 pub(crate) fn way_words(name: &BranchName, l: Language) -> String {
-    let time = inside::clock(name.at_s);
+    let time = saute_words::clock::clock(name.at_s);
     match &name.label {
         Some(label) => {
             let parts: [(&str, &dyn std::fmt::Display); 2] = [("what", &act_words(label, l)), ("time", &time)];

@@ -7,8 +7,8 @@ use saute_recipe::recorder::Row;
 use super::column::piece;
 use crate::panels::curves::{Curve, MOST_POINTS, axes, goal, goal_line, read_off, sample};
 use crate::panels::window_state::WindowState;
-use crate::session::timeline::WayBeside;
 use crate::ui::{fingers, theme};
+use saute_session::timeline::WayBeside;
 
 /// How strongly what lies after the shown instant is drawn [-] (chosen: seen, and told from what has happened).
 const AHEAD_SEEN: f32 = 0.4;

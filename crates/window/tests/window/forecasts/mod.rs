@@ -10,14 +10,14 @@ use egui_kittest::{Harness, kittest::NodeT, kittest::Queryable};
 use saute_kitchen::advice::FORECAST_HIGH_K;
 use saute_kitchen::{Command, Library, celsius};
 use saute_plan::forecast::{EXACT_S, Question, SPANS_S};
-use saute_window::act::{Act, Card, Setting};
+use saute_session::work::bench::Bench;
+use saute_session::work::thread::Threads;
+use saute_session::work::{Agency, Helper, Kind};
+use saute_window::act::{Act, AppAct, Card, Setting};
 use saute_window::session::Session;
 use saute_window::ui::layout::Layout;
-use saute_window::words::language::Language;
-use saute_window::work::bench::Bench;
-use saute_window::work::thread::Threads;
-use saute_window::work::{Agency, Helper, Kind};
 use saute_window::{SauteApp, Start};
+use saute_words::language::Language;
 use web_time::Duration;
 
 use crate::harness::{WINDOW, cook, save, steps, window_with};
@@ -195,7 +195,7 @@ fn rounds_are_half_a_second_apart_and_there_is_none_where_nothing_is_ahead() {
     steps(&mut harness, 100);
     let rounds = asked(&agency) - before;
     assert!((8..=10).contains(&rounds), "{rounds} in 5 s");
-    harness.state_mut().act(Act::Open(Card::Goals), &egui::Context::default());
+    harness.state_mut().act(Act::App(AppAct::Open(Card::Goals)), &egui::Context::default());
     steps(&mut harness, 12);
     save(&mut harness, "forecast-switch");
     harness.get_by_label("Forecasts: off").click();
@@ -275,7 +275,7 @@ fn answers_of(mut helper: Box<dyn Helper>, order: &[u8]) -> Vec<u8> {
         let answers = helper.answers().expect("somebody works");
         last = answers.into_iter().last().unwrap_or(last);
         // Four questions and "as it is" with the full model: all answers are there.
-        if saute_window::session::forecasts::is_whole(&last) {
+        if saute_session::forecasts::is_whole(&last) {
             return last;
         }
         std::thread::sleep(Duration::from_millis(1));
@@ -292,9 +292,9 @@ fn a_thread_answers_what_the_same_thread_answers() {
     let library = Arc::clone(&harness.state().session().library);
     let order = agency.orders.borrow().last().expect("an order").clone();
     let here = answers_of(AtOnce::default().hire(Kind::Forecast, &library), &order);
-    let threads = Threads::new(Arc::new(|| {}));
+    let threads = Threads::new(Arc::new(|| {}), || {});
     assert_eq!(answers_of(threads.hire(Kind::Forecast, &library), &order), here);
-    let frames = saute_window::work::in_frames::Frames;
+    let frames = saute_session::work::in_frames::Frames;
     assert_eq!(answers_of(frames.hire(Kind::Forecast, &library), &order), here);
 }
 
@@ -319,7 +319,7 @@ fn a_phone_shows_forecasts_in_its_drawer_and_japanese_has_room() {
 #[test]
 fn in_skill_mode_nothing_is_foreseen() {
     let (mut harness, agency) = usual();
-    harness.state_mut().act(Act::Set(Setting::SkillMode(true)), &egui::Context::default());
+    harness.state_mut().act(Act::App(AppAct::Set(Setting::SkillMode(true))), &egui::Context::default());
     steps(&mut harness, 12);
     assert!(harness.state().session().foreseen(Question::AsItIs).is_none());
     assert!(agency.orders.borrow().last().expect("an order").is_empty(), "the work is ended");

@@ -10,15 +10,17 @@ use egui_kittest::{Harness, kittest::Queryable};
 use saute_kitchen::{Command, Library, celsius};
 use saute_plan::fit::parameters::Parameters;
 use saute_recipe::{Cook, Recipe, Recording};
-use saute_window::act::{Act, Card, Setting};
+use saute_session::SteakChoice;
+use saute_session::at_home::entered::{Row, Seen};
+use saute_session::at_home::fitting::Standing;
+use saute_session::at_home::kept::KeptKitchen;
+use saute_session::work::bench::Bench;
+use saute_session::work::{Agency, Helper, Kind};
+use saute_window::act::{Act, AppAct, Card, LearnAct, Setting, ViewAct};
 use saute_window::at_home::AtHomeAct;
-use saute_window::at_home::entered::{Row, Seen};
-use saute_window::at_home::fitting::Standing;
-use saute_window::at_home::kept::KeptKitchen;
-use saute_window::session::{Session, SteakChoice};
-use saute_window::work::bench::Bench;
-use saute_window::work::{Agency, Helper, Kind};
-use saute_window::{Language, SauteApp, link};
+use saute_window::session::Session;
+use saute_window::{SauteApp, link};
+use saute_words::language::Language;
 
 use crate::harness::{save, steps, window};
 
@@ -97,9 +99,9 @@ fn file(name: &str, text: &str) -> PathBuf {
 fn entered(size: egui::Vec2, library: &Library) -> Harness<'static, SauteApp> {
     let mut harness = window(size);
     harness.state_mut().employ(Box::new(Patient));
-    act(&mut harness, Act::OpenFile(file("log.csv", &log(library))));
+    act(&mut harness, Act::App(AppAct::OpenFile(file("log.csv", &log(library)))));
     harness.get_by_label("My kitchen");
-    act(&mut harness, Act::OpenFile(file("my-steak.toml", RECIPE)));
+    act(&mut harness, Act::App(AppAct::OpenFile(file("my-steak.toml", RECIPE))));
     harness
 }
 
@@ -116,8 +118,8 @@ fn a_log_gives_the_kitchen_which_is_kept_used_and_left_again() {
     harness.get_by_label("Pan: 3: Pan (°F)");
     // The log began ten seconds before the hob was switched on.
     let (_, _, columns) = harness.state().at_home().entered.log.as_ref().expect("a log");
-    let columns = saute_window::at_home::entered::Columns { shift_s: -10.0, ..*columns };
-    act(&mut harness, Act::AtHome(AtHomeAct::Columns(columns)));
+    let columns = saute_session::at_home::entered::Columns { shift_s: -10.0, ..*columns };
+    act(&mut harness, Act::Learn(LearnAct::AtHome(AtHomeAct::Columns(columns))));
     save(&mut harness, "athome-entered");
     harness.get_by_label("Find my kitchen").click();
     steps(&mut harness, 2);
@@ -146,8 +148,8 @@ fn a_log_gives_the_kitchen_which_is_kept_used_and_left_again() {
     let efficiency = |h: &Harness<'static, SauteApp>| h.state().session().kitchen.hob().coil.efficiency;
     assert!((efficiency(&harness) - found.hob_efficiency.value).abs() < 1e-3, "the untouched cook is in it at once");
     assert!(harness.state().settings().kitchen.as_ref().is_some_and(|kept| kept.is_used));
-    act(&mut harness, Act::Shut(Card::AtHome));
-    act(&mut harness, Act::Pantry);
+    act(&mut harness, Act::App(AppAct::Shut(Card::AtHome)));
+    act(&mut harness, Act::View(ViewAct::Pantry));
     harness.get_by_label("Typical kitchen").scroll_to_me();
     steps(&mut harness, 3);
     save(&mut harness, "athome-pantry");
@@ -160,7 +162,7 @@ fn a_log_gives_the_kitchen_which_is_kept_used_and_left_again() {
 #[test]
 fn values_by_hand_are_entered_row_by_row_and_a_wrong_one_is_named() {
     let mut harness = window(PHONE);
-    act(&mut harness, Act::Open(Card::AtHome));
+    act(&mut harness, Act::App(AppAct::Open(Card::AtHome)));
     harness.get_by_label("+ Core").scroll_to_me();
     steps(&mut harness, 3);
     harness.get_by_label("+ Core").click();
@@ -171,9 +173,9 @@ fn values_by_hand_are_entered_row_by_row_and_a_wrong_one_is_named() {
     assert_eq!(rows.iter().map(|row| row.seen).collect::<Vec<_>>(), [Seen::Core, Seen::Class]);
     assert_eq!(rows[1].value, "medium");
     let row = Row { seen: Seen::Core, time: "soon".into(), value: "40".into() };
-    act(&mut harness, Act::AtHome(AtHomeAct::Rows(vec![row])));
+    act(&mut harness, Act::Learn(LearnAct::AtHome(AtHomeAct::Rows(vec![row]))));
     save(&mut harness, "athome-rows-phone");
-    act(&mut harness, Act::AtHome(AtHomeAct::Fit));
+    act(&mut harness, Act::Learn(LearnAct::AtHome(AtHomeAct::Fit)));
     harness.get_by_label_contains("row 1 cannot be read");
 }
 
@@ -181,7 +183,7 @@ fn values_by_hand_are_entered_row_by_row_and_a_wrong_one_is_named() {
 fn my_kitchen_reads_in_japanese() {
     let library = Library::embedded().expect("embedded data");
     let mut harness = entered(WIDE, &library);
-    act(&mut harness, Act::Set(Setting::Language(Language::Japanese)));
+    act(&mut harness, Act::App(AppAct::Set(Setting::Language(Language::Japanese))));
     harness.get_by_label("わたしの台所を求める");
     save(&mut harness, "athome-japanese");
 }

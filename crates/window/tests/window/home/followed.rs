@@ -9,8 +9,9 @@ use egui_kittest::{
 use saute_kitchen::Library;
 use saute_kitchen::advice::Advice;
 use saute_plan::schedule::Plan;
-use saute_window::act::{Act, Setting};
-use saute_window::{Language, SauteApp};
+use saute_window::SauteApp;
+use saute_window::act::{Act, AppAct, CookAct, Setting, TimeAct};
+use saute_words::language::Language;
 
 use super::plan::{PHONE, WIDE, act, due, found, plan, plan_for};
 use crate::harness::{WINDOW, save, steps};
@@ -107,7 +108,7 @@ fn who_leaves_the_plan_is_told_so_and_advised_again() {
     assert!(ORDERS.iter().any(|order| says(&harness, order)), "the advice speaks again");
     let (mut harness, _) = live(WIDE);
     go(&mut harness, 95.0);
-    act(&mut harness, Act::HobSet(1500.0));
+    act(&mut harness, Act::Cook(CookAct::HobSet(1500.0)));
     wait(&mut harness, 103.0);
     assert!(!says(&harness, "Plan left"));
     harness.get_by_label_contains("The plan says what to do");
@@ -115,7 +116,7 @@ fn who_leaves_the_plan_is_told_so_and_advised_again() {
     assert!(says(&harness, "Plan left: it wants 400 W"));
     let is_led = |harness: &Harness<'static, SauteApp>| says(harness, "The plan says what to do");
     assert!(!is_led(&harness));
-    act(&mut harness, Act::HobSet(400.0));
+    act(&mut harness, Act::Cook(CookAct::HobSet(400.0)));
     assert!(is_led(&harness) && !says(&harness, "Plan left"), "the guide has the word again");
 }
 
@@ -130,8 +131,8 @@ fn oil_near_its_flash_point_is_warned_of_whatever_the_plan_says() {
 fn the_scale_and_the_goal_of_the_plan_are_those_of_the_panel() {
     let plan = plan(&Library::embedded().expect("embedded data"));
     let mut harness = found(WIDE, plan);
-    act(&mut harness, Act::Set(Setting::Scale("paper-2013".into())));
-    act(&mut harness, Act::Set(Setting::Goal(75.0)));
+    act(&mut harness, Act::App(AppAct::Set(Setting::Scale("paper-2013".into()))));
+    act(&mut harness, Act::App(AppAct::Set(Setting::Goal(75.0))));
     harness.get_by_label("Cook it live").click();
     steps(&mut harness, 3);
     let app = harness.state();
@@ -147,7 +148,7 @@ fn the_end_is_done_when_the_food_is_out_and_the_hob_is_off() {
     go(&mut harness, 199.8);
     wait(&mut harness, 200.0);
     harness.get_by_label("Do it: out of the pan, hob off");
-    act(&mut harness, Act::Out);
+    act(&mut harness, Act::Cook(CookAct::Out));
     wait(&mut harness, 204.0);
     assert!(harness.state().session().kitchen.hob_w() > 0.0);
     harness.get_by_label("hob off");
@@ -164,7 +165,7 @@ fn time_slows_down_for_a_step_which_the_strip_says_and_comes_back_to_its_speed()
     assert!(says(&harness, "Step 1 of"), "steps count from 1");
     assert!(!says(&harness, "Start the clock"), "doing the step that is due starts it");
     go(&mut harness, 30.0);
-    act(&mut harness, Act::SpeedSet(20.0));
+    act(&mut harness, Act::Time(TimeAct::SpeedSet(20.0)));
     wait(&mut harness, 41.0);
     assert_eq!(harness.state().session().speed, 1.0);
     assert!(says(&harness, "At 1× for this step; after it at 20× again."));
@@ -173,7 +174,7 @@ fn time_slows_down_for_a_step_which_the_strip_says_and_comes_back_to_its_speed()
     assert_eq!(harness.state().session().speed, 20.0);
     go(&mut harness, 86.0);
     assert_eq!(harness.state().session().speed, 1.0);
-    act(&mut harness, Act::SpeedSet(1.0));
+    act(&mut harness, Act::Time(TimeAct::SpeedSet(1.0)));
     go(&mut harness, 92.0);
     assert_eq!(harness.state().session().speed, 1.0, "who chooses a speed keeps it");
 }

@@ -10,15 +10,16 @@ use saute_plan::goal::{Goal, Outcome};
 use saute_plan::schedule::asked::Asked;
 use saute_plan::schedule::search::PlanData;
 use saute_plan::schedule::{Change, Job, Mesh, Order, Plan, Planner, Pull, Schedule, Sensitivity, Setting as Power};
-use saute_window::act::{Act, Card, Setting};
+use saute_session::SteakChoice;
+use saute_session::plan::craft::{PlanAnswer, PlanOrder, Told};
+use saute_session::plan::planning::Planning;
+use saute_session::work::bench::Bench;
+use saute_session::work::{Agency, Helper, Kind};
+use saute_window::SauteApp;
+use saute_window::act::{Act, AppAct, Card, LearnAct, Setting};
 use saute_window::plan::choice::PlanChoice;
-use saute_window::plan::craft::{PlanAnswer, PlanOrder, Told};
-use saute_window::plan::planning::Planning;
 use saute_window::plan::{PlanAct, PlanFile};
-use saute_window::session::SteakChoice;
-use saute_window::work::bench::Bench;
-use saute_window::work::{Agency, Helper, Kind};
-use saute_window::{Language, SauteApp};
+use saute_words::language::Language;
 
 use crate::harness::{save, steps, window};
 
@@ -80,7 +81,7 @@ impl Agency for Canned {
     fn hire(&self, kind: Kind, library: &Arc<Library>) -> Box<dyn Helper> {
         match kind {
             Kind::Plan => Box::new(CannedHelper(self.0.clone(), None)),
-            _ => saute_window::work::in_frames::Frames.hire(kind, library),
+            _ => saute_session::work::in_frames::Frames.hire(kind, library),
         }
     }
 }
@@ -111,10 +112,10 @@ fn opened(size: egui::Vec2, plan: Plan) -> Harness<'static, SauteApp> {
     let usual = PlanChoice::default();
     let core_c = if by_core { goal.aim.round() } else { usual.core_c };
     let asked = PlanChoice { by_core, core_c, crust_pct: Some(goal.crust_pct), ..usual };
-    act(&mut harness, Act::Plan(PlanAct::Choose(asked)));
+    act(&mut harness, Act::Learn(LearnAct::Plan(PlanAct::Choose(asked))));
     let choice = SteakChoice { kind, size_mm, initial_c, pan, ..SteakChoice::default() };
-    act(&mut harness, Act::Set(Setting::Choice(choice)));
-    act(&mut harness, Act::Open(Card::Learn));
+    act(&mut harness, Act::App(AppAct::Set(Setting::Choice(choice))));
+    act(&mut harness, Act::App(AppAct::Open(Card::Learn)));
     harness.get_by_label("Plan my steak").click();
     steps(&mut harness, 4);
     harness
@@ -297,8 +298,8 @@ fn the_plan_cooks_itself_and_is_saved_as_a_card_and_as_a_recipe_that_is_the_plan
 #[test]
 fn a_search_shows_its_progress_and_can_be_cancelled() {
     let mut harness = window(WIDE);
-    act(&mut harness, Act::Open(Card::Plan));
-    act(&mut harness, Act::Plan(PlanAct::Find));
+    act(&mut harness, Act::App(AppAct::Open(Card::Plan)));
+    act(&mut harness, Act::Learn(LearnAct::Plan(PlanAct::Find)));
     harness.get_by_label_contains("Search: ");
     save(&mut harness, "plan-searching");
     harness.get_by_label("Cancel").click();
@@ -352,7 +353,7 @@ impl Helper for AtOnce {
 fn a_plan_reads_in_japanese() {
     let library = Library::embedded().expect("embedded data");
     let mut harness = found(WIDE, plan(&library));
-    act(&mut harness, Act::Set(Setting::Language(Language::Japanese)));
+    act(&mut harness, Act::App(AppAct::Set(Setting::Language(Language::Japanese))));
     harness.get_by_label("自分で焼く");
     save(&mut harness, "plan-found-japanese");
     harness.get_by_label("自分で焼く").click();

@@ -1,11 +1,11 @@
 //! Promise: what cannot be planned or fitted is refused in the language of the window.
 
 use egui_kittest::kittest::Queryable;
-use saute_window::Language;
-use saute_window::act::{Act, Card, Setting};
+use saute_session::SteakChoice;
+use saute_window::act::{Act, AppAct, Card, LearnAct, Setting};
 use saute_window::at_home::AtHomeAct;
 use saute_window::plan::PlanAct;
-use saute_window::session::SteakChoice;
+use saute_words::language::Language;
 
 use super::plan::{WIDE, act};
 use crate::harness::{save, steps, window};
@@ -18,17 +18,17 @@ fn refusals_of_a_search_and_of_a_fit_speak_both_languages() {
     ];
     for (language, of_search, of_fit) in words {
         let mut harness = window(WIDE);
-        act(&mut harness, Act::Set(Setting::Language(language)));
-        act(&mut harness, Act::Open(Card::AtHome));
-        act(&mut harness, Act::AtHome(AtHomeAct::Fit));
+        act(&mut harness, Act::App(AppAct::Set(Setting::Language(language))));
+        act(&mut harness, Act::App(AppAct::Open(Card::AtHome)));
+        act(&mut harness, Act::Learn(LearnAct::AtHome(AtHomeAct::Fit)));
         steps(&mut harness, 10);
         harness.get_by_label_contains(of_fit);
         let choice = SteakChoice { size_mm: vec![750.0, 80.0, 25.0], ..SteakChoice::default() };
-        act(&mut harness, Act::Set(Setting::Choice(choice)));
+        act(&mut harness, Act::App(AppAct::Set(Setting::Choice(choice))));
         // The card's sliders bring the size back: it is asked for before.
-        act(&mut harness, Act::Shut(Card::AtHome));
-        act(&mut harness, Act::Plan(PlanAct::Find));
-        act(&mut harness, Act::Open(Card::Plan));
+        act(&mut harness, Act::App(AppAct::Shut(Card::AtHome)));
+        act(&mut harness, Act::Learn(LearnAct::Plan(PlanAct::Find)));
+        act(&mut harness, Act::App(AppAct::Open(Card::Plan)));
         steps(&mut harness, 6);
         save(&mut harness, &format!("plan-refused-{language:?}"));
         harness.get_by_label_contains(of_search);

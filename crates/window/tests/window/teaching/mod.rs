@@ -10,9 +10,9 @@ use egui::vec2;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use saute_kitchen::{Command, RestOn, celsius};
+use saute_session::SteakChoice;
 use saute_window::SauteApp;
-use saute_window::act::{Act, Setting};
-use saute_window::session::SteakChoice;
+use saute_window::act::{Act, AppAct, CookAct, Setting};
 
 use crate::harness::{steps, window};
 
@@ -32,7 +32,7 @@ fn act(harness: &mut Harness<'static, SauteApp>, act: Act) {
 }
 
 fn set(harness: &mut Harness<'static, SauteApp>, setting: Setting) {
-    act(harness, Act::Set(setting));
+    act(harness, Act::App(AppAct::Set(setting)));
 }
 
 /// A window with a small raw steak; time stands still unless it is let on.
@@ -40,7 +40,7 @@ fn small_steak(size: egui::Vec2) -> Harness<'static, SauteApp> {
     let mut harness = window(size);
     let choice = SteakChoice { size_mm: vec![60.0, 50.0, 16.0], ..SteakChoice::default() };
     set(&mut harness, Setting::Choice(choice));
-    act(&mut harness, Act::SetOut);
+    act(&mut harness, Act::Cook(CookAct::SetOut));
     harness.state_mut().session_mut().set_paused(true);
     harness
 }

@@ -6,10 +6,11 @@ use egui::Key;
 use egui_kittest::kittest::Queryable;
 use saute_kitchen::{Command, RestOn};
 use saute_plan::goal::{Better, Goal, Judgement, Shortfall, Verdict};
-use saute_window::act::{Act, Card, Setting};
+use saute_window::act::{Act, AppAct, Card, CookAct, Setting};
 use saute_window::learn::goal_choice::goal_of;
-use saute_window::words::judgement_words::ResultWords;
-use saute_window::{Language, SauteApp, Start};
+use saute_window::{SauteApp, Start};
+use saute_words::judgement_words::ResultWords;
+use saute_words::language::Language;
 
 use super::{PHONE, WIDE, act, command, core_c, fry, put_in, rested, says, set, small_steak, until};
 use crate::harness::{press, save, steps, window_with};
@@ -45,7 +46,7 @@ fn the_result_that_is_switched_off_stays_away_and_one_of_rare_medium_and_overcoo
     for (pull_c, name) in [(44.0, "rare"), (54.0, "medium"), (76.0, "overcooked")] {
         let mut harness = rested(WIDE, pull_c, quiet);
         assert!(!says(&harness, "One thing to do better"), "{name}: it is switched off");
-        act(&mut harness, Act::Open(Card::Result));
+        act(&mut harness, Act::App(AppAct::Open(Card::Result)));
         steps(&mut harness, 3);
         save(&mut harness, &format!("result-{name}"));
         let judgement = judged(harness.state());
@@ -76,7 +77,7 @@ fn the_result_is_shared_as_a_picture_of_its_own_and_fits_a_phone_and_japanese() 
     let _ = std::fs::remove_dir_all(&folder);
     std::fs::create_dir_all(&folder).expect("folder");
     let mut harness = window_with(PHONE, Start { pictures: Some(folder.clone()), ..Start::default() });
-    act(&mut harness, Act::SetOut);
+    act(&mut harness, Act::Cook(CookAct::SetOut));
     let mut small = small_steak(PHONE);
     fry(&mut small, 54.0);
     std::mem::swap(harness.state_mut().session_mut(), small.state_mut().session_mut());

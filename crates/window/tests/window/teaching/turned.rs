@@ -6,11 +6,11 @@ use egui_kittest::kittest::Queryable;
 use glam::{DQuat, DVec3};
 use saute_kitchen::Command;
 use saute_kitchen::dynamics::{Pose, Tool};
-use saute_plan::study::Times;
+use saute_session::SteakChoice;
+use saute_study::Times;
 use saute_window::SauteApp;
-use saute_window::act::{Act, Setting};
+use saute_window::act::{Act, CookAct, Setting};
 use saute_window::learn::goal_choice::goal_of;
-use saute_window::session::SteakChoice;
 
 use super::{WIDE, act, set};
 use crate::harness::{cook, press, steps, window};
@@ -43,7 +43,7 @@ fn frying() -> Harness<'static, SauteApp> {
     let mut harness = window(WIDE);
     let choice = SteakChoice { size_mm: vec![60.0, 50.0, 15.0], ..SteakChoice::default() };
     set(&mut harness, Setting::Choice(choice));
-    act(&mut harness, Act::SetOut);
+    act(&mut harness, Act::Cook(CookAct::SetOut));
     press(&mut harness, egui::Key::A);
     cook(&mut harness, 2.0);
     harness

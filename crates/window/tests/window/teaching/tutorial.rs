@@ -4,7 +4,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use saute_kitchen::doneness::core_class;
 use saute_window::SauteApp;
-use saute_window::act::Act;
+use saute_window::act::{Act, LearnAct};
 use saute_window::learn::tutorial::{FAST, MOST_S, Step};
 use saute_window::ui::layout::Layout;
 
@@ -36,7 +36,7 @@ fn follow(harness: &mut Harness<'static, SauteApp>, step: Step) {
 
 /// Follows the tutorial to its end; returns how long that takes [s], reading included, and the pictures' names.
 fn followed(harness: &mut Harness<'static, SauteApp>, name: &str) -> f64 {
-    act(harness, Act::Tutorial(true));
+    act(harness, Act::Learn(LearnAct::Tutorial(true)));
     // Frames of a slow machine let no time pass: ticks do.
     harness.state_mut().session_mut().set_paused(true);
     steps(harness, 12);
@@ -81,7 +81,7 @@ fn the_tutorial_can_be_left_covers_no_pan_and_runs_fast_only_while_one_waits() {
     for size in [WIDE, PHONE] {
         let mut harness = window(size);
         let usual = harness.state().session().speed;
-        act(&mut harness, Act::Tutorial(true));
+        act(&mut harness, Act::Learn(LearnAct::Tutorial(true)));
         harness.state_mut().session_mut().set_paused(true);
         steps(&mut harness, 12);
         save(&mut harness, if size == WIDE { "tutorial-begin" } else { "tutorial-begin-phone" });

@@ -1,6 +1,0 @@
-//! Promises of studies and lessons, without a window.
-
-mod analysis;
-mod lessons;
-mod protocols;
-mod way;

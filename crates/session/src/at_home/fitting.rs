@@ -1,0 +1,118 @@
+//! The window's side of a fit: what was asked, how far it is, and what was found.
+
+use saute_plan::fit::observed::Observed;
+use saute_plan::fit::run::Fitted;
+
+use super::craft::{FitAnswer, FitOrder, Told};
+use super::entered::Entered;
+use super::why_not::WhyNot;
+use crate::work::Helper;
+
+/// How a fit stands.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub enum Standing {
+    /// Nothing was asked.
+    #[default]
+    Idle,
+    /// It goes on: the share of the work that is done [-].
+    Fitting(f64),
+    /// It is over.
+    Found(Box<Fitted>),
+    /// It could not be done, and why.
+    Refused(WhyNot),
+}
+
+/// What was entered, and the fit to it.
+#[derive(Default)]
+pub struct AtHome {
+    /// What was entered.
+    pub entered: Entered,
+    helper: Option<Box<dyn Helper>>,
+    number: u64,
+    /// What the last fit was made to.
+    observed: Observed,
+    pub(super) standing: Standing,
+}
+
+impl AtHome {
+    /// How the fit stands.
+    pub fn standing(&self) -> &Standing {
+        &self.standing
+    }
+
+    /// Nothing can be fitted, and why.
+    pub fn refuse(&mut self, why: WhyNot) {
+        self.standing = Standing::Refused(why);
+    }
+
+    /// What the last fit was made to.
+    pub fn observed(&self) -> &Observed {
+        &self.observed
+    }
+
+    /// What was found.
+    pub fn fitted(&self) -> Option<&Fitted> {
+        if let Standing::Found(fitted) = &self.standing { Some(fitted) } else { None }
+    }
+
+    /// Returns true while it fits.
+    pub fn is_fitting(&self) -> bool {
+        matches!(self.standing, Standing::Fitting(_))
+    }
+
+    /// Returns true while frames are to be drawn for the fit.
+    pub fn needs_frames(&self) -> bool {
+        self.helper.as_ref().is_some_and(|helper| helper.needs_frames())
+    }
+
+    /// Returns true if there is a helper who can be asked.
+    pub fn has_helper(&self) -> bool {
+        self.helper.is_some()
+    }
+
+    /// Asks for a fit, in place of the one before; a new helper if one was hired.
+    pub fn ask(&mut self, recipe: String, home: Option<String>, observed: Observed, hired: Option<Box<dyn Helper>>) {
+        self.helper = hired.or(self.helper.take());
+        let Some(helper) = &mut self.helper else { return };
+        self.number += 1;
+        self.observed.clone_from(&observed);
+        let order = FitOrder { number: self.number, recipe, home, observed };
+        helper.ask(postcard::to_allocvec(&order).expect("an order has no kind that postcard lacks"));
+        self.standing = Standing::Fitting(0.0);
+    }
+
+    /// Ends the fit.
+    pub fn cancel(&mut self) {
+        let is_fitting = self.is_fitting();
+        if let Some(helper) = self.helper.as_mut().filter(|_| is_fitting) {
+            helper.ask(Vec::new());
+            self.standing = Standing::Idle;
+        }
+    }
+
+    /// Takes what the helper has answered.
+    pub fn take_answers(&mut self) {
+        let Some(helper) = &mut self.helper else { return };
+        match helper.answers() {
+            Some(answers) => answers.iter().for_each(|bytes| self.take(bytes)),
+            None => {
+                self.helper = None;
+                if self.is_fitting() {
+                    self.standing = Standing::Idle;
+                }
+            }
+        }
+    }
+
+    fn take(&mut self, bytes: &[u8]) {
+        let Ok(FitAnswer { number, told }) = postcard::from_bytes(bytes) else { return };
+        if number != self.number || !self.is_fitting() {
+            return;
+        }
+        self.standing = match told {
+            Told::Progress(share) => Standing::Fitting(share),
+            Told::Found(fitted) => Standing::Found(fitted),
+            Told::Refused(why) => Standing::Refused(why),
+        };
+    }
+}

@@ -1,0 +1,7 @@
+//! The kitchen at home: what was entered and measured, fitted off the frame, and kept.
+
+pub mod craft;
+pub mod entered;
+pub mod fitting;
+pub mod kept;
+pub mod why_not;

@@ -1,0 +1,94 @@
+//! The chosen food and pan, and the orders that follow from it.
+
+use saute_kitchen::food::{FoodDescription, Form, Rules};
+use saute_kitchen::{InputError, Library, MeshSize, OutlineKind, PieceOrder, kelvin};
+use saute_recipe::Recipe;
+use saute_recipe::session::{SetOutFood, set_out};
+
+/// What the person chooses before putting the food in.
+#[derive(Clone, Debug, PartialEq, serde::Deserialize, serde::Serialize)]
+#[serde(default)]
+pub struct SteakChoice {
+    /// Id of the food.
+    pub kind: String,
+    /// Its dimensions: those of its form [mm].
+    pub size_mm: Vec<f64>,
+    /// Start temperature [°C].
+    pub initial_c: f64,
+    /// Id of the pan.
+    pub pan: String,
+    /// Temperature to which the pan is preheated [°C]; room temperature starts cold.
+    pub preheat_c: f64,
+}
+
+impl Default for SteakChoice {
+    fn default() -> Self {
+        Self {
+            kind: "beef-lean".into(),
+            size_mm: vec![120.0, 80.0, 25.0],
+            initial_c: 5.0,
+            pan: "carbon-steel-26".into(),
+            preheat_c: 20.0,
+        }
+    }
+}
+
+/// Name of a steak that the window sets out; another food bears the name of its kind.
+pub const STEAK: &str = "steak";
+
+/// Noun for a kind of food in a sentence.
+pub fn noun(library: &Library, kind: &str) -> String {
+    let name = library.foods.get(kind).map_or(kind, |f| f.name.as_str()).to_lowercase();
+    if name.contains(STEAK) { STEAK.to_owned() } else { name }
+}
+
+/// Name of a food that is set out: that of a steak, or of its kind.
+pub(super) fn base_name(library: &Library, kind: &str) -> String {
+    if noun(library, kind) == STEAK { STEAK.into() } else { kind.into() }
+}
+
+/// The recipe that sets out a choice and does nothing with it.
+pub(super) fn as_recipe(library: &Library, choice: &SteakChoice) -> Result<Recipe, InputError> {
+    let food = SetOutFood {
+        id: base_name(library, &choice.kind),
+        kind: choice.kind.clone(),
+        size_mm: size_of(library, choice),
+        initial_c: choice.initial_c,
+        seed: 1,
+        count: None,
+    };
+    let text = set_out(&noun(library, &choice.kind), &choice.pan, choice.preheat_c, &[food]);
+    Recipe::parse(&text, SET_OUT, library)
+}
+
+/// Name of the recipe of a choice, where it is refused.
+const SET_OUT: &str = "set-out.toml";
+
+/// The chosen dimensions, or the food's own where they do not belong to its form [mm].
+fn size_of(library: &Library, choice: &SteakChoice) -> Vec<f64> {
+    let fits = |f: &FoodDescription| f.form.extent(&choice.size_mm).is_some();
+    match library.foods.get(&choice.kind) {
+        Some(food) if !fits(food) => food.size.default_mm.clone(),
+        _ => choice.size_mm.clone(),
+    }
+}
+
+/// Orders of pieces under one name; each has a seed of its own, so that no two are the same.
+pub(super) fn orders(library: &Library, choice: &SteakChoice, group: &str, count: usize) -> Vec<PieceOrder> {
+    let food = library.foods.get(&choice.kind);
+    let form = food.map_or(Form::Steak, |f| f.form);
+    let default = || food.and_then(|f| form.extent(&f.size.default_mm)).unwrap_or_default();
+    let size = form.extent(&choice.size_mm).unwrap_or_else(default);
+    let order = |k: usize| PieceOrder {
+        id: if count == 1 { group.to_owned() } else { format!("{group}.{}", k + 1) },
+        kind: choice.kind.clone(),
+        size: size.map(|mm| mm * 1e-3),
+        temperature: kelvin(choice.initial_c),
+        seed: k as u64 + 1,
+        coarseness: 1.0,
+        rules: Rules::Full,
+        mesh: MeshSize::Default,
+        outline: OutlineKind::Natural,
+    };
+    (0..count).map(order).collect()
+}

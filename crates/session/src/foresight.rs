@@ -1,0 +1,71 @@
+//! Forecast, advice and scale for the piece that the panels show.
+
+use std::sync::Arc;
+
+use saute_kitchen::advice::{Advice, FORECAST_HIGH_K, Goal, Situation};
+use saute_kitchen::celsius;
+use saute_kitchen::doneness::{ScaleChoice, at_core, fitting};
+use saute_kitchen::food::Scale;
+use saute_kitchen::food::change::doneness::Measure;
+use saute_kitchen::piece::carry_over::foreseen_peak;
+
+use super::Session;
+use crate::hands::Hands;
+
+/// Forecast for food that is taken out now.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Forecast {
+    /// Expected core peak [°C].
+    pub peak_c: f64,
+    /// In how many seconds.
+    pub in_s: f64,
+}
+
+impl<H: Hands> Session<H> {
+    /// Returns the forecast for taking the food out now; updated every simulated second.
+    pub fn forecast(&mut self) -> Option<Forecast> {
+        let piece = self.steak().filter(|p| p.in_pan())?;
+        let second = self.kitchen.tick() / 10;
+        if self.forecast.as_ref().is_none_or(|(id, at, _)| *at != second || *id != piece.id) {
+            let (peak, in_s) = foreseen_peak(&piece.model, &piece.state, self.kitchen.room());
+            self.forecast = Some((piece.id.clone(), second, Forecast { peak_c: celsius(peak), in_s }));
+        }
+        self.forecast.as_ref().map(|(.., f)| *f)
+    }
+
+    /// Returns the core peak that the advice reckons with if the food were taken out now [°C]; none of food that is not in the pan.
+    pub fn expected_peak_c(&self) -> Option<f64> {
+        let piece = self.steak().filter(|piece| piece.in_pan())?;
+        self.forecast.as_ref().filter(|(id, ..)| *id == piece.id).map(|(.., found)| found.peak_c - FORECAST_HIGH_K)
+    }
+
+    /// Returns advice for the piece that the panels show, the most urgent first, with a goal for its core, in the unit of the scale [°C or %],
+    /// where a scale of doneness applies.
+    pub fn advice(&mut self, goal: Option<(Arc<Scale>, f64)>) -> Vec<Advice> {
+        let goal = goal.and_then(|(scale, wanted)| match scale.measure() {
+            Measure::Peak => self.forecast().map(|f| Goal::Peak { core_c: wanted, foreseen_c: f.peak_c }),
+            Measure::Share => {
+                let reached_pct = 100.0 * at_core(self.steak()?, &scale);
+                Some(Goal::Share { wanted_pct: wanted, reached_pct })
+            }
+        });
+        self.steak().map_or_else(Vec::new, |piece| Situation::of(&self.kitchen, piece).advice(goal))
+    }
+
+    /// Returns the scales of doneness with the one with an id chosen.
+    pub fn scales(&self, id: &str) -> ScaleChoice {
+        ScaleChoice::new(&self.library.scales, id)
+    }
+
+    /// Returns the scale in whose words the piece that the panels show is spoken of, given the id of the chosen one.
+    pub fn scale(&self, id: &str) -> Option<Arc<Scale>> {
+        let scales = self.scales(id);
+        self.steak().map_or_else(|| scales.alone(), |piece| scales.of(&piece.model)).cloned()
+    }
+
+    /// Returns the scales among which the cook chooses for the piece that the panels show.
+    pub fn fitting_scales(&self) -> Vec<Arc<Scale>> {
+        let all = &self.library.scales;
+        self.steak().map_or_else(|| all.clone(), |piece| fitting(all, &piece.model).into_iter().cloned().collect())
+    }
+}

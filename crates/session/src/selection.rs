@@ -1,0 +1,62 @@
+//! The piece that the panels show, and the groups of pieces.
+
+use saute_kitchen::{Piece, Place};
+
+use super::Session;
+use super::choice::{STEAK, noun};
+use crate::hands::Hands;
+use saute_words::piece_words::group_of;
+
+impl<H: Hands> Session<H> {
+    /// Returns the piece that the panels show: the selected one, else the first.
+    pub fn steak(&self) -> Option<&Piece> {
+        self.selected().or_else(|| self.kitchen.pieces().first())
+    }
+
+    /// Returns the selected piece, if it still exists.
+    pub fn selected(&self) -> Option<&Piece> {
+        self.kitchen.piece(self.selected.as_deref()?)
+    }
+
+    /// Selects a piece, or none.
+    pub fn select(&mut self, id: Option<String>) {
+        self.selected = id;
+    }
+
+    /// Returns the index of the piece that the panels show.
+    pub fn steak_index(&self) -> usize {
+        let id = self.steak().map(|p| &p.id);
+        self.kitchen.pieces().iter().position(|p| Some(&p.id) == id).unwrap_or(0)
+    }
+
+    /// Returns the id of the piece that the panels show; that of a steak if there is none.
+    pub fn steak_id(&self) -> String {
+        self.steak().map_or_else(|| STEAK.to_owned(), |p| p.id.clone())
+    }
+
+    /// Returns the noun for that piece: "steak", "carrot coin".
+    pub fn noun(&self) -> String {
+        self.steak().map_or_else(|| STEAK.to_owned(), |p| noun(&self.library, &p.kind))
+    }
+
+    /// Returns the mass of that piece when it was set out [g].
+    pub fn start_mass_g(&self) -> f64 {
+        self.steak().and_then(|p| self.start_mass_g.get(&p.id)).copied().unwrap_or(0.0)
+    }
+
+    /// Returns the ids of the pieces of a group, in order.
+    pub fn members(&self, group: &str) -> Vec<String> {
+        let ids = self.kitchen.pieces().iter().map(|p| &p.id);
+        ids.filter(|id| group_of(id) == group).cloned().collect()
+    }
+
+    /// Returns the ids of the group of the piece that the panels show.
+    pub fn its_group(&self) -> Vec<String> {
+        self.members(group_of(&self.steak_id()))
+    }
+
+    /// Returns the ids of all pieces that wait to be put into the pan.
+    pub fn waiting(&self) -> Vec<String> {
+        self.kitchen.pieces().iter().filter(|p| p.place == Place::Waiting).map(|p| p.id.clone()).collect()
+    }
+}

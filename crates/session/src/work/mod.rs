@@ -1,0 +1,99 @@
+//! Heavy work off the frame: orders as bytes that go away, answers as bytes that come back.
+//!
+//! Each [`Kind`] of work has a worker of its own, so that none waits behind another. The window hires a [`Helper`] for a kind from
+//! its [`Agency`], gives it orders and goes on drawing. On the other side a [`Bench`](self::bench::Bench) does the work in slices:
+//! on a thread in the native window, in a second instance of the program in a page's worker, or, where there is neither, in the
+//! window's own thread between frames. Nothing is shared: what an order needs is in its bytes, or in the embedded library.
+//!
+//! To add a kind of work: a variant of [`Kind`] with its name, and a [`Craft`] in `Kind::craft`. The page's
+//! scripts take the name as it is. An order replaces the one before and an empty one ends the work, so answers state the number of
+//! their order: some of an earlier one may still be on their way.
+
+pub mod bench;
+pub mod in_frames;
+#[cfg(not(target_arch = "wasm32"))]
+pub mod thread;
+pub mod undertaking;
+
+use std::sync::Arc;
+
+use saute_kitchen::Library;
+use saute_plan::fit::run::FitRun;
+use saute_plan::schedule::search::Search;
+
+use self::bench::Craft;
+use self::undertaking::Undertaken;
+use crate::errand::playing::Playing;
+use crate::forecasts::foreseeing::Foreseeing;
+
+/// A kind of work.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Kind {
+    /// A recorded cook is played.
+    Play,
+    /// Forecasts from the present of a cook.
+    Forecast,
+    /// A plan is searched for.
+    Plan,
+    /// A kitchen at home is fitted.
+    Fit,
+}
+
+impl Kind {
+    /// All kinds.
+    pub const ALL: [Self; 4] = [Self::Play, Self::Forecast, Self::Plan, Self::Fit];
+
+    /// Its name, by which a page's scripts know it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Play => "play",
+            Self::Forecast => "forecast",
+            Self::Plan => "plan",
+            Self::Fit => "fit",
+        }
+    }
+
+    /// The kind with a name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|kind| kind.name() == name)
+    }
+
+    /// Who does it.
+    fn craft(self, library: Arc<Library>) -> Box<dyn Craft> {
+        match self {
+            Self::Play => Box::new(Playing::new(library)),
+            Self::Forecast => Box::new(Foreseeing::new(library)),
+            Self::Plan => Box::new(Undertaken::<Search>::new(library)),
+            Self::Fit => Box::new(Undertaken::<FitRun>::new(library)),
+        }
+    }
+
+    /// Rest after work, as a share of the time that it took [-].
+    fn rest_share(self) -> f64 {
+        match self {
+            // Half of one core at most.
+            Self::Forecast => 1.0,
+            Self::Play | Self::Plan | Self::Fit => 0.0,
+        }
+    }
+}
+
+/// Whoever works elsewhere. It may be slow; it is asked anew when something else is wanted.
+pub trait Helper {
+    /// Takes an order in place of the one before; an empty one ends the work.
+    fn ask(&mut self, order: Vec<u8>);
+
+    /// Answers that have come since the last call; none once the helper is of no use any more.
+    fn answers(&mut self) -> Option<Vec<Vec<u8>>>;
+
+    /// Returns true if it works only when it is asked for answers: the window draws frames for it.
+    fn needs_frames(&self) -> bool {
+        false
+    }
+}
+
+/// Who finds helpers.
+pub trait Agency {
+    /// A helper for a kind of work. Where nobody else is free, it works in frames.
+    fn hire(&self, kind: Kind, library: &Arc<Library>) -> Box<dyn Helper>;
+}

@@ -1,0 +1,110 @@
+//! Promise: a lesson asks when it says, finds the truth in the cook, and its result is one row.
+
+use std::sync::Arc;
+
+use saute_kitchen::{Command, Kitchen, Library, Piece, celsius};
+use saute_study::Measures;
+use saute_study::class::{ClassSummary, Lesson, ResultRow, Scenario, from_csv, to_csv};
+
+const TEXT: &str = r#"id = "quick"
+title = "Quick"
+intro = "Look."
+goal = "medium"
+[set_out]
+food = "beef-lean"
+size_mm = [60, 50, 15]
+pan = "carbon-steel-26"
+preheat_c = 180
+[[predict]]
+at_s = 1
+ask = "core_now"
+[[predict]]
+after = "put"
+after_s = 2
+ask = "core_in"
+in_s = 5
+[[predict]]
+after = "put"
+after_s = 3
+ask = "class_in_the_end"
+"#;
+
+fn lesson() -> (Lesson, Kitchen) {
+    let library = Library::embedded().expect("embedded data");
+    let scenario = Arc::new(Scenario::parse(TEXT, "quick.toml", &library).expect("parses"));
+    let kitchen = scenario.recipe.kitchen(&library).expect("sets up");
+    (Lesson::begin(scenario, Some("S01".parse().expect("a code"))), kitchen)
+}
+
+/// Steps until the lesson asks; returns when [s].
+fn until_asked(lesson: &mut Lesson, kitchen: &mut Kitchen) -> f64 {
+    loop {
+        kitchen.step();
+        if lesson.observe(kitchen) {
+            return kitchen.time_s();
+        }
+        assert!(kitchen.time_s() < 60.0, "nothing is asked");
+    }
+}
+
+#[test]
+fn questions_come_when_they_are_due_one_by_one_and_the_truth_is_that_of_the_cook() {
+    let (mut lesson, mut kitchen) = lesson();
+    assert!((until_asked(&mut lesson, &mut kitchen) - 1.0).abs() < 0.11);
+    assert_eq!((lesson.waiting(), lesson.answer(200.0)), (Some(0), None), "200 °C is no answer");
+    assert_eq!(lesson.answer(7.0), Some(0));
+    assert!((lesson.asked()[0].truth.expect("is known") - 5.0).abs() < 0.1);
+    kitchen.apply(&Command::Put { food: "steak".into(), at: [0.0, 0.0], heap: false }).expect("goes in");
+    let put_s = kitchen.time_s();
+    assert!((until_asked(&mut lesson, &mut kitchen) - put_s - 2.0).abs() < 0.25);
+    let asked_s = kitchen.time_s();
+    lesson.answer(6.0);
+    assert_eq!(lesson.asked()[1].truth, None, "it lies ahead");
+    until_asked(&mut lesson, &mut kitchen);
+    lesson.answer(1.0);
+    while kitchen.time_s() < asked_s + 5.05 {
+        kitchen.step();
+        lesson.observe(&kitchen);
+    }
+    let core = celsius(kitchen.piece("steak").map(Piece::core).expect("is there"));
+    assert!((lesson.asked()[1].truth.expect("has come") - core).abs() < 0.3);
+    let row = lesson.end(&Measures { score: -3.0, at_core: 20.0, core_peak_c: 20.0, ..Measures::default() });
+    assert_eq!((row.q3_answer, row.q3_truth), (Some(1.0), Some(0.0)), "raw in the end");
+    assert_eq!((row.scenario.as_str(), row.student.as_deref(), row.q4_answer), ("quick", Some("S01"), None));
+}
+
+fn row(student: &str, score: f64, answer: f64) -> ResultRow {
+    ResultRow {
+        scenario: "quick".into(),
+        checksum: "0".into(),
+        student: Some(student.into()),
+        goal: "medium".into(),
+        is_met: score > 40.0,
+        score,
+        q1_answer: Some(answer),
+        q1_truth: Some(50.0),
+        ..ResultRow::default()
+    }
+}
+
+#[test]
+fn a_class_is_summed_up_and_each_result_counts_once() {
+    let rows = [row("S02", 30.0, 40.0), row("S01", 50.0, 52.0), row("S02", 30.0, 40.0), row("S03", 60.0, 55.0)];
+    let (merged, summary) = ClassSummary::of(&rows);
+    assert_eq!(merged.iter().filter_map(|row| row.student.as_deref()).collect::<Vec<_>>(), ["S01", "S02", "S03"]);
+    let [of_quick] = &summary.scenarios[..] else { panic!("one scenario") };
+    assert_eq!((of_quick.results, of_quick.students, of_quick.met, of_quick.median_score), (3, 3, 2, 50.0));
+    assert_eq!((of_quick.questions[0].answers, of_quick.questions[0].median_error), (3, Some(5.0)));
+}
+
+#[test]
+fn a_result_comes_back_from_its_file_and_has_as_many_values_in_its_line() {
+    let own = row("S01", 50.0, 52.0);
+    let csv = to_csv(std::slice::from_ref(&own));
+    assert_eq!(from_csv("s.csv", &csv).expect("reads"), std::slice::from_ref(&own));
+    let columns = csv.lines().next().expect("a header").split(',').count();
+    assert_eq!(own.line().split('\t').count(), columns);
+    let strange = csv.replace("S01", "=HYPERLINK()");
+    assert!(from_csv("s.csv", &strange).expect_err("no code").to_string().starts_with("s.csv:2: "));
+    assert!(from_csv("s.csv", "a,b\n1,2\n").is_err());
+}

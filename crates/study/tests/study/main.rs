@@ -1,0 +1,9 @@
+//! What studies and lessons promise, without a window.
+
+// A test that fails at an unwrap names its line.
+#![allow(clippy::unwrap_used)]
+
+mod analysis;
+mod lessons;
+mod protocols;
+mod way;

@@ -1,0 +1,41 @@
+//! The files of a cook: written, and what is said of it.
+
+use std::path::Path;
+
+use saute_session::export::Export;
+
+use crate::app::SauteApp;
+
+/// Keys of what is said once a cook is saved, or cannot be.
+const COOK_SAID: [&str; 2] = ["notice.cook_saved", "notice.cook_not_saved"];
+
+impl SauteApp {
+    /// Writes the file of the cook by `write`, if there is one, and says where it is or why it is not.
+    pub(crate) fn export_by(&self, what: Export, path: &Path, write: impl FnOnce(&[u8]) -> Result<(), String>) {
+        let l = self.settings.language;
+        let (bytes, leaves_out) = match self.session.exported(what) {
+            Ok(made) => made,
+            Err(error) => return self.notice.say(l.fill("notice.no_recipe", &[("error", &error)])),
+        };
+        if self.say_written(path, write(&bytes), COOK_SAID) && leaves_out {
+            self.say("notice.recipe_leaves_out");
+        }
+    }
+
+    /// Says that a file was written, or why not, by the keys of both; returns true if it was.
+    pub(crate) fn say_written(
+        &self,
+        path: &Path,
+        written: Result<(), String>,
+        [done, not_done]: [&'static str; 2],
+    ) -> bool {
+        let l = self.settings.language;
+        if let Err(error) = &written {
+            let parts: [(&str, &dyn std::fmt::Display); 2] = [("path", &path.display()), ("error", error)];
+            self.notice.say(l.fill(not_done, &parts));
+            return false;
+        }
+        self.notice.say_of(l.fill(done, &[("path", &path.display())]), path.to_owned());
+        true
+    }
+}

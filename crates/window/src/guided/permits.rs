@@ -1,0 +1,79 @@
+//! What a study and a lesson allow.
+
+use std::collections::BTreeSet;
+
+use saute_study::class::Locked;
+
+use saute_session::permits::{Permit, Permits};
+
+/// Those of a study: to cook, to look, and what the study itself asks for.
+pub(super) fn of_study(hidden: bool) -> Permits {
+    Permits::only(&Permit::ALWAYS).with(Permit::ReadOuts, !hidden)
+}
+
+/// Those of a lesson, less what its scenario locks, or the link by which it came.
+pub(super) fn of_lesson(locked: &BTreeSet<Locked>, leaving: bool, hidden: bool) -> Permits {
+    let has = |what| locked.contains(&what);
+    Permits::only(&Permit::ALWAYS)
+        .with(Permit::Foods, !has(Locked::Foods) && !leaving)
+        .with(Permit::Pan, !has(Locked::Pan) && !leaving)
+        .with(Permit::Speed, !has(Locked::Speed))
+        .with(Permit::Pause, true)
+        .with(Permit::ReadOuts, !has(Locked::Views) && !hidden)
+        .with(Permit::Rewind, !has(Locked::Rewind))
+        .with(Permit::Restart, true)
+        .with(Permit::Leaving, !leaving)
+        .with(Permit::Pictures, true)
+        .with(Permit::Advice, true)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::act::{Act, AppAct, Card, CookAct, TimeAct, ViewAct};
+    use saute_picture::View;
+
+    fn allow(permits: Permits, act: &Act) -> bool {
+        permits.allow(act.traits().needs)
+    }
+
+    #[test]
+    fn a_study_allows_cooking_and_looking_and_nothing_that_stops_time_or_leads_out() {
+        let [shown, hidden] = [false, true].map(of_study);
+        for act in [
+            Act::Time(TimeAct::Undo),
+            Act::Time(TimeAct::SpeedSet(20.0)),
+            Act::Time(TimeAct::Pause),
+            Act::Cook(CookAct::SetOut),
+            Act::Cook(CookAct::Play("rare".into())),
+            Act::Cook(CookAct::Restart),
+            Act::App(AppAct::Photo),
+            Act::App(AppAct::Open(Card::Plan)),
+            Act::App(AppAct::Open(Card::AtHome)),
+        ] {
+            assert!(!allow(shown, &act) && !allow(hidden, &act), "{act:?}");
+        }
+        for act in [ViewAct::View(View::Temperature), ViewAct::Slice, ViewAct::Curves].map(Act::View) {
+            assert!(allow(shown, &act) && !allow(hidden, &act), "{act:?}");
+        }
+        for act in [CookAct::Put, CookAct::Flip, CookAct::Out, CookAct::HobSet(1000.0)].map(Act::Cook) {
+            assert!(allow(hidden, &act), "{act:?}");
+        }
+        assert!(allow(hidden, &Act::View(ViewAct::View(View::Look))) && allow(hidden, &Act::App(AppAct::Help)));
+    }
+
+    #[test]
+    fn a_lesson_locks_what_its_scenario_says_and_the_way_out_only_if_it_is_locked() {
+        let locked = BTreeSet::from([Locked::Speed]);
+        let [free, fixed] = [false, true].map(|leaving| of_lesson(&locked, leaving, false));
+        assert!(!allow(free, &Act::Time(TimeAct::Step)) && allow(free, &Act::Time(TimeAct::Undo)));
+        assert!(allow(free, &Act::App(AppAct::CopyLink)));
+        assert!(allow(fixed, &Act::Cook(CookAct::Restart)), "it begins again");
+        for act in [AppAct::CopyLink, AppAct::ChooseFile, AppAct::Open(Card::Lessons)].map(Act::App) {
+            assert!(!allow(fixed, &act), "{act:?}");
+        }
+        for act in [CookAct::Play("rare".into()), CookAct::SetOut].map(Act::Cook) {
+            assert!(!allow(fixed, &act), "{act:?}");
+        }
+    }
+}

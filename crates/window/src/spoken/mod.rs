@@ -1,0 +1,4 @@
+//! What is said of a cook and of a view: sentences that need the session or a picture.
+
+pub mod told;
+pub mod view_words;

@@ -1,0 +1,289 @@
+//! The judgement of a cook in the cook's words.
+
+use std::fmt::Display;
+
+use saute_kitchen::data::goals::Counted;
+use saute_kitchen::food::change::doneness::Measure;
+use saute_plan::goal::{Better, Goal, Judgement, Shortfall, Term, TermKind, Verdict};
+
+use crate::language::Language;
+use crate::speech::Speech;
+
+/// Least value of a term that the table names [-] (chosen: it would print as 0.0).
+const NAMED: f64 = 0.05;
+
+/// A row of the table of the score: what, its value, its weight and its points.
+pub type TermRow = [String; 4];
+
+/// A result in words.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ResultWords {
+    /// True if the goal is met.
+    pub is_met: bool,
+    /// Whether the goal is met, with its name.
+    pub verdict: String,
+    /// What is missing.
+    pub missed: Vec<String>,
+    /// The score [points, at most 100].
+    pub points: f64,
+    /// The score in words.
+    pub score: String,
+    /// Heads of the table of the score, and its rows.
+    pub table: (TermRow, Vec<TermRow>),
+    /// Names and values of what shows why.
+    pub measures: Vec<(String, String)>,
+    /// Heading over what to do better, and what.
+    pub better: [String; 2],
+    /// The cut, for those who do not see it.
+    pub cut: String,
+    /// Thickness of the grey band below the lower and the upper face [mm].
+    pub grey_mm: [f64; 2],
+}
+
+impl ResultWords {
+    /// Puts a judgement of a food, by its noun, into words.
+    pub fn of(judgement: &Judgement, goal: &Goal, food: &str, speech: Speech) -> Self {
+        let teller = Teller { judgement, goal, speech };
+        let l = speech.language;
+        let is_met = judgement.verdict == Verdict::Met;
+        let name = match l.called("goal", &goal.name) {
+            name if name == goal.name => l.called("class", &goal.name).to_owned(),
+            name => name.to_owned(),
+        };
+        let key = if is_met { "result.met" } else { "result.missed" };
+        let missed = match &judgement.verdict {
+            Verdict::Met => Vec::new(),
+            Verdict::Missed(shortfalls) => shortfalls.iter().map(|one| teller.missing(*one)).collect(),
+        };
+        Self {
+            is_met,
+            verdict: l.fill(key, &[("goal", &name)]),
+            missed,
+            points: judgement.score.0,
+            score: teller.score(),
+            table: teller.table(),
+            measures: teller.measures(),
+            better: [l.text("result.better").to_owned(), teller.better()],
+            cut: l.fill("inside.section", &[("food", &l.called("noun", &food))]),
+            grey_mm: judgement.grey_mm,
+        }
+    }
+}
+
+/// Time from which a span is told in minutes, and to what it is rounded then [s] (chosen: nobody pulls by the second after minutes).
+const MINUTES_S: f64 = 120.0;
+const HALF_MINUTE_S: f64 = 30.0;
+
+/// A span of time in words [s].
+pub(crate) fn span(seconds: f64, l: Language) -> String {
+    if seconds < MINUTES_S {
+        return l.fill("better.span_s", &[("seconds", &format!("{seconds:.0}"))]);
+    }
+    let whole = (HALF_MINUTE_S * (seconds / HALF_MINUTE_S).round()) as u64;
+    l.fill("better.span_min", &[("minutes", &(whole / 60)), ("seconds", &format!("{:02}", whole % 60))])
+}
+
+/// A score in whole points, with a minus sign.
+pub(crate) fn points(score: f64) -> String {
+    let whole = score.round();
+    format!("{}{:.0}", if whole < 0.0 { "−" } else { "" }, whole.abs())
+}
+
+/// What it is told of.
+struct Teller<'a> {
+    judgement: &'a Judgement,
+    goal: &'a Goal,
+    speech: Speech,
+}
+
+impl Teller<'_> {
+    fn fill(&self, key: &'static str, open: &[(&str, &dyn Display)]) -> String {
+        self.speech.language.fill(key, open)
+    }
+
+    fn text(&self, key: &'static str) -> String {
+        self.speech.language.text(key).to_owned()
+    }
+
+    /// A value of the core in its unit.
+    fn core(&self, value: f64) -> String {
+        match self.goal.scale.measure() {
+            Measure::Peak => self.speech.fine_temperature(value),
+            Measure::Share => format!("{value:.0}\u{a0}%"),
+        }
+    }
+
+    /// A distance of the core in its unit: K, °F or points of %.
+    fn distance(&self, by: f64) -> String {
+        match self.goal.scale.measure() {
+            Measure::Peak if self.speech.fahrenheit => format!("{:.0}\u{a0}°F", 1.8 * by),
+            Measure::Peak => format!("{by:.0}\u{a0}°C"),
+            Measure::Share => format!("{by:.0}\u{a0}%"),
+        }
+    }
+
+    fn span(&self, seconds: f64) -> String {
+        span(seconds, self.speech.language)
+    }
+
+    fn class(&self) -> String {
+        let name = self.goal.scale.class.get(self.goal.class).map_or("", |class| class.name.as_str());
+        self.speech.language.called("class", name).to_owned()
+    }
+
+    /// The score, and what would have 100 points.
+    fn score(&self) -> String {
+        let key = if self.goal.counts == Counted::Faces { "result.score_faces" } else { "result.score" };
+        self.fill(key, &[("points", &points(self.judgement.score.0)), ("class", &self.class())])
+    }
+
+    fn missing(&self, shortfall: Shortfall) -> String {
+        let (outcome, goal) = (&self.judgement.outcome, self.goal);
+        let pct = |value: f64| format!("{value:.0}");
+        match shortfall {
+            Shortfall::Undercooked => self.fill(
+                "result.undercooked",
+                &[("core", &self.core(outcome.at_core)), ("wanted", &self.core(goal.core[0]))],
+            ),
+            Shortfall::Overcooked => self.fill(
+                "result.overcooked",
+                &[("core", &self.core(outcome.at_core)), ("wanted", &self.core(goal.core[1]))],
+            ),
+            Shortfall::Share => self.fill(
+                if goal.counts == Counted::Faces { "result.too_little_brown" } else { "result.too_little" },
+                &[
+                    ("share", &pct(outcome.target_share_pct)),
+                    ("class", &self.class()),
+                    ("wanted", &pct(goal.least_share_pct)),
+                ],
+            ),
+            Shortfall::Crust => {
+                self.fill("result.pale", &[("share", &pct(outcome.least_crust_pct)), ("wanted", &pct(goal.crust_pct))])
+            }
+            Shortfall::Burnt => self
+                .fill("result.burnt", &[("share", &pct(outcome.charred_pct)), ("most", &pct(goal.most_charred_pct))]),
+            Shortfall::Fire => self.text("result.fire"),
+        }
+    }
+
+    fn table(&self) -> (TermRow, Vec<TermRow>) {
+        let heads = ["result.term", "result.value", "result.weight", "result.points"].map(|key| self.text(key));
+        let is_named = |term: &&Term| term.kind == TermKind::Share || term.value >= NAMED;
+        (heads, self.judgement.terms.iter().filter(is_named).map(|term| self.row(term)).collect())
+    }
+
+    fn row(&self, term: &Term) -> TermRow {
+        let unit = match term.kind {
+            TermKind::Share | TermKind::MissingCrust | TermKind::Charred | TermKind::Lost => "\u{a0}%",
+            TermKind::CoreMiss | TermKind::OffAim | TermKind::Hot => "\u{a0}K",
+            TermKind::Flips | TermKind::Fire => "",
+        };
+        let places = if matches!(term.kind, TermKind::Flips | TermKind::Fire) { 0 } else { 1 };
+        let (value, points) = (term.value, term.points());
+        let sign = if points < 0.0 { "−" } else { "" };
+        [
+            self.term(term.kind),
+            format!("{value:.places$}{unit}"),
+            format!("× {}", term.weight.abs()),
+            format!("{sign}{:.1}", points.abs()),
+        ]
+    }
+
+    fn term(&self, kind: TermKind) -> String {
+        let key = match kind {
+            TermKind::Share if self.goal.counts == Counted::Faces => "term.browned",
+            TermKind::Share => return self.fill("term.share", &[("class", &self.class())]),
+            TermKind::MissingCrust => "term.missing_crust",
+            TermKind::Charred => "term.charred",
+            TermKind::CoreMiss => "term.core_miss",
+            TermKind::OffAim => "term.off_aim",
+            TermKind::Lost => "term.lost",
+            TermKind::Hot => "term.hot",
+            TermKind::Flips => "term.flips",
+            TermKind::Fire => "term.fire",
+        };
+        self.text(key)
+    }
+
+    fn measures(&self) -> Vec<(String, String)> {
+        let (judgement, outcome) = (self.judgement, &self.judgement.outcome);
+        let two = |[below, above]: [f64; 2], unit: &str| {
+            let [above, below] = [above, below].map(|v| format!("{v:.1}"));
+            self.fill("result.faces", &[("above", &above), ("below", &below), ("unit", &unit)])
+        };
+        let whole = |[below, above]: [f64; 2]| {
+            let [above, below] = [above, below].map(|v| format!("{v:.0}"));
+            self.fill("result.faces", &[("above", &above), ("below", &below), ("unit", &"%")])
+        };
+        let mut measures = vec![("result.core", self.core(outcome.at_core))];
+        if self.goal.counts == Counted::Section {
+            measures.push(("result.grey", two(judgement.grey_mm, "mm")));
+            measures.push(("result.beyond", format!("{:.0}\u{a0}%", outcome.beyond_pct)));
+        }
+        measures.extend([
+            ("result.crust", whole(judgement.crust_pct)),
+            ("result.charred", whole(judgement.charred_pct)),
+            ("result.lost", format!("{:.0}\u{a0}%", outcome.lost_pct)),
+            (
+                "result.energy",
+                format!("{:.0}\u{a0}kJ ({:.2}\u{a0}kWh)", judgement.energy_kj, judgement.energy_kj / 3600.0),
+            ),
+        ]);
+        measures.into_iter().map(|(key, value)| (self.text(key), value)).collect()
+    }
+
+    fn better(&self) -> String {
+        let degrees = |c: f64| self.speech.temperature(c);
+        let pct = |value: f64| format!("{value:.0}");
+        let watts = |had: Option<f64>| had.map(|w| format!("{w:.0} W"));
+        match self.judgement.better {
+            None => self.text("better.nothing"),
+            Some(Better::RestLonger) => self.text("better.rest_longer"),
+            Some(Better::PullEarlier { by, by_s: Some(by_s) }) => {
+                self.fill("better.pull_earlier_by", &[("time", &self.span(by_s)), ("by", &self.distance(by))])
+            }
+            Some(Better::PullEarlier { by, by_s: None }) => {
+                self.fill("better.pull_earlier", &[("by", &self.distance(by))])
+            }
+            Some(Better::PullLater { by, by_s: Some(by_s) }) => {
+                self.fill("better.pull_later_by", &[("time", &self.span(by_s)), ("by", &self.distance(by))])
+            }
+            Some(Better::PullLater { by, by_s: None }) => self.fill("better.pull_later", &[("by", &self.distance(by))]),
+            Some(Better::LeaveIn { by, until }) => {
+                self.fill("better.leave_in", &[("by", &self.distance(by)), ("until", &self.core(until))])
+            }
+            Some(Better::HotterPan { had_c, until_c }) => {
+                self.fill("better.hotter_pan", &[("had", &degrees(had_c)), ("wanted", &degrees(until_c))])
+            }
+            Some(Better::CoolerPan { had_c, most_c }) => {
+                self.fill("better.cooler_pan", &[("had", &degrees(had_c)), ("most", &degrees(most_c))])
+            }
+            Some(Better::LessCrowded { covered_pct }) => {
+                self.fill("better.less_crowded", &[("share", &pct(covered_pct))])
+            }
+            Some(Better::DryFaces { lowest_c }) => self.fill("better.dry_faces", &[("lowest", &degrees(lowest_c))]),
+            Some(Better::PalerFace { faces_pct: [pale, brown] }) => {
+                self.fill("better.paler_face", &[("pale", &pct(pale)), ("brown", &pct(brown))])
+            }
+            Some(Better::MorePower { had_w }) => match watts(had_w) {
+                Some(had) => self.fill("better.more_power_than", &[("had", &had)]),
+                None => self.text("better.more_power"),
+            },
+            Some(Better::LessPower { had_w }) => match watts(had_w) {
+                Some(had) => self.fill("better.less_power_than", &[("had", &had)]),
+                None => self.text("better.less_power"),
+            },
+            Some(Better::FlipMoreOften { had, every_s }) => {
+                self.fill("better.flip_more", &[("had", &had), ("seconds", &every_s)])
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn a_score_below_nothing_has_a_minus_sign() {
+        assert_eq!([-12.4, -0.4, 47.5].map(super::points), ["−12", "0", "48"]);
+    }
+}
