@@ -64,7 +64,7 @@ impl ResultWords {
             table: teller.table(),
             measures: teller.measures(),
             better: [l.text("result.better").to_owned(), teller.better()],
-            cut: l.fill("inside.section", &[("food", &l.called("noun", &food))]),
+            cut: l.fill("inside.section", &[("food", &l.called("noun", food))]),
             grey_mm: judgement.grey_mm,
         }
     }

@@ -12,8 +12,8 @@ use saute_picture::View;
 use saute_recipe::Recipe;
 use saute_study::Protocol;
 use saute_study::class::Scenario;
-use saute_window::settings::Settings;
 use saute_window::spoken::view_words::ViewWords;
+use saute_words::speech::Speech;
 use serde::Serialize;
 
 use super::list_actions;
@@ -186,9 +186,9 @@ fn goals(library: &Library) -> Vec<Entry> {
 }
 
 fn views() -> Vec<Entry> {
-    let (names, settings) = (ViewName::value_variants(), Settings::default());
+    let (names, speech) = (ViewName::value_variants(), Speech::default());
     let id = |name: &ViewName| name.to_possible_value().map_or_else(String::new, |v| v.get_name().to_owned());
-    names.iter().map(|name| Entry::new(&id(name), &View::from(*name).meaning(&settings))).collect()
+    names.iter().map(|name| Entry::new(&id(name), &View::from(*name).meaning(speech))).collect()
 }
 
 fn table(entries: &[Entry]) -> String {

@@ -12,7 +12,7 @@ use std::time::{Duration, Instant};
 use saute_kitchen::Library;
 use saute_plan::schedule::{JobError, Order, Plan, Planner};
 use saute_window::plan::kitchen_card;
-use saute_window::settings::Settings;
+use saute_words::speech::Speech;
 
 use crate::error::CliError;
 use crate::exit_code;
@@ -40,7 +40,7 @@ pub fn run(args: &PlanArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
         write(file, &text::recipe(&plan))?;
     }
     if let Some(file) = card {
-        write(file, &kitchen_card::page(&plan, &data.library, &Settings::default()))?;
+        write(file, &kitchen_card::page(&plan, &data.library, Speech::default()))?;
     }
     stdout::print(&if args.json { json::text(&answer::Answer::new(&plan, wall))? } else { text::text(&plan, wall) })?;
     if !is_met {

@@ -5,10 +5,10 @@ use std::time::Duration;
 
 use saute_plan::goal::Shortfall;
 use saute_plan::schedule::{Deed, Order, Plan, Step};
-use saute_window::settings::Settings;
 use saute_words::cue_words;
 use saute_words::language::Language;
 use saute_words::plan_words::{changed, crust, on_target};
+use saute_words::speech::Speech;
 
 use crate::wording::clock;
 
@@ -36,8 +36,7 @@ pub fn text(plan: &Plan, wall: Duration) -> String {
     row(&mut text, "mass", &format!("−{:.1} %", plan.promised.lost_pct));
     row(&mut text, "score", &plan.score.to_string());
     text.push_str("\nif something is different and the times stay the same\n");
-    let settings = Settings::default();
-    plan.sensitivity.iter().for_each(|s| row(&mut text, &s.change.words(), &changed(s, &settings)));
+    plan.sensitivity.iter().for_each(|s| row(&mut text, &s.change.words(), &changed(s, Speech::default())));
     text
 }
 

@@ -188,7 +188,7 @@ fn without_its_helper_the_window_goes_on_itself() {
 
 /// Plays a cook with a helper that works at its own speed; returns the hash of its end.
 fn played_by(library: &Arc<Library>, live: &Session, helper: Box<dyn Helper>) -> u64 {
-    let mut session = Session::new(Arc::clone(library), &Default::default()).expect("sets out");
+    let mut session: Session = Session::new(Arc::clone(library), &Default::default()).expect("sets out");
     session.employ(helper);
     session.resume(live.whole_recording()).expect("resumes");
     while session.is_travelling() {

@@ -139,7 +139,7 @@ impl SauteApp {
         let plan = self.planning.plan().or_else(|| self.live.as_ref().map(Live::plan))?;
         let text = match file {
             PlanFile::Recipe => super::recipe_file(plan, &self.session.library, &self.settings),
-            PlanFile::Card => kitchen_card::page(plan, &self.session.library, &self.settings),
+            PlanFile::Card => kitchen_card::page(plan, &self.session.library, self.settings.speech()),
         };
         Some(text.into_bytes())
     }

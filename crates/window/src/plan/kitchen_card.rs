@@ -4,17 +4,17 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 use saute_kitchen::Library;
 use saute_plan::schedule::{Plan, Step};
 
-use crate::settings::Settings;
 use saute_words::clock::clock;
 use saute_words::language::Language;
+use saute_words::speech::Speech;
 use saute_words::{cue_words, plan_words};
 
 const STYLE: &str = include_str!("kitchen_card.css");
 
-/// Returns the whole page in the language and the unit of the settings.
-pub fn page(plan: &Plan, library: &Library, settings: &Settings) -> String {
-    let l = settings.language;
-    let title = plan_words::heading(&plan.order, library, settings.speech());
+/// Returns the whole page in a language and a unit.
+pub fn page(plan: &Plan, library: &Library, speech: Speech) -> String {
+    let l = speech.language;
+    let title = plan_words::heading(&plan.order, library, speech);
     let food = library.foods.get(&plan.order.food).map_or(plan.order.food.as_str(), |food| food.name.as_str());
     let page = html! {
         (DOCTYPE)
@@ -27,14 +27,14 @@ pub fn page(plan: &Plan, library: &Library, settings: &Settings) -> String {
             }
             body {
                 main {
-                    h1 { (l.called("food", food)) ", " (plan_words::target(&plan.order.goal, settings.speech())) }
+                    h1 { (l.called("food", food)) ", " (plan_words::target(&plan.order.goal, speech)) }
                     p { (title) }
-                    @if let Some(why) = plan_words::why_not(plan, settings.speech()) { p.notice { (why) } }
+                    @if let Some(why) = plan_words::why_not(plan, speech) { p.notice { (why) } }
                     table {
-                        @for step in plan.steps() { (row(&step, plan, library, settings)) }
+                        @for step in plan.steps() { (row(&step, plan, library, speech)) }
                     }
-                    (promise(plan, settings))
-                    (changes(plan, settings))
+                    (promise(plan, speech))
+                    (changes(plan, speech))
                     p.small { (l.fill("plan.card_foot", &[("version", &env!("CARGO_PKG_VERSION"))])) }
                 }
             }
@@ -43,20 +43,20 @@ pub fn page(plan: &Plan, library: &Library, settings: &Settings) -> String {
     page.into_string()
 }
 
-fn row(step: &Step, plan: &Plan, library: &Library, settings: &Settings) -> Markup {
-    let sense = plan.sense(step, library).map(|sense| cue_words::sense(&sense, settings.speech()));
+fn row(step: &Step, plan: &Plan, library: &Library, speech: Speech) -> Markup {
+    let sense = plan.sense(step, library).map(|sense| cue_words::sense(&sense, speech));
     html! {
         tr {
             td.time { (clock(f64::from(step.at_s))) }
-            td.deed { (cue_words::deed(&step.deed, settings.language)) }
+            td.deed { (cue_words::deed(&step.deed, speech.language)) }
             td { (sense.unwrap_or_default()) }
         }
     }
 }
 
-fn promise(plan: &Plan, settings: &Settings) -> Markup {
-    let l = settings.language;
-    let core = settings.temperature(plan.promised.core_peak_c);
+fn promise(plan: &Plan, speech: Speech) -> Markup {
+    let l = speech.language;
+    let core = speech.temperature(plan.promised.core_peak_c);
     html! {
         h2 { (l.text("plan.promised")) }
         p {
@@ -66,12 +66,12 @@ fn promise(plan: &Plan, settings: &Settings) -> Markup {
     }
 }
 
-fn changes(plan: &Plan, settings: &Settings) -> Markup {
+fn changes(plan: &Plan, speech: Speech) -> Markup {
     html! {
-        h2 { (settings.language.text("plan.if_different")) }
+        h2 { (speech.language.text("plan.if_different")) }
         table.changes {
             @for s in &plan.sensitivity {
-                tr { th { (plan_words::change(s.change, settings.speech())) } td { (plan_words::changed(s, settings.speech())) } }
+                tr { th { (plan_words::change(s.change, speech)) } td { (plan_words::changed(s, speech)) } }
             }
         }
     }

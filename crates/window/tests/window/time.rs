@@ -4,6 +4,7 @@ use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers, Pos2, pos2};
 use egui_kittest::{Harness, kittest::Queryable};
 use saute_window::SauteApp;
+use saute_window::act::{Act, AppAct, CookAct, TimeAct};
 use saute_window::ui::theme::Theme;
 
 use crate::harness::{click, cook, drag, press, save, steps, window};
@@ -159,7 +160,7 @@ fn the_strip_is_at_hand_on_a_phone_and_on_paper() {
     assert!(rect.width() > 150.0 && rect.height() >= 28.0, "{rect}");
     let set = saute_window::act::Setting::Theme(Theme::Light);
     let ctx = harness.ctx.clone();
-    harness.state_mut().act(saute_window::act::Act::Set(set), &ctx);
+    harness.state_mut().act(Act::App(AppAct::Set(set)), &ctx);
     steps(&mut harness, 4);
     save(&mut harness, "phone-time-light");
     harness.set_size(WIDE);
@@ -204,14 +205,14 @@ fn what_is_done_while_time_is_turned_waits_for_the_instant() {
     harness.state_mut().session_mut().resume(recording).expect("resumes");
     harness.step();
     assert!(harness.state().session().is_travelling());
-    harness.state_mut().act(saute_window::act::Act::HobSet(500.0), &ctx);
-    harness.state_mut().act(saute_window::act::Act::Out, &ctx);
+    harness.state_mut().act(Act::Cook(CookAct::HobSet(500.0)), &ctx);
+    harness.state_mut().act(Act::Cook(CookAct::Out), &ctx);
     assert!(harness.state().session().is_travelling(), "no act goes the way to its end");
     steps(&mut harness, 3);
     assert!(harness.query_by_label_contains("As soon as 2:30 is reached: 500 W, ").is_some());
     save(&mut harness, "time-waiting");
     // Undo takes back what waits.
-    harness.state_mut().act(saute_window::act::Act::Undo, &ctx);
+    harness.state_mut().act(Act::Time(TimeAct::Undo), &ctx);
     while harness.state().session().is_travelling() {
         harness.step();
     }

@@ -8,9 +8,9 @@ use std::collections::BTreeMap;
 use egui::{Rect, Ui, UiBuilder, pos2};
 
 use crate::act::Acts;
+use crate::panels::badge;
 use crate::panels::cut_picture::CutPicture;
 use crate::panels::window_state::WindowState;
-use crate::panels::badge;
 use crate::ui::theme;
 use crate::ui::ways_layout::WaysLayout;
 use saute_session::timeline::{BranchName, WayBeside};

@@ -146,8 +146,8 @@ fn food_that_no_button_took_out_has_its_result_too_and_nearly_raw_food_is_told_n
     let better = ResultWords::of(
         &judged(harness.state()),
         &goal(harness.state()),
-        harness.state().session(),
-        harness.state().settings(),
+        &harness.state().session().noun(),
+        harness.state().settings().speech(),
     );
     println!("{}", better.better[1]);
     let is_in_words = better.better[1].contains("It was far from done") || better.better[1].contains(" min longer");
