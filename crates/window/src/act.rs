@@ -4,6 +4,7 @@ mod app_act;
 mod bindings;
 mod card;
 mod cook_act;
+mod guided_act;
 mod learn_act;
 #[cfg(test)]
 pub(crate) mod samples;
@@ -16,6 +17,7 @@ pub use self::app_act::AppAct;
 pub use self::bindings::{BINDINGS, Binding, CHORDS, ROLL_STEP, TOOL_STEP, hint, key_of};
 pub use self::card::Card;
 pub use self::cook_act::CookAct;
+pub use self::guided_act::GuidedAct;
 pub use self::learn_act::LearnAct;
 pub use self::setting::Setting;
 pub use self::time_act::TimeAct;

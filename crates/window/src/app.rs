@@ -2,10 +2,13 @@
 
 mod export;
 pub(crate) mod frame;
+mod hands;
 mod keys;
+mod leads;
 mod open_session;
 mod outside;
 mod pace;
+mod sights;
 
 use std::sync::Arc;
 

@@ -1,13 +1,12 @@
 //! The window in a stated condition: a recipe at an instant, with view, cut and camera. Pictures of it can be compared.
 
+use crate::app::SauteApp;
+use crate::ui::quality_choice::QualityChoice;
 use saute_kitchen::TICK_S;
 use saute_picture::view::View;
 use saute_recipe::Recipe;
 use saute_scene::quality::Quality;
 use serde::Deserialize;
-
-use crate::app::SauteApp;
-use crate::ui::quality_choice::QualityChoice;
 
 /// A condition of the window.
 #[derive(Clone, Debug, Deserialize)]
@@ -43,50 +42,5 @@ impl Default for Pose {
             quality: Quality::Quick,
             panels: false,
         }
-    }
-}
-
-impl SauteApp {
-    /// Takes a condition on; time then stands still, and its picture is smoothed at once.
-    ///
-    /// # Errors
-    ///
-    /// Says what is wrong with the recipe.
-    pub fn pose(&mut self, pose: &Pose) -> Result<(), String> {
-        self.cook_to(pose)?;
-        self.scene.rest.at_once = true;
-        self.settings.view = pose.view;
-        self.settings.split = pose.split;
-        self.settings.panels_hidden = !pose.panels;
-        self.set_quality(QualityChoice::Always(pose.quality));
-        self.card = None;
-        // They come when they are ready; pictures that are compared do not wait for them.
-        self.settings.forecasts = false;
-        self.camera_preset = (pose.camera + 2) % 3;
-        self.next_camera();
-        self.slice = None;
-        if let Some(place) = pose.cut {
-            self.toggle_slice();
-            self.slice = Some(place);
-        }
-        Ok(())
-    }
-
-    /// Cooks a condition's recipe to its instant. The cook of the last condition goes on, where it has not come too far.
-    fn cook_to(&mut self, pose: &Pose) -> Result<(), String> {
-        let posed = Some((pose.recipe.clone(), self.session.generation));
-        if self.scene.posed != posed || self.session.kitchen.time_s() > pose.at_s + 0.5 * TICK_S {
-            let library = std::sync::Arc::clone(&self.session.library);
-            let text = library.recipes.get(&pose.recipe).unwrap_or(&pose.recipe);
-            let recipe = Recipe::parse(text, "pose.toml", &library).map_err(|e| e.to_string())?;
-            self.session.play(recipe).map_err(|e| e.to_string())?;
-            self.scene.posed = Some((pose.recipe.clone(), self.session.generation));
-        }
-        self.session.set_paused(false);
-        while self.session.kitchen.time_s() < pose.at_s - 0.5 * TICK_S && !self.session.paused {
-            self.session.tick()?;
-        }
-        self.session.set_paused(true);
-        Ok(())
     }
 }

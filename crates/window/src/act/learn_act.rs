@@ -1,8 +1,8 @@
 //! What leads a person, and what a person asks the program to find out.
 
 use super::traits::{Subject, Traits};
+use crate::act::GuidedAct;
 use crate::at_home::AtHomeAct;
-use crate::guided::GuidedAct;
 use crate::plan::{PlanAct, PlanFile};
 use saute_session::permits::Permit;
 

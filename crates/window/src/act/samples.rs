@@ -8,8 +8,8 @@ use saute_scene::light::room_light::RoomLight;
 use saute_scene::light::white_balance::WhiteBalance;
 
 use super::{Act, AppAct, Card, CookAct, LearnAct, Setting, TimeAct, ViewAct};
+use crate::act::GuidedAct;
 use crate::at_home::AtHomeAct;
-use crate::guided::GuidedAct;
 #[cfg(not(target_arch = "wasm32"))]
 use crate::hand::Role;
 use crate::input::pouring::Pourable;

@@ -33,7 +33,7 @@ pub struct LessonDesk {
 }
 
 impl LessonDesk {
-    pub(super) fn begin(start: LessonStart) -> Self {
+    pub(crate) fn begin(start: LessonStart) -> Self {
         Self { start, masses: Vec::new(), has_begun: false, shown: None, told: Vec::new(), result: None }
     }
 
@@ -43,7 +43,7 @@ impl LessonDesk {
     }
 
     /// What it began with.
-    pub(super) fn start(&self) -> &LessonStart {
+    pub(crate) fn start(&self) -> &LessonStart {
         &self.start
     }
 
@@ -68,40 +68,40 @@ impl LessonDesk {
     }
 
     /// True while a card asks. That a question waits is known by the session's pause.
-    pub(super) fn asks(&self) -> bool {
+    pub(crate) fn asks(&self) -> bool {
         !self.has_begun || self.shown.is_some() || self.result.is_some()
     }
 
-    pub(super) fn hides_read_outs(&self) -> bool {
+    pub(crate) fn hides_read_outs(&self) -> bool {
         self.has_begun && self.result.is_none() && self.start.scenario.overlays == Information::Hidden
     }
 
     /// The lesson that watches the cook.
-    pub(super) fn watch(&mut self, session: &Session) -> Lesson {
+    pub(crate) fn watch(&mut self, session: &Session) -> Lesson {
         self.masses = session.kitchen.pieces().iter().map(saute_kitchen::Piece::mass).collect();
         (self.has_begun, self.shown, self.result) = (false, None, None);
         self.told.clear();
         Lesson::begin(Arc::clone(&self.start.scenario), self.start.student.clone())
     }
 
-    pub(super) fn start_cook(&mut self) {
+    pub(crate) fn start_cook(&mut self) {
         self.has_begun = true;
     }
 
     /// Shows the truth of an answered question if it is known already.
-    pub(super) fn show_truth(&mut self, place: usize, is_known: bool) {
+    pub(crate) fn show_truth(&mut self, place: usize, is_known: bool) {
         if is_known {
             self.shown = Some(place);
             self.told.push(place);
         }
     }
 
-    pub(super) fn go_on(&mut self) {
+    pub(crate) fn go_on(&mut self) {
         self.shown = None;
     }
 
     /// The first question whose truth has become known since it was answered.
-    pub(super) fn newly_known(&mut self, lesson: &Lesson) -> Option<usize> {
+    pub(crate) fn newly_known(&mut self, lesson: &Lesson) -> Option<usize> {
         let known = |place: &usize| {
             let asked = lesson.asked()[*place];
             asked.answer.is_some() && asked.truth.is_some() && !self.told.contains(place)
@@ -112,13 +112,13 @@ impl LessonDesk {
     }
 
     /// True if it has come to its end.
-    pub(super) fn is_over(&self, session: &Session) -> bool {
+    pub(crate) fn is_over(&self, session: &Session) -> bool {
         let runs = self.has_begun && self.result.is_none();
         runs && (session.kitchen.time_s() >= self.start.scenario.max_s || has_rested(session))
     }
 
     /// Ends it.
-    pub(super) fn end(&mut self, session: &mut Session) {
+    pub(crate) fn end(&mut self, session: &mut Session) {
         let times = Times::of(session.recording(), &session.recorder);
         let measures = Measures::read(&session.kitchen, &self.masses, &self.start.scenario.goal, &times);
         if let Some(lesson) = &mut session.lesson {

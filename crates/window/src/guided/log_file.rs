@@ -8,7 +8,7 @@ use saute_study::{LogRow, Participant, dictionary, from_csv, to_csv};
 
 /// An open log.
 #[derive(Debug)]
-pub(super) struct LogFile {
+pub(crate) struct LogFile {
     file: File,
     /// The folder.
     pub(super) folder: PathBuf,
@@ -18,7 +18,7 @@ pub(super) struct LogFile {
 impl LogFile {
     /// Opens the log of a participant in a folder, with the rows that it holds, and writes the data dictionary beside it. A last line that
     /// was cut off is removed.
-    pub(super) fn open(folder: &Path, participant: &Participant) -> Result<(Self, Vec<LogRow>), String> {
+    pub(crate) fn open(folder: &Path, participant: &Participant) -> Result<(Self, Vec<LogRow>), String> {
         let path = folder.join(format!("study-{participant}.csv"));
         let place = |e: io::Error| format!("{}: {e}", path.display());
         fs::create_dir_all(folder).map_err(place)?;
@@ -39,7 +39,7 @@ impl LogFile {
     }
 
     /// Appends rows, and waits until they are on the disk. What was written in part is removed again.
-    pub(super) fn append(&mut self, rows: &[LogRow]) -> io::Result<()> {
+    pub(crate) fn append(&mut self, rows: &[LogRow]) -> io::Result<()> {
         let before = self.file.stream_position()?;
         let text = to_csv(rows, self.is_empty);
         let written = self.file.write_all(text.as_bytes()).and_then(|()| self.file.sync_data());

@@ -1,6 +1,5 @@
 //! A cook that a study or a lesson leads: it decides what is set out, shown and locked, and asks.
 
-mod acts;
 mod lesson_desk;
 #[cfg(not(target_arch = "wasm32"))]
 mod log_file;
@@ -9,7 +8,6 @@ mod study_desk;
 #[cfg(test)]
 mod walk;
 
-pub use self::acts::GuidedAct;
 pub use self::lesson_desk::{LessonDesk, LessonStart};
 pub(crate) use self::study_desk::is_out;
 pub use self::study_desk::{StudyDesk, StudyStart};

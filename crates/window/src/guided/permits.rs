@@ -7,12 +7,12 @@ use saute_study::class::Locked;
 use saute_session::permits::{Permit, Permits};
 
 /// Those of a study: to cook, to look, and what the study itself asks for.
-pub(super) fn of_study(hidden: bool) -> Permits {
+pub(crate) fn of_study(hidden: bool) -> Permits {
     Permits::only(&Permit::ALWAYS).with(Permit::ReadOuts, !hidden)
 }
 
 /// Those of a lesson, less what its scenario locks, or the link by which it came.
-pub(super) fn of_lesson(locked: &BTreeSet<Locked>, leaving: bool, hidden: bool) -> Permits {
+pub(crate) fn of_lesson(locked: &BTreeSet<Locked>, leaving: bool, hidden: bool) -> Permits {
     let has = |what| locked.contains(&what);
     Permits::only(&Permit::ALWAYS)
         .with(Permit::Foods, !has(Locked::Foods) && !leaving)

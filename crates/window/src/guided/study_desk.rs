@@ -118,7 +118,7 @@ struct Trial {
 }
 
 impl StudyDesk {
-    pub(super) fn begin(start: StudyStart) -> Self {
+    pub(crate) fn begin(start: StudyStart) -> Self {
         let kept = start.earlier.len();
         Self {
             study: start.study,
@@ -172,28 +172,28 @@ impl StudyDesk {
         to_csv(&self.rows, true)
     }
 
-    pub(super) fn hides_read_outs(&self) -> bool {
+    pub(crate) fn hides_read_outs(&self) -> bool {
         self.study.information() == Information::Hidden
     }
 
-    pub(super) fn decline(&mut self) {
+    pub(crate) fn decline(&mut self) {
         self.has_declined = self.study.stage() == Stage::Consent;
     }
 
     /// A trial begins with what is set out now.
-    pub(super) fn begin_trial(&mut self, session: &Session) {
+    pub(crate) fn begin_trial(&mut self, session: &Session) {
         let masses = session.kitchen.pieces().iter().map(saute_kitchen::Piece::mass).collect();
         self.trial = Some(Trial { masses, begun: Instant::now() });
     }
 
     /// Returns true if the trial has come to its end: its time is over, or the food has rested.
-    pub(super) fn is_over(&self, session: &Session) -> bool {
+    pub(crate) fn is_over(&self, session: &Session) -> bool {
         let Some(simulate) = self.study.simulate().filter(|_| self.is_running()) else { return false };
         session.kitchen.time_s() >= simulate.max_s || has_rested(session)
     }
 
     /// Ends the trial, and keeps its row.
-    pub(super) fn end_trial(&mut self, session: &Session) {
+    pub(crate) fn end_trial(&mut self, session: &Session) {
         let (Some(trial), Some(simulate)) = (self.trial.take(), self.study.simulate()) else { return };
         let measures = Measures::read(
             &session.kitchen,
@@ -210,7 +210,7 @@ impl StudyDesk {
     }
 
     /// Takes an event; its rows are kept at once.
-    pub(super) fn take(&mut self, event: Event) -> Result<(), StudyError> {
+    pub(crate) fn take(&mut self, event: Event) -> Result<(), StudyError> {
         let rows = self.study.take(event, self.begun.elapsed().as_secs_f64())?;
         self.rows.extend(rows);
         self.last = None;
@@ -219,7 +219,7 @@ impl StudyDesk {
     }
 
     /// Writes rows that are not kept yet; says why if it cannot.
-    pub(super) fn keep_rows(&mut self) {
+    pub(crate) fn keep_rows(&mut self) {
         let rows = &self.rows[self.kept..];
         let kept = match &mut self.keeper {
             #[cfg(not(target_arch = "wasm32"))]
@@ -262,7 +262,7 @@ impl StudyDesk {
 }
 
 /// Returns true if the food was taken out and its core has begun to cool.
-pub(super) fn has_rested(session: &Session) -> bool {
+pub(crate) fn has_rested(session: &Session) -> bool {
     let pieces = session.kitchen.pieces();
     let rested = |piece: &saute_kitchen::Piece| {
         piece.lies_on_board() && piece.core_peak.1 > 0.0 && piece.core() < piece.core_peak.0 - RESTED_K

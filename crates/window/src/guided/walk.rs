@@ -6,7 +6,8 @@ use saute_kitchen::Library;
 use saute_study::Protocol;
 use saute_study::class::{Scenario, shipped};
 
-use super::{GuidedAct, LessonStart, StudyStart};
+use super::{LessonStart, StudyStart};
+use crate::act::GuidedAct;
 use crate::act::samples::samples;
 use crate::act::{Act, LearnAct};
 use crate::app::{SauteApp, Start};

@@ -2,10 +2,9 @@
 
 mod choice;
 mod connected;
-mod hands;
-mod in_window;
+pub mod hands;
 mod panel;
-mod strings_view;
+pub(crate) mod strings_view;
 
 pub(crate) use choice::{Choice, section};
 pub use connected::{ConnectError, Connected};

@@ -1,47 +1,49 @@
 //! The strings of a device in the scene: rods as thick and light as they pull, in dashes through the worktop, with
 //! their newtons.
 
+use crate::app::SauteApp;
+use crate::ui::layout::Pane;
+use crate::ui::palette::Palette;
+use crate::ui::scene_view::on_screen;
+use crate::ui::theme;
 use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Sense, Shape, Stroke, Ui, vec2};
 use glam::Vec3;
 use saute_haptics::{Health, Pose, STRINGS, StringRig};
 use saute_scene::camera::Camera;
 use saute_scene::mesh::props::COUNTER_Z;
 use saute_scene::mesh::strings::StringLook;
-
-use crate::app::SauteApp;
-use crate::ui::layout::Pane;
-use crate::ui::palette::Palette;
-use crate::ui::scene_view::on_screen;
-use crate::ui::theme;
 use saute_words::language::Language;
 
 /// Radius of a slack string, and what the largest tension adds [m] (chosen: far thicker than the real 0.35 mm, distinct
 /// at a glance).
 const THIN: f32 = 0.0007;
+
 const THICKER: f32 = 0.0023;
+
 /// Tension at which a string is as thick and as light as can be [N] (chosen: half of what motors pull at most; a pan
 /// with food in it needs less).
 const TIGHT_N: f64 = 6.0;
+
 /// How far beyond its motor a number stands, and how far from a panel [points] (chosen: no two motors are as near).
 const BEYOND: f32 = 22.0;
+
 const CLEAR: f32 = 16.0;
+
 /// Nearest place to the pan where the number of a motor out of view stands, and steps that look for one [-] (chosen).
 const NEAREST: f32 = 0.3;
+
 const STEP: f32 = 0.02;
+
 const APART: usize = 6;
-/// Dash and gap below the worktop, and what a metre there is as a stroke from a metre away [points] (chosen: as wide as
-/// the rods).
-const DASH: [f32; 2] = [5.0, 4.0];
-const STROKE: f32 = 1900.0;
-/// How far the eye steps back at once, until no panel covers a motor [-] (chosen).
-const STEP_BACK: f32 = 1.04;
+
+pub(crate) const STROKE: f32 = 1900.0;
 
 /// One string as it is seen.
-struct Seen {
-    from: Vec3,
-    to: Vec3,
-    tension: f64,
-    number: usize,
+pub(crate) struct Seen {
+    pub(crate) from: Vec3,
+    pub(crate) to: Vec3,
+    pub(crate) tension: f64,
+    pub(crate) number: usize,
 }
 
 /// What share of the largest tension.
@@ -50,106 +52,36 @@ fn share(tension: f64) -> f32 {
 }
 
 /// Dark where a string is slack, light where it is tight.
-fn colour(tension: f64) -> Color32 {
+pub(crate) fn colour(tension: f64) -> Color32 {
     let between = |a: u8, b: u8| (f32::from(a) + (f32::from(b) - f32::from(a)) * share(tension)) as u8;
     let (slack, tight) = ([64u8, 112, 196], [255u8, 222, 110]);
     Color32::from_rgb(between(slack[0], tight[0]), between(slack[1], tight[1]), between(slack[2], tight[2]))
 }
 
-fn radius(tension: f64) -> f32 {
+pub(crate) fn radius(tension: f64) -> f32 {
     THIN + THICKER * share(tension)
 }
 
 impl Seen {
     /// Where it goes through the worktop, or its end.
-    fn visible_end(&self) -> Vec3 {
+    pub(crate) fn visible_end(&self) -> Vec3 {
         let fall = self.from.z - self.to.z;
         let part = if self.to.z < COUNTER_Z { (self.from.z - COUNTER_Z) / fall } else { 1.0 };
         self.from.lerp(self.to, part.clamp(0.0, 1.0))
     }
 
-    fn look(&self) -> StringLook {
+    pub(crate) fn look(&self) -> StringLook {
         let [r, g, b, _] = egui::Rgba::from(colour(self.tension)).to_array();
         StringLook { ends: [self.from, self.visible_end()], radius: radius(self.tension), colour: Vec3::new(r, g, b) }
     }
 }
 
-impl SauteApp {
-    /// Shows the strings from so far away that all motors are seen, or hides them and goes back.
-    pub(crate) fn toggle_strings(&mut self) {
-        let Some(rig) = self.session.hands.strung().and_then(|device| device.strings) else { return };
-        if let Some(distance) = self.session.hands.eye_before.take() {
-            self.camera.distance = distance;
-            return;
-        }
-        self.session.hands.eye_before = Some(self.camera.distance);
-        let Some(pane) = self.scene.pane else { return };
-        let seen = |eye: &Camera, at: Vec3| project(eye, pane.rect, at).is_some_and(|p| pane.free.contains(p));
-        let mut before = 0.0;
-        while before != self.camera.distance && !rig.motor.iter().all(|m| seen(&self.eye(), m.as_vec3())) {
-            before = self.camera.distance;
-            self.camera.zoom(STEP_BACK);
-        }
-    }
-
-    /// The strings above the worktop, for the scene.
-    pub(crate) fn string_looks(&self) -> Vec<StringLook> {
-        self.strings_now().iter().map(Seen::look).collect()
-    }
-
-    /// Draws what the scene does not: strings below the worktop, motors, and newtons.
-    pub(crate) fn show_strings(&self, ui: &Ui, pane: &Pane) {
-        let (strings, eye) = (self.strings_now(), self.eye());
-        let painter = ui.painter().with_clip_rect(pane.rect);
-        strings.iter().for_each(|string| hidden_part(&painter, &eye, pane.rect, string, theme::of(ui)));
-        strings.iter().for_each(|string| number(&painter, &eye, pane, string, theme::of(ui)));
-    }
-
-    /// The strings where they are now, while they are shown and known.
-    fn strings_now(&self) -> Vec<Seen> {
-        if !self.session.hands.strings_are_shown() {
-            return Vec::new();
-        }
-        let Some(device) = self.session.hands.strung() else { return Vec::new() };
-        let sample = &device.state().sample;
-        let known = matches!(sample.health, Health::Running | Health::Stopped);
-        match (&device.strings, sample.tension_n.filter(|_| known)) {
-            (Some(rig), Some(tension)) => at_pose(rig, &sample.pose, &tension),
-            _ => Vec::new(),
-        }
-    }
-}
-
-fn at_pose(rig: &StringRig, pose: &Pose, tension: &[f64; STRINGS]) -> Vec<Seen> {
-    let string = |i: usize| Seen {
-        from: pose.to_world(rig.attachment[i]).as_vec3(),
-        to: rig.motor[i].as_vec3(),
-        tension: tension[i],
-        number: i + 1,
-    };
-    (0..STRINGS).map(string).collect()
-}
-
-fn project(eye: &Camera, rect: Rect, at: Vec3) -> Option<Pos2> {
+pub(crate) fn project(eye: &Camera, rect: Rect, at: Vec3) -> Option<Pos2> {
     eye.project(at, rect.width() / rect.height()).map(|ndc| on_screen(ndc, rect))
 }
 
-/// Dashes where the worktop hides a string, and its motor.
-fn hidden_part(painter: &Painter, eye: &Camera, rect: Rect, string: &Seen, palette: &Palette) {
-    let Some(motor) = project(eye, rect, string.to) else { return };
-    let away = (string.to - eye.eye()).length().max(0.1);
-    let wide = 2.0 * radius(string.tension) * STROKE / 1.4 / away * rect.height() / 1000.0;
-    if let (true, Some(enters)) = (string.to.z < COUNTER_Z, project(eye, rect, string.visible_end())) {
-        let way = [enters, motor];
-        painter.extend(Shape::dashed_line(&way, Stroke::new(wide + 1.6, palette.solid), DASH[0], DASH[1]));
-        painter.extend(Shape::dashed_line(&way, Stroke::new(wide, colour(string.tension)), DASH[0], DASH[1]));
-    }
-    painter.rect_filled(Rect::from_center_size(motor, vec2(12.0, 12.0)), 2.0, palette.solid);
-    painter.rect_filled(Rect::from_center_size(motor, vec2(8.0, 8.0)), 1.0, palette.text);
-}
-
 /// What a string pulls, in words.
-fn number(painter: &Painter, eye: &Camera, pane: &Pane, string: &Seen, palette: &Palette) {
+pub(crate) fn number(painter: &Painter, eye: &Camera, pane: &Pane, string: &Seen, palette: &Palette) {
     let Some(at) = number_place(eye, pane, string) else { return };
     let text = format!("{}: {:.1} N", string.number, string.tension);
     let galley = painter.layout_no_wrap(text, FontId::proportional(12.5), palette.text);
@@ -171,7 +103,7 @@ fn number_place(eye: &Camera, pane: &Pane, string: &Seen) -> Option<Pos2> {
 }
 
 /// What thickness and lightness of a string say.
-pub(super) fn legend(l: Language, ui: &mut Ui) {
+pub(crate) fn legend(l: Language, ui: &mut Ui) {
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), 30.0), Sense::hover());
     response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Image, true, l.text("hand.legend")));
     const STEPS: usize = 40;

@@ -3,13 +3,10 @@
 pub(crate) mod felt;
 pub mod gamepad;
 #[cfg(not(target_arch = "wasm32"))]
-mod gamepad_device;
+pub(crate) mod gamepad_device;
 pub(crate) mod grab;
 pub(crate) mod pad_input;
 pub(crate) mod pan_keys;
 pub(crate) mod picking;
 pub mod pouring;
-pub(crate) mod probe_hand;
-mod put_in;
-mod scale_choice;
 pub(crate) mod tool_hand;

@@ -1,9 +1,8 @@
 //! Oil, butter, water and the lid: what a cook adds at once, and what lies in the pan.
 
+use crate::app::SauteApp;
 use saute_kitchen::advice::SMOKE_SEEN_MG_S;
 use saute_kitchen::{Command, EventKind, Kitchen};
-
-use crate::app::SauteApp;
 use saute_words::language::Language;
 
 /// What can be poured or laid into the pan.
@@ -63,38 +62,12 @@ impl Portion {
         portions[self as usize]
     }
 
-    fn next(self) -> Self {
+    pub(crate) fn next(self) -> Self {
         match self {
             Self::Little => Self::Some,
             Self::Some => Self::Much,
             Self::Much => Self::Little,
         }
-    }
-}
-
-impl SauteApp {
-    /// Adds a portion to the pan.
-    pub(crate) fn pour(&mut self, what: Pourable) {
-        let mass = 1e-3 * self.portion.grams(what);
-        self.command(&match what {
-            Pourable::Oil => Command::Oil { kind: None, mass },
-            Pourable::Butter => Command::Butter(mass),
-            Pourable::Water => Command::Water(mass),
-        });
-    }
-
-    /// The next larger portion, or the smallest again.
-    pub(crate) fn next_portion(&mut self) {
-        self.portion = self.portion.next();
-    }
-
-    /// Lays the lid on, or takes it off; a tool in the pan is put away first.
-    pub(crate) fn turn_lid(&mut self) {
-        let on = self.session.kitchen.pan_state().lid.is_some();
-        if !on {
-            self.put_tool_away();
-        }
-        self.command(&Command::Lid(!on));
     }
 }
 
@@ -111,7 +84,7 @@ pub(crate) fn in_the_pan(kitchen: &Kitchen, l: Language) -> String {
     if words.is_empty() { l.text("pour.nothing").to_owned() } else { words.join(" · ") }
 }
 
-fn grams(g: f64) -> String {
+pub(crate) fn grams(g: f64) -> String {
     if g < 10.0 { format!("{g:.1}\u{a0}g") } else { format!("{g:.0}\u{a0}g") }
 }
 

@@ -3,7 +3,6 @@
 pub mod goal_choice;
 pub mod on_its_own;
 pub mod raster;
-pub mod result;
 pub mod tutorial;
 
 use self::tutorial::Tutorial;

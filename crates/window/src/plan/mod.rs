@@ -1,6 +1,5 @@
 //! "Plan my steak": what is asked for, the search for a plan, and the cook that follows it.
 
-mod acts;
 pub mod choice;
 pub mod kitchen_card;
 

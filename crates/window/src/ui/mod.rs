@@ -10,7 +10,6 @@ pub mod motion;
 pub mod notice;
 pub mod palette;
 pub mod quality_choice;
-pub(crate) mod save_picture;
 pub mod scene_view;
 pub(crate) mod spoken_range;
 #[cfg(not(target_arch = "wasm32"))]

@@ -1,8 +1,7 @@
 //! The chosen rendering quality: a level, or automatic.
 
-use saute_scene::quality::Quality;
-
 use crate::app::SauteApp;
+use saute_scene::quality::Quality;
 
 /// A level, or automatic.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Deserialize, serde::Serialize)]
@@ -20,22 +19,6 @@ impl QualityChoice {
     /// All of them.
     pub const ALL: [Self; 4] =
         [Self::Automatic, Self::Always(Quality::Quick), Self::Always(Quality::Smooth), Self::Always(Quality::Best)];
-}
-
-impl SauteApp {
-    /// The quality at which the scene is drawn now.
-    pub fn quality(&self) -> Quality {
-        match self.settings.quality {
-            QualityChoice::Always(quality) => quality,
-            QualityChoice::Automatic if self.software() => Quality::Quick,
-            QualityChoice::Automatic => self.governor.level(),
-        }
-    }
-
-    /// Chooses the quality of the picture.
-    pub fn set_quality(&mut self, choice: QualityChoice) {
-        self.settings.quality = choice;
-    }
 }
 
 #[cfg(test)]

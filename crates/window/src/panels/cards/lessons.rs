@@ -3,8 +3,8 @@
 use egui::{Rect, RichText, ScrollArea, Ui, vec2};
 use saute_study::class::{Scenario, shipped};
 
+use crate::act::GuidedAct;
 use crate::act::{Act, Acts, Card, LearnAct};
-use crate::guided::GuidedAct;
 use crate::panels::cards::frame::Framed;
 use crate::panels::window_state::WindowState;
 use crate::ui::{fingers, theme};

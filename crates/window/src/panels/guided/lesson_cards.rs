@@ -5,8 +5,9 @@ use saute_study::Measures;
 use saute_study::class::{Ask, Lesson, ResultRow};
 
 use super::{Entries, button, card};
+use crate::act::GuidedAct;
 use crate::act::{Act, Acts, LearnAct};
-use crate::guided::{GuidedAct, LessonDesk};
+use crate::guided::LessonDesk;
 use crate::panels::window_state::WindowState;
 use crate::ui::theme;
 use saute_words::guided_words;

@@ -3,8 +3,9 @@
 use egui::{Align2, Area, Id, RichText, Ui, vec2};
 use saute_study::Stage;
 
+use crate::act::GuidedAct;
 use crate::act::{Act, Acts, LearnAct};
-use crate::guided::{GuidedAct, LessonDesk, StudyDesk, is_out};
+use crate::guided::{LessonDesk, StudyDesk, is_out};
 use crate::panels::window_state::WindowState;
 use crate::ui::layout::{GAP, Layout};
 use crate::ui::{fingers, theme};

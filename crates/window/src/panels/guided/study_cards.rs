@@ -5,8 +5,9 @@ use saute_study::protocol_file::Entered;
 use saute_study::{Answering, Answers, CookForReal, Measures, Questionnaire, Simulate, Stage};
 
 use super::{Entries, answers, button, card};
+use crate::act::GuidedAct;
 use crate::act::{Act, Acts, LearnAct};
-use crate::guided::{GuidedAct, StudyDesk};
+use crate::guided::StudyDesk;
 use crate::panels::window_state::WindowState;
 use crate::ui::theme;
 use saute_words::guided_words;

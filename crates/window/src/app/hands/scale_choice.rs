@@ -1,10 +1,8 @@
 //! The choice of a scale of doneness.
 
-use std::sync::Arc;
-
-use saute_kitchen::food::Scale;
-
 use crate::app::SauteApp;
+use saute_kitchen::food::Scale;
+use std::sync::Arc;
 
 impl SauteApp {
     /// The scale of doneness in whose words the food that the panels show is spoken of.

@@ -1,8 +1,7 @@
 //! Puts pieces into the pan, and says what came of it.
 
-use saute_kitchen::{Command, Place};
-
 use crate::app::SauteApp;
+use saute_kitchen::{Command, Place};
 
 impl SauteApp {
     /// Lays pieces onto the floor of the pan, as many as fit, and says how many that are.

@@ -1,9 +1,8 @@
 //! Haptic devices in the window: connecting, the emergency stop, and notices about them.
 
-use egui::{Context, Key, Modifiers};
-
-use super::hands::{HandsStart, Role};
 use crate::app::SauteApp;
+use crate::hand::hands::{HandsStart, Role};
+use egui::{Context, Key, Modifiers};
 
 /// Interval at which the panel is redrawn while time stands still [s] (chosen: numbers that can be read).
 const ANEW_S: f64 = 0.1;

@@ -1,18 +1,19 @@
 //! Probes in the scene: put where the pointer is, shown as numbered markers, dragged.
 
-use egui::{Align2, FontId, Pos2, Rect, Sense, Stroke, Ui, Vec2, vec2};
-use saute_recipe::probe::SeenPoint;
-use saute_recipe::probe::{MOST_PROBES, NoProbeLeft};
-
 use crate::app::SauteApp;
 use crate::ui::layout::Pane;
 use crate::ui::theme;
+use egui::{Align2, FontId, Pos2, Rect, Sense, Stroke, Ui, Vec2, vec2};
+use saute_recipe::probe::SeenPoint;
+use saute_recipe::probe::{MOST_PROBES, NoProbeLeft};
 use saute_words::piece_words::name;
 
 /// From the point of a probe to its number [points] (chosen: neither finger nor number hides the point).
 const NUMBER_AT: Vec2 = vec2(15.0, -17.0);
+
 /// Radius of the number's ground and of the point [points].
 const NUMBER: f32 = 9.5;
+
 const POINT: f32 = 3.0;
 
 impl SauteApp {

@@ -1,55 +1,15 @@
 //! Studies and lessons by acts, and what leads them in each frame.
 
-use std::sync::Arc;
-
+use crate::act::Act;
+use crate::act::GuidedAct;
+use crate::app::SauteApp;
+use crate::guided::{Guided, LessonDesk, LessonStart, StudyDesk, StudyStart};
 use saute_picture::View;
+use saute_session::permits::{Permit, Permits};
 use saute_study::class::{Scenario, shipped, to_csv};
 use saute_study::{Answers, Event, Stage};
-
-use super::{Guided, LessonDesk, LessonStart, StudyDesk, StudyStart};
-use crate::act::Act;
-use crate::app::SauteApp;
-use saute_session::permits::{Permit, Permits};
 use saute_words::guided_words;
-
-/// What a participant or a student does with a card or the ribbon.
-#[derive(Clone, Debug, PartialEq)]
-pub enum GuidedAct {
-    /// Takes part.
-    Agree,
-    /// Does not take part.
-    Decline,
-    /// Begins the trial that is next.
-    BeginTrial,
-    /// Ends the trial that runs.
-    EndTrial,
-    /// Hands in what was entered or answered.
-    Answer(Answers),
-    /// Writes rows again that could not be written.
-    KeepRows,
-    /// Saves the log of a page.
-    SaveLog,
-    /// Opens a shipped lesson by its id.
-    Lesson(String),
-    /// Begins the cook of the lesson.
-    BeginLesson,
-    /// Answers the question that waits.
-    Predict(f64),
-    /// Goes on after the truth was shown.
-    GoOn,
-    /// Ends the lesson.
-    EndLesson,
-    /// Saves the result as a file.
-    SaveResult,
-    /// Copies the result as a line for a sheet.
-    CopyResult,
-    /// Begins the lesson anew.
-    AgainLesson,
-    /// Leaves the lesson.
-    Leave,
-    /// Closes the window.
-    CloseWindow,
-}
+use std::sync::Arc;
 
 impl SauteApp {
     /// The study or the lesson that leads the cook.

@@ -1,19 +1,17 @@
 //! Carries out what is done about a plan.
 
-use std::sync::Arc;
-
+use crate::act::Card;
+use crate::app::SauteApp;
+use crate::plan::PlanFile;
+use crate::plan::{PlanAct, kitchen_card};
 use saute_kitchen::Command;
 use saute_plan::schedule::Plan;
 use saute_plan::schedule::voice::Keeping;
-
-use super::PlanFile;
-use super::{PlanAct, kitchen_card};
-use crate::act::Card;
-use crate::app::SauteApp;
 use saute_session::SPEEDS;
 use saute_session::plan::live::Live;
 use saute_session::work::Kind;
 use saute_session::work::in_frames::InFrames;
+use std::sync::Arc;
 
 impl SauteApp {
     /// Carries out what is done about a plan.
@@ -138,7 +136,7 @@ impl SauteApp {
     pub(crate) fn plan_file(&self, file: PlanFile) -> Option<Vec<u8>> {
         let plan = self.planning.plan().or_else(|| self.live.as_ref().map(Live::plan))?;
         let text = match file {
-            PlanFile::Recipe => super::recipe_file(plan, &self.session.library, &self.settings),
+            PlanFile::Recipe => crate::plan::recipe_file(plan, &self.session.library, &self.settings),
             PlanFile::Card => kitchen_card::page(plan, &self.session.library, self.settings.speech()),
         };
         Some(text.into_bytes())

@@ -1,11 +1,9 @@
 //! Screenshots of the window.
 
-use std::path::PathBuf;
-
+use crate::app::SauteApp;
 use saute_picture::cut::section::Picture;
 use saute_picture::still::png_file::png_bytes;
-
-use crate::app::SauteApp;
+use std::path::PathBuf;
 
 impl SauteApp {
     /// Requests a picture of the window; it is written into the folder of pictures as `saute-N.png`, or downloaded by the

@@ -1,11 +1,10 @@
 //! The result of a cook: when it is shown by itself, and its picture that is shared.
 
-use saute_kitchen::advice::Advice;
-
 use crate::act::Card;
 use crate::app::SauteApp;
 use crate::learn::goal_choice::goal_of;
 use crate::learn::on_its_own;
+use saute_kitchen::advice::Advice;
 use saute_words::judgement_words::ResultWords;
 
 /// Longest interval between the marks of one taking out [s] (chosen: pieces of a group follow each other within it).

@@ -1,0 +1,33 @@
+//! Oil, butter, water and the lid: what a cook adds at once, and what lies in the pan.
+
+use crate::app::SauteApp;
+use crate::input::pouring::{Pourable, grams};
+use saute_kitchen::advice::SMOKE_SEEN_MG_S;
+use saute_kitchen::{Command, EventKind, Kitchen};
+use saute_words::language::Language;
+
+impl SauteApp {
+    /// Adds a portion to the pan.
+    pub(crate) fn pour(&mut self, what: Pourable) {
+        let mass = 1e-3 * self.portion.grams(what);
+        self.command(&match what {
+            Pourable::Oil => Command::Oil { kind: None, mass },
+            Pourable::Butter => Command::Butter(mass),
+            Pourable::Water => Command::Water(mass),
+        });
+    }
+
+    /// The next larger portion, or the smallest again.
+    pub(crate) fn next_portion(&mut self) {
+        self.portion = self.portion.next();
+    }
+
+    /// Lays the lid on, or takes it off; a tool in the pan is put away first.
+    pub(crate) fn turn_lid(&mut self) {
+        let on = self.session.kitchen.pan_state().lid.is_some();
+        if !on {
+            self.put_tool_away();
+        }
+        self.command(&Command::Lid(!on));
+    }
+}

@@ -1,0 +1,68 @@
+//! The window of the half mirror: the picture for the device, or the calibration pattern.
+
+use crate::app::SauteApp;
+use crate::mirror::aim::Aim;
+use crate::mirror::pattern::Pattern;
+use crate::mirror::presenter::MirrorCallback;
+use crate::mirror::view::MirrorView;
+use egui::{Color32, Key, Sense, Ui};
+use glam::DVec2;
+use saute_mirror::frame::MirrorFrame;
+use saute_mirror::rig::Rig;
+use saute_mirror::rig_file;
+use saute_mirror::settings::MirrorSettings;
+use saute_scene::input::SceneInput;
+use saute_scene::quality::Quality;
+use saute_words::language::Language;
+use std::io::Read;
+use std::sync::Arc;
+
+/// Size of the mirror's window before it fills a screen [points].
+const WINDOW: [f32; 2] = [960.0, 540.0];
+
+impl SauteApp {
+    /// The mirror's window, while it is open: the picture and nothing else; the main window stays the operator's.
+    pub(crate) fn show_mirror(&mut self, ctx: &egui::Context) {
+        if !self.mirror.open {
+            return;
+        }
+        let title = self.settings.language.text("half_mirror.window");
+        let builder = egui::ViewportBuilder::default()
+            .with_title(title)
+            .with_inner_size(WINDOW)
+            .with_fullscreen(self.mirror.full);
+        ctx.show_viewport_immediate(egui::ViewportId::from_hash_of("mirror"), builder, |ui, class| {
+            // A hand that is hurt stops its device wherever the keys go.
+            #[cfg(not(target_arch = "wasm32"))]
+            self.take_stop(ui.ctx());
+            if class == egui::ViewportClass::EmbeddedWindow {
+                ui.set_min_size(WINDOW.into());
+            } else {
+                // The keys of a part of the main window are the main window's.
+                self.mirror.take_keys(ui);
+            }
+            let quality = self.quality();
+            let scene = self.scene.shown.clone();
+            if self.drawable() {
+                let l = self.settings.language;
+                self.mirror.show(ui, &mut self.settings.mirror, scene.as_deref(), quality, l);
+            }
+        });
+    }
+
+    /// Opens the mirror's window or closes it, and says how to use it.
+    pub(crate) fn toggle_mirror(&mut self) {
+        self.mirror.open = !self.mirror.open;
+        self.mirror.full = false;
+        match self.mirror.rig(&self.settings.mirror.rig) {
+            Err(error) if self.mirror.open => self.say_trouble(&error),
+            Ok(_) if self.mirror.open => self.say("half_mirror.opened"),
+            _ => {}
+        }
+    }
+
+    /// State of the mirror's window.
+    pub fn mirror(&self) -> &MirrorView {
+        &self.mirror
+    }
+}

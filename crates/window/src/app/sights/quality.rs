@@ -1,0 +1,21 @@
+//! The chosen rendering quality: a level, or automatic.
+
+use crate::app::SauteApp;
+use crate::ui::quality_choice::QualityChoice;
+use saute_scene::quality::Quality;
+
+impl SauteApp {
+    /// The quality at which the scene is drawn now.
+    pub fn quality(&self) -> Quality {
+        match self.settings.quality {
+            QualityChoice::Always(quality) => quality,
+            QualityChoice::Automatic if self.software() => Quality::Quick,
+            QualityChoice::Automatic => self.governor.level(),
+        }
+    }
+
+    /// Chooses the quality of the picture.
+    pub fn set_quality(&mut self, choice: QualityChoice) {
+        self.settings.quality = choice;
+    }
+}
