@@ -3,6 +3,7 @@
 mod export;
 pub(crate) mod frame;
 mod hands;
+mod keeps;
 mod keys;
 mod leads;
 mod open_session;

@@ -1,28 +1,27 @@
 //! A cook as the fragment of an address: what it began with and every command, packed, with a version and a checksum.
 
-use std::io::{Read, Write};
-
+#[cfg(target_arch = "wasm32")]
+use crate::browser::host as outside;
+#[cfg(not(target_arch = "wasm32"))]
+use crate::window as outside;
 use data_encoding::BASE64URL_NOPAD;
 use flate2::Compression;
 use flate2::read::DeflateDecoder;
 use flate2::write::DeflateEncoder;
 use saute_recipe::Recording;
 use saute_recipe::session::Opened;
-
-use crate::app::SauteApp;
-#[cfg(target_arch = "wasm32")]
-use crate::browser::host as outside;
-#[cfg(not(target_arch = "wasm32"))]
-use crate::window as outside;
-use saute_session::permits::Permit;
+use std::io::{Read, Write};
 
 /// What a fragment begins with that holds a cook; a version and a dot follow.
 const NAME: &str = "cook=";
+
 /// The version of such fragments that this program writes, and the latest that it reads.
 const VERSION: u32 = 1;
+
 /// The longest fragment that is offered to be sent [characters] (chosen: programs that carry messages cut longer addresses, and
 /// browsers of all kinds open these).
 pub const LONGEST: usize = 8000;
+
 /// The longest session that a fragment is unpacked to [bytes] (chosen: far above what packs into the longest; a longer one is no cook).
 const MOST_BYTES: u64 = 16 << 20;
 
@@ -77,35 +76,6 @@ pub fn read(fragment: &str) -> Result<Option<Recording>, LinkError> {
 /// The address of the page, to which a fragment is added; a window of its own has none.
 pub(crate) fn page_address() -> Option<String> {
     outside::page_address()
-}
-
-impl SauteApp {
-    /// Copies an address that holds the cook, and says how long it is; one that is too long to be sent is not copied.
-    pub(crate) fn copy_link(&mut self) {
-        let Some(address) = page_address() else { return };
-        let link = format!("{address}#{}", fragment(&self.session.whole_recording()));
-        let (l, length) = (self.settings.language, link.len());
-        if length > LONGEST {
-            return self.notice.say(l.fill("link.too_long", &[("length", &length), ("most", &LONGEST)]));
-        }
-        outside::copy_text(self, link);
-        self.notice.say(l.fill("link.copied", &[("length", &length)]));
-    }
-
-    /// Opens the cook that a fragment holds; nothing if it is about something else.
-    pub fn open_link(&mut self, fragment: &str) {
-        if !self.permits().allow(&[Permit::Leaving]) {
-            return;
-        }
-        match read(fragment) {
-            Ok(None) => {}
-            Ok(Some(recording)) => match self.session.resume(recording) {
-                Ok(()) => self.say("link.opened"),
-                Err(error) => self.say_trouble(&error),
-            },
-            Err(error) => self.say(error.words()),
-        }
-    }
 }
 
 fn packed(bytes: &[u8]) -> Vec<u8> {

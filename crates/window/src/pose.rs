@@ -1,10 +1,6 @@
 //! The window in a stated condition: a recipe at an instant, with view, cut and camera. Pictures of it can be compared.
 
-use crate::app::SauteApp;
-use crate::ui::quality_choice::QualityChoice;
-use saute_kitchen::TICK_S;
 use saute_picture::view::View;
-use saute_recipe::Recipe;
 use saute_scene::quality::Quality;
 use serde::Deserialize;
 

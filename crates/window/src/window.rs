@@ -5,9 +5,9 @@ use crate::ui::stored_zoom;
 
 /// What a start says about the world around the window.
 pub(crate) struct Surroundings {
-    hands: crate::hand::HandsStart,
+    pub(crate) hands: crate::hand::HandsStart,
     /// True if the cook is kept: a recipe or a session that is named is what the person wants.
-    keeps: bool,
+    pub(crate) keeps: bool,
 }
 
 impl Surroundings {
@@ -15,18 +15,6 @@ impl Surroundings {
         let keeps = remembers && start.recipe.is_none() && start.recorded.is_none();
         let keeps = keeps && start.study.is_none() && start.lesson.is_none();
         Self { hands: start.hands.clone(), keeps }
-    }
-}
-
-impl SauteApp {
-    /// Connects devices, and keeps the cook in the user's folder.
-    pub(crate) fn settle_in(&mut self, around: Surroundings, _: &egui::Context) {
-        let folder = eframe::storage_dir(NAME);
-        self.session.hands.folder = folder.as_ref().map(|folder| folder.join("calibrations"));
-        self.begin_hands(around.hands);
-        if let Some(folder) = folder.filter(|_| around.keeps) {
-            self.keep_cook_in(&folder.join("cook.saute"));
-        }
     }
 }
 
@@ -59,7 +47,7 @@ fn calendar(day: u64) -> [u64; 3] {
 }
 
 /// Name of the program, after which eframe names the folder of its settings.
-const NAME: &str = "saute";
+pub(crate) const NAME: &str = "saute";
 
 /// Opens the window and stays until it is closed.
 pub fn run(start: Start) -> eframe::Result {

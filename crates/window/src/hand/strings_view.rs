@@ -1,14 +1,12 @@
 //! The strings of a device in the scene: rods as thick and light as they pull, in dashes through the worktop, with
 //! their newtons.
 
-use crate::app::SauteApp;
 use crate::ui::layout::Pane;
 use crate::ui::palette::Palette;
 use crate::ui::scene_view::on_screen;
 use crate::ui::theme;
-use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Sense, Shape, Stroke, Ui, vec2};
+use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Sense, Stroke, Ui, vec2};
 use glam::Vec3;
-use saute_haptics::{Health, Pose, STRINGS, StringRig};
 use saute_scene::camera::Camera;
 use saute_scene::mesh::props::COUNTER_Z;
 use saute_scene::mesh::strings::StringLook;

@@ -1,14 +1,6 @@
 //! The mouse in the scene: it turns the eye, grabs pieces and the pan, and leads them by force.
 
-use crate::app::SauteApp;
-use crate::input::picking::{GRAB, TOUCH};
-use crate::ui::scene_view::{meet_height, ndc};
-use egui::{Pos2, Rect, Ui};
-use glam::{DVec3, Quat, Vec3};
-use saute_kitchen::dynamics::{Pose as BodyPose, Tool};
-use saute_kitchen::{Command, Piece, Place};
-use saute_picture::stage::Pose;
-use saute_scene::mesh::props::BOARD_CENTRE;
+use glam::Vec3;
 
 /// What the mouse is doing in the scene.
 #[derive(Clone, Debug, Default, PartialEq)]

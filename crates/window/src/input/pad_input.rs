@@ -1,11 +1,9 @@
 //! The gamepad in the window: its state from frame to frame.
 
-use crate::app::SauteApp;
-use crate::input::gamepad::{PadMotion, PadState, acts, motion};
+use crate::input::gamepad::PadState;
 #[cfg(not(target_arch = "wasm32"))]
 use crate::input::gamepad_device::GamepadDevice;
-use egui::Context;
-use saute_haptics::{DoublePulse, Rumble};
+use saute_haptics::DoublePulse;
 
 /// The gamepad with its last state.
 #[derive(Default)]

@@ -1,10 +1,6 @@
 //! Keys that are held, and the gamepad's left hand: they move and tilt the pan and shake it.
 
-use crate::app::SauteApp;
-use egui::{Context, Key};
-use glam::{DQuat, DVec2, DVec3};
-use saute_kitchen::Command;
-use saute_kitchen::dynamics::{Gesture, Pose};
+use glam::DVec2;
 
 /// Held keys, as the help lists them, with the keys of the words for them.
 pub const HELD: [(&str, &str); 5] = [

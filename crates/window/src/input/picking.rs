@@ -1,11 +1,6 @@
 //! Picking: what is under the pointer, with tolerance for small pieces and a thin rim.
 
-use crate::app::SauteApp;
-use egui::{Pos2, Rect, Vec2, pos2};
-use glam::{Mat4, Vec3};
-use saute_kitchen::Piece;
-use saute_picture::stage::Pose;
-use saute_scene::mesh::pan::{HANDLE_ANGLE, HANDLE_REACH};
+use egui::{Pos2, Vec2};
 
 /// How near to a piece a pointer grabs it [points] (chosen: half a finger).
 pub const GRAB: f32 = 24.0;

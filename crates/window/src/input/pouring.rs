@@ -1,8 +1,7 @@
 //! Oil, butter, water and the lid: what a cook adds at once, and what lies in the pan.
 
-use crate::app::SauteApp;
 use saute_kitchen::advice::SMOKE_SEEN_MG_S;
-use saute_kitchen::{Command, EventKind, Kitchen};
+use saute_kitchen::{EventKind, Kitchen};
 use saute_words::language::Language;
 
 /// What can be poured or laid into the pan.

@@ -1,9 +1,7 @@
 //! The tool in the cook's hand: tongs that grip what is dragged, or a turner that stays where it was put.
 
-use crate::app::SauteApp;
 use glam::{DQuat, DVec2, DVec3};
-use saute_kitchen::dynamics::{BLADE_HALF, Pose, Tool};
-use saute_kitchen::{Command, Piece};
+use saute_kitchen::dynamics::{Pose, Tool};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// Which tool mouse and right stick lead, and where.

@@ -1,11 +1,8 @@
 //! The goal by which a cook is judged: the one that was chosen by its name, else the class that the goal of the core lies in.
 
-use crate::app::SauteApp;
 use crate::session::Session;
 use crate::settings::Settings;
-use saute_kitchen::advice::class_goal;
 use saute_kitchen::data::goals::GoalDescription;
-use saute_kitchen::food::Scale;
 use saute_plan::goal::{Goal, Wish};
 
 /// Returns the goal of the food that the panels show; none where no scale says anything about it.

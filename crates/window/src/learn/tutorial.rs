@@ -3,10 +3,6 @@
 //! Where one waits, time runs fast until something is to be done; then it runs as it is, so that nothing burns while one reads.
 
 use crate::act::{Act, AppAct, Card, CookAct, ViewAct};
-use crate::app::SauteApp;
-use saute_kitchen::Place;
-use saute_kitchen::advice::Advice;
-use saute_session::SteakChoice;
 
 /// Speed of time while one waits [-].
 pub const FAST: f64 = 20.0;

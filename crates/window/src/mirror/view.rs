@@ -3,7 +3,6 @@
 use super::aim::Aim;
 use super::pattern::Pattern;
 use super::presenter::MirrorCallback;
-use crate::app::SauteApp;
 use egui::{Color32, Key, Sense, Ui};
 use glam::DVec2;
 use saute_mirror::frame::MirrorFrame;

@@ -3,11 +3,7 @@
 pub(crate) mod making;
 
 use self::making::Making;
-use crate::app::SauteApp;
-use saute_picture::still::shot::Eye;
-use saute_scene::camera::Camera;
 use saute_scene::light::photo::Photo;
-use saute_scene::quality::Quality;
 
 /// Sizes of a photo [pixels].
 pub const SIZES: [[u32; 2]; 3] = [[1280, 720], [1920, 1080], [3840, 2160]];

@@ -1,9 +1,5 @@
 //! The eye on its way to what matters: food that was taken out, a cut face, a chosen view.
 
-use crate::app::SauteApp;
-use glam::Vec3;
-use saute_kitchen::{Piece, Place};
-use saute_picture::stage::{Places, following, nearness};
 use saute_scene::camera::Camera;
 
 /// A view that a button chooses.

@@ -1,6 +1,5 @@
 //! The chosen rendering quality: a level, or automatic.
 
-use crate::app::SauteApp;
 use saute_scene::quality::Quality;
 
 /// A level, or automatic.

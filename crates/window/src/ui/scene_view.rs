@@ -1,16 +1,11 @@
 //! The scene in the window: drawing, and the handle of the cut.
 
-use crate::app::SauteApp;
 use crate::input::grab::Hold;
-use crate::paint::scene::{SceneCallback, SceneRest};
-use crate::ui::layout::{Layout, Pane};
-use crate::ui::theme;
-use egui::{Pos2, Rect, Sense, Stroke, Ui, pos2, vec2};
-use glam::{Mat4, Vec3};
-use saute_kitchen::Piece;
-use saute_picture::seen_point::Ray;
-use saute_picture::split;
-use saute_picture::stage::{Pose, StageOptions, half_length};
+use crate::paint::scene::SceneRest;
+use crate::ui::layout::Pane;
+use egui::{Pos2, Rect, pos2};
+use glam::Vec3;
+use saute_picture::stage::Pose;
 use saute_recipe::probe::SeenPoint;
 use saute_scene::input::SceneInput;
 use std::collections::BTreeMap;

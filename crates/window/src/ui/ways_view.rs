@@ -1,16 +1,7 @@
 //! Ways side by side: when they are shown, and the pans of those beside the one that goes on.
 
-use crate::app::SauteApp;
-use crate::app::frame::step_budget;
-use crate::paint::scene::SceneCallback;
-use crate::panels::Drawer;
-use crate::panels::ways::displayed;
-use crate::ui::layout::Layout;
-use egui::Ui;
-use saute_picture::stage::{Places, Stage, StageOptions};
+use saute_picture::stage::Stage;
 use std::collections::BTreeMap;
-use std::sync::Arc;
-use web_time::Duration;
 
 /// What the window keeps of ways side by side.
 #[derive(Debug, Default)]

@@ -2,10 +2,8 @@
 
 use crate::app::SauteApp;
 use crate::input::gamepad::{PadMotion, PadState, acts, motion};
-#[cfg(not(target_arch = "wasm32"))]
-use crate::input::gamepad_device::GamepadDevice;
 use egui::Context;
-use saute_haptics::{DoublePulse, Rumble};
+use saute_haptics::Rumble;
 
 impl SauteApp {
     /// Sets the gamepad's state, until one that is plugged in reports another.

@@ -2,7 +2,7 @@
 
 use crate::app::SauteApp;
 use crate::input::picking::{cross, distance, to_segment};
-use egui::{Pos2, Rect, Vec2, pos2};
+use egui::{Pos2, Rect, pos2};
 use glam::{Mat4, Vec3};
 use saute_kitchen::Piece;
 use saute_picture::stage::Pose;

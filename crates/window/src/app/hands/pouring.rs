@@ -1,10 +1,8 @@
 //! Oil, butter, water and the lid: what a cook adds at once, and what lies in the pan.
 
 use crate::app::SauteApp;
-use crate::input::pouring::{Pourable, grams};
-use saute_kitchen::advice::SMOKE_SEEN_MG_S;
-use saute_kitchen::{Command, EventKind, Kitchen};
-use saute_words::language::Language;
+use crate::input::pouring::Pourable;
+use saute_kitchen::Command;
 
 impl SauteApp {
     /// Adds a portion to the pan.

@@ -5,15 +5,13 @@ use crate::app::SauteApp;
 use crate::hand::strings_view::{STROKE, Seen, colour, number, project, radius};
 use crate::ui::layout::Pane;
 use crate::ui::palette::Palette;
-use crate::ui::scene_view::on_screen;
 use crate::ui::theme;
-use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Sense, Shape, Stroke, Ui, vec2};
+use egui::{Painter, Rect, Shape, Stroke, Ui, vec2};
 use glam::Vec3;
 use saute_haptics::{Health, Pose, STRINGS, StringRig};
 use saute_scene::camera::Camera;
 use saute_scene::mesh::props::COUNTER_Z;
 use saute_scene::mesh::strings::StringLook;
-use saute_words::language::Language;
 
 /// Dash and gap below the worktop, and what a metre there is as a stroke from a metre away [points] (chosen: as wide as
 /// the rods).

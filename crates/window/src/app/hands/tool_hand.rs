@@ -5,7 +5,7 @@ use crate::input::tool_hand::{HIGHEST, REACH, TurnerPose};
 use glam::{DQuat, DVec2, DVec3};
 use saute_kitchen::dynamics::{BLADE_HALF, Pose, Tool};
 use saute_kitchen::{Command, Piece};
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::f64::consts::FRAC_PI_2;
 
 /// Height at least at which food on the blade is rolled [m] (chosen: a steak clears the pan).
 const ROLL_HEIGHT: f64 = 0.07;

@@ -1,12 +1,9 @@
 //! The goal by which a cook is judged: the one that was chosen by its name, else the class that the goal of the core lies in.
 
 use crate::app::SauteApp;
-use crate::session::Session;
-use crate::settings::Settings;
 use saute_kitchen::advice::class_goal;
-use saute_kitchen::data::goals::GoalDescription;
 use saute_kitchen::food::Scale;
-use saute_plan::goal::{Goal, Wish};
+use saute_plan::goal::Goal;
 
 /// Goal for the core in a class: the one that its scale states, if that lies in it.
 fn usual_goal(scale: &Scale, class: usize) -> f64 {

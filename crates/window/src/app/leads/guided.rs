@@ -7,7 +7,7 @@ use crate::guided::{Guided, LessonDesk, LessonStart, StudyDesk, StudyStart};
 use saute_picture::View;
 use saute_session::permits::{Permit, Permits};
 use saute_study::class::{Scenario, shipped, to_csv};
-use saute_study::{Answers, Event, Stage};
+use saute_study::{Event, Stage};
 use saute_words::guided_words;
 use std::sync::Arc;
 

@@ -2,7 +2,7 @@
 //!
 //! Where one waits, time runs fast until something is to be done; then it runs as it is, so that nothing burns while one reads.
 
-use crate::act::{Act, AppAct, Card, CookAct, ViewAct};
+use crate::act::Card;
 use crate::app::SauteApp;
 use crate::learn::tutorial::{FAST, SLOW, Step, Tutorial};
 use saute_kitchen::Place;

@@ -1,21 +1,7 @@
 //! The window of the half mirror: the picture for the device, or the calibration pattern.
 
 use crate::app::SauteApp;
-use crate::mirror::aim::Aim;
-use crate::mirror::pattern::Pattern;
-use crate::mirror::presenter::MirrorCallback;
 use crate::mirror::view::MirrorView;
-use egui::{Color32, Key, Sense, Ui};
-use glam::DVec2;
-use saute_mirror::frame::MirrorFrame;
-use saute_mirror::rig::Rig;
-use saute_mirror::rig_file;
-use saute_mirror::settings::MirrorSettings;
-use saute_scene::input::SceneInput;
-use saute_scene::quality::Quality;
-use saute_words::language::Language;
-use std::io::Read;
-use std::sync::Arc;
 
 /// Size of the mirror's window before it fills a screen [points].
 const WINDOW: [f32; 2] = [960.0, 540.0];

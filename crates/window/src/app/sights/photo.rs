@@ -4,7 +4,6 @@ use crate::app::SauteApp;
 use crate::photo::making::Making;
 use saute_picture::still::shot::Eye;
 use saute_scene::camera::Camera;
-use saute_scene::light::photo::Photo;
 use saute_scene::quality::Quality;
 
 impl SauteApp {

@@ -4,10 +4,7 @@ use crate::app::SauteApp;
 use crate::pose::Pose;
 use crate::ui::quality_choice::QualityChoice;
 use saute_kitchen::TICK_S;
-use saute_picture::view::View;
 use saute_recipe::Recipe;
-use saute_scene::quality::Quality;
-use serde::Deserialize;
 
 impl SauteApp {
     /// Takes a condition on; time then stands still, and its picture is smoothed at once.

@@ -1,12 +1,11 @@
 //! The scene in the window: drawing, and the handle of the cut.
 
 use crate::app::SauteApp;
-use crate::input::grab::Hold;
-use crate::paint::scene::{SceneCallback, SceneRest};
+use crate::paint::scene::SceneCallback;
 use crate::ui::layout::{Layout, Pane};
 use crate::ui::scene_view::{meet_height, ndc, on_screen};
 use crate::ui::theme;
-use egui::{Pos2, Rect, Sense, Stroke, Ui, pos2, vec2};
+use egui::{Pos2, Rect, Sense, Stroke, Ui, vec2};
 use glam::{Mat4, Vec3};
 use saute_kitchen::Piece;
 use saute_picture::seen_point::Ray;
@@ -14,8 +13,6 @@ use saute_picture::split;
 use saute_picture::stage::{Pose, StageOptions, half_length};
 use saute_recipe::probe::SeenPoint;
 use saute_scene::input::SceneInput;
-use std::collections::BTreeMap;
-use std::sync::Arc;
 
 /// Height of the cut's knob above the steak [m] (chosen: clear of the crust, near enough to belong to it).
 const KNOB_HEIGHT: f32 = 0.028;

@@ -7,8 +7,7 @@ use crate::panels::Drawer;
 use crate::panels::ways::displayed;
 use crate::ui::layout::Layout;
 use egui::Ui;
-use saute_picture::stage::{Places, Stage, StageOptions};
-use std::collections::BTreeMap;
+use saute_picture::stage::{Places, StageOptions};
 use std::sync::Arc;
 use web_time::Duration;
 

@@ -1,11 +1,10 @@
 //! The file in which the cook that goes on is kept.
 
+use crate::app::SauteApp;
+use crate::autosave::CookStore;
 use std::fs::File;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-
-use super::CookStore;
-use crate::app::SauteApp;
 
 /// A path, and the file once a cook began there.
 struct CookFile {

@@ -1,0 +1,174 @@
+//! Files of the system: dialogs that open a recipe and save a cook, the recipes opened before, the folder of pictures.
+
+use crate::app::SauteApp;
+use crate::files::{Asked, Dialog, read};
+use crate::plan::PlanFile;
+use crate::session_file::write_whole;
+use saute_session::export::Export;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::sync::mpsc::channel;
+
+/// Recipes that are remembered at most (chosen: what is seen without scrolling).
+const REMEMBERED: usize = 5;
+
+impl SauteApp {
+    /// Opens the system's file dialog for a recipe.
+    pub(crate) fn choose_file(&mut self, ctx: &egui::Context) {
+        self.ask(Asked::Open, ctx);
+    }
+
+    /// Opens the system's file dialog for the place of a file that is made of the cook.
+    pub(crate) fn export(&mut self, what: Export, ctx: &egui::Context) {
+        self.ask(Asked::Save(what), ctx);
+    }
+
+    /// Opens the system's file dialog for the place of a file that is made of a plan.
+    pub(crate) fn save_plan(&mut self, file: PlanFile, ctx: &egui::Context) {
+        self.ask(Asked::SavePlan(file), ctx);
+    }
+
+    fn ask(&mut self, asked: Asked, ctx: &egui::Context) {
+        if self.dialog.0.is_some() {
+            return;
+        }
+        let (send, receive) = channel();
+        let ctx = ctx.clone();
+        let dialog = self.dialog_for(asked);
+        let begun = std::thread::Builder::new().name("file-dialog".to_owned()).spawn(move || {
+            let chosen = match asked {
+                Asked::Open => dialog.pick_file(),
+                Asked::Save(_) | Asked::SavePlan(_) => dialog.save_file(),
+            };
+            // Nobody waits for the answer once the window is closed.
+            let _ = send.send(chosen);
+            ctx.request_repaint();
+        });
+        match begun {
+            Ok(_) => self.dialog = Dialog(Some((asked, receive))),
+            Err(error) => self.say_trouble(&error),
+        }
+    }
+
+    fn dialog_for(&self, asked: Asked) -> rfd::FileDialog {
+        let l = self.settings.language;
+        let dialog = match asked {
+            Asked::Open => rfd::FileDialog::new()
+                .set_title(l.text("pantry.choose_file"))
+                .add_filter("TOML, SAUTE, CSV", &["toml", Export::Cook.ending(), "csv", "tsv"]),
+            Asked::Save(what) => save_dialog(l.text(what.words()), what.ending(), what.file_name(l)),
+            Asked::SavePlan(file) => save_dialog(l.text(file.words()), file.ending(), file.file_name(l)),
+        };
+        match self.settings.recent.first().and_then(|file| file.parent()) {
+            Some(folder) => dialog.set_directory(folder),
+            None => dialog,
+        }
+    }
+
+    /// Opens the file that was chosen since the last frame, or writes it.
+    pub(crate) fn take_chosen_file(&mut self) {
+        let Some((asked, answer)) = &self.dialog.0 else { return };
+        let asked = *asked;
+        match answer.try_recv() {
+            Ok(chosen) => {
+                self.dialog = Dialog::default();
+                match (chosen, asked) {
+                    (Some(path), Asked::Open) => self.open_file(&path),
+                    (Some(path), Asked::Save(what)) => self.save_export(what, &path),
+                    (Some(path), Asked::SavePlan(file)) => self.save_plan_at(file, &path),
+                    (None, _) => {}
+                }
+            }
+            Err(std::sync::mpsc::TryRecvError::Empty) => {}
+            Err(std::sync::mpsc::TryRecvError::Disconnected) => self.dialog = Dialog::default(),
+        }
+    }
+
+    /// Writes a file that is made of the cook, and says so; or says why it cannot.
+    pub fn save_export(&mut self, what: Export, path: &Path) {
+        let path = if path.extension().is_some() { path.to_owned() } else { path.with_extension(what.ending()) };
+        self.export_by(what, &path, |bytes| write_whole(&path, bytes).map_err(|error| error.to_string()));
+    }
+
+    /// Writes a file that is made of a plan, and says so; or says why it cannot.
+    pub fn save_plan_at(&mut self, file: PlanFile, path: &Path) {
+        let path = if path.extension().is_some() { path.to_owned() } else { path.with_extension(file.ending()) };
+        let Some(bytes) = self.plan_file(file) else { return };
+        let written = write_whole(&path, &bytes).map_err(|error| error.to_string());
+        self.say_written(&path, written, PlanFile::SAID);
+    }
+
+    /// Opens a recipe's file and remembers it.
+    pub(crate) fn open_file(&mut self, path: &Path) {
+        let read = read(path);
+        if read.is_ok() {
+            self.settings.recent.retain(|file| file != path);
+            self.settings.recent.insert(0, path.to_owned());
+            self.settings.recent.truncate(REMEMBERED);
+        }
+        self.take_file(&path.display().to_string(), read);
+    }
+
+    /// The folder into which pictures are saved.
+    pub(crate) fn pictures_folder(&self) -> PathBuf {
+        self.pictures.clone().unwrap_or_else(pictures_folder)
+    }
+
+    /// Shows a file in the system's file manager.
+    pub(crate) fn show_file(&mut self, file: &Path) {
+        let folder = file.parent().unwrap_or(file);
+        let opener = if cfg!(target_os = "macos") {
+            "open"
+        } else if cfg!(windows) {
+            "explorer"
+        } else {
+            "xdg-open"
+        };
+        let mut shown = Command::new(opener);
+        shown.arg(folder).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
+        if let Err(error) = shown.spawn() {
+            self.say_trouble(&format!("{opener} {}: {error}", folder.display()));
+        }
+    }
+}
+
+fn save_dialog(title: &str, ending: &str, name: String) -> rfd::FileDialog {
+    rfd::FileDialog::new().set_title(title).add_filter(ending.to_uppercase(), &[ending]).set_file_name(name)
+}
+
+/// The folder of pictures: that of the user's folders, else Pictures in the home folder where there is one, else the
+/// working folder.
+fn pictures_folder() -> PathBuf {
+    let home = std::env::var_os(if cfg!(windows) { "USERPROFILE" } else { "HOME" }).map(PathBuf::from);
+    let usual = || home.as_ref().map(|home| home.join("Pictures"));
+    let named = home.as_deref().and_then(named_by_user);
+    let found = named.into_iter().chain(usual()).find(|folder| folder.is_dir());
+    found.or_else(|| std::env::current_dir().ok()).unwrap_or_default()
+}
+
+/// The folder that the file of the user's folders names (XDG: user-dirs.dirs).
+fn named_by_user(home: &Path) -> Option<PathBuf> {
+    let config = std::env::var_os("XDG_CONFIG_HOME").map_or_else(|| home.join(".config"), PathBuf::from);
+    let text = std::fs::read_to_string(config.join("user-dirs.dirs")).ok()?;
+    pictures_in(&text, home)
+}
+
+fn pictures_in(user_dirs: &str, home: &Path) -> Option<PathBuf> {
+    let line = user_dirs.lines().find_map(|line| line.trim().strip_prefix("XDG_PICTURES_DIR="))?;
+    let path = line.trim_matches('"');
+    Some(path.strip_prefix("$HOME/").map_or_else(|| PathBuf::from(path), |below| home.join(below)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_users_folder_of_pictures_is_read_as_the_desktop_writes_it() {
+        let text = "# comment\nXDG_DESKTOP_DIR=\"$HOME/Desktop\"\nXDG_PICTURES_DIR=\"$HOME/Bilder\"\n";
+        assert_eq!(pictures_in(text, Path::new("/home/a")), Some(PathBuf::from("/home/a/Bilder")));
+        let text = "XDG_PICTURES_DIR=\"/data/pictures\"\n";
+        assert_eq!(pictures_in(text, Path::new("/home/a")), Some(PathBuf::from("/data/pictures")));
+        assert_eq!(pictures_in("", Path::new("/home/a")), None);
+    }
+}

@@ -1,0 +1,38 @@
+//! A cook as the fragment of an address: what it began with and every command, packed, with a version and a checksum.
+
+use crate::app::SauteApp;
+#[cfg(target_arch = "wasm32")]
+use crate::browser::host as outside;
+use crate::link::{LONGEST, fragment, page_address, read};
+#[cfg(not(target_arch = "wasm32"))]
+use crate::window as outside;
+use saute_session::permits::Permit;
+
+impl SauteApp {
+    /// Copies an address that holds the cook, and says how long it is; one that is too long to be sent is not copied.
+    pub(crate) fn copy_link(&mut self) {
+        let Some(address) = page_address() else { return };
+        let link = format!("{address}#{}", fragment(&self.session.whole_recording()));
+        let (l, length) = (self.settings.language, link.len());
+        if length > LONGEST {
+            return self.notice.say(l.fill("link.too_long", &[("length", &length), ("most", &LONGEST)]));
+        }
+        outside::copy_text(self, link);
+        self.notice.say(l.fill("link.copied", &[("length", &length)]));
+    }
+
+    /// Opens the cook that a fragment holds; nothing if it is about something else.
+    pub fn open_link(&mut self, fragment: &str) {
+        if !self.permits().allow(&[Permit::Leaving]) {
+            return;
+        }
+        match read(fragment) {
+            Ok(None) => {}
+            Ok(Some(recording)) => match self.session.resume(recording) {
+                Ok(()) => self.say("link.opened"),
+                Err(error) => self.say_trouble(&error),
+            },
+            Err(error) => self.say(error.words()),
+        }
+    }
+}
