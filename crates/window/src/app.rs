@@ -9,6 +9,8 @@ mod leads;
 mod open_session;
 mod outside;
 mod pace;
+#[cfg(target_arch = "wasm32")]
+mod page;
 mod sights;
 
 use std::sync::Arc;
@@ -16,7 +18,7 @@ use std::sync::Arc;
 use egui::{Rect, Ui};
 use saute_kitchen::{Command, Library, TICK_S};
 use saute_picture::stage::{Places, Stage, following};
-use saute_recipe::{Recipe, Recording};
+use saute_recipe::Recipe;
 use saute_scene::camera::Camera;
 use saute_scene::quality::Quality;
 
@@ -24,9 +26,11 @@ use crate::act::Card;
 use crate::apply::waiting::Waiting;
 #[cfg(target_arch = "wasm32")]
 use crate::browser::host::Surroundings;
+#[cfg(not(target_arch = "wasm32"))]
+use crate::desktop::Surroundings;
 use crate::frame_meter::FrameMeter;
 use crate::governor::Governor;
-use crate::guided::{Guided, LessonStart, StudyStart};
+use crate::guided::Guided;
 use crate::input::pad_input::Pad;
 use crate::input::pan_keys::PanKeys;
 use crate::input::pouring::Portion;
@@ -40,6 +44,7 @@ use crate::paint::scene::SceneCallback;
 use crate::panels::window_state::PanelMemory;
 use crate::session::Session;
 use crate::settings::Settings;
+use crate::start::{Start, StartError};
 use crate::ui::fingers;
 use crate::ui::glance::Glance;
 use crate::ui::motion::Motions;
@@ -48,7 +53,6 @@ use crate::ui::scene_view::SceneView;
 use crate::ui::theme;
 use crate::ui::ways_view::WaysView;
 #[cfg(not(target_arch = "wasm32"))]
-use crate::window::Surroundings;
 use saute_haptics::control::scheduling::yield_to_others;
 use saute_session::at_home::fitting::AtHome;
 use saute_session::at_home::kept::KeptKitchen;
@@ -71,37 +75,6 @@ const LOOK_PERIOD_S: f64 = 0.3;
 /// Time between two savings of the settings (chosen: whoever is cut off loses no more than this; a file of a few
 /// kilobytes).
 const AUTO_SAVE: std::time::Duration = std::time::Duration::from_secs(5);
-
-/// Start options of the window.
-#[derive(Clone, Debug, Default)]
-pub struct Start {
-    /// Library of foods, pans and recipes; the embedded one unless given.
-    pub library: Option<Arc<Library>>,
-    /// A recipe to play at once.
-    pub recipe: Option<Recipe>,
-    /// A recorded session to go on with.
-    pub recorded: Option<Recording>,
-    /// Language of the window; the remembered one unless given.
-    pub language: Option<Language>,
-    /// True draws panels a few times a second where the graphics are software.
-    pub frugal: bool,
-    /// True lets threads work beside the window; without them, and without a page, nobody does.
-    #[cfg(not(target_arch = "wasm32"))]
-    pub threads: bool,
-    /// Folder of pictures; that of the user unless given.
-    #[cfg(not(target_arch = "wasm32"))]
-    pub pictures: Option<std::path::PathBuf>,
-    /// A study that leads the window.
-    pub study: Option<StudyStart>,
-    /// A lesson to begin with.
-    pub lesson: Option<LessonStart>,
-    /// Devices that hands hold.
-    #[cfg(not(target_arch = "wasm32"))]
-    pub hands: crate::hand::HandsStart,
-    /// What the page has for the window.
-    #[cfg(target_arch = "wasm32")]
-    pub page: crate::browser::host::PageStart,
-}
 
 /// The window's state.
 pub struct SauteApp {
@@ -180,17 +153,6 @@ pub struct SauteApp {
     /// The panels a second time, as HTML.
     #[cfg(target_arch = "wasm32")]
     pub(crate) mirrored: crate::browser::Mirrored,
-}
-
-/// Errors of starting the window.
-#[derive(Debug, thiserror::Error)]
-pub enum StartError {
-    /// Embedded or user data is broken.
-    #[error(transparent)]
-    Library(#[from] saute_kitchen::LibraryError),
-    /// The first kitchen cannot be set up.
-    #[error(transparent)]
-    Setup(#[from] saute_recipe::session::ReplayError),
 }
 
 impl SauteApp {

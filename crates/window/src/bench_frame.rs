@@ -6,8 +6,8 @@ use saute_recipe::Recipe;
 use saute_scene::quality::Quality;
 use serde::Serialize;
 
-use crate::app::Start;
 use crate::offscreen::{Offscreen, OffscreenError};
+use crate::start::Start;
 use crate::ui::quality_choice::QualityChoice;
 
 /// Simulated time from which frames are measured, as a rule [s].

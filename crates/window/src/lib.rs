@@ -24,6 +24,8 @@ pub mod bench_frame;
 pub mod browser;
 pub mod controls;
 #[cfg(not(target_arch = "wasm32"))]
+mod desktop;
+#[cfg(not(target_arch = "wasm32"))]
 mod files;
 pub mod frame_meter;
 pub mod governor;
@@ -48,8 +50,10 @@ pub mod session;
 pub mod session_file;
 pub mod settings;
 pub mod spoken;
+pub mod start;
 pub mod ui;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod window;
 
-pub use app::{SauteApp, Start, StartError};
+pub use app::SauteApp;
+pub use start::{Start, StartError};

@@ -3,7 +3,7 @@
 #[cfg(target_arch = "wasm32")]
 use crate::browser::host as outside;
 #[cfg(not(target_arch = "wasm32"))]
-use crate::window as outside;
+use crate::desktop as outside;
 use data_encoding::BASE64URL_NOPAD;
 use flate2::Compression;
 use flate2::read::DeflateDecoder;

@@ -3,7 +3,8 @@
 use egui::{FullOutput, RawInput, Rect, pos2, vec2};
 use egui_wgpu::{RenderState, RendererOptions, ScreenDescriptor, WgpuConfiguration, WgpuError, WgpuSetup};
 
-use crate::app::{SauteApp, Start, StartError};
+use crate::app::SauteApp;
+use crate::start::{Start, StartError};
 
 /// A window without a window.
 pub struct Offscreen {

@@ -3,7 +3,11 @@
 use egui::Key;
 use saute_picture::view::View;
 
-use super::{Act, AppAct, CookAct, TimeAct, ViewAct};
+use super::app_act::AppAct;
+use super::cook_act::CookAct;
+use super::one_act::Act;
+use super::time_act::TimeAct;
+use super::view_act::ViewAct;
 use crate::input::pouring::Pourable;
 use saute_words::language::Language;
 

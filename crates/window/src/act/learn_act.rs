@@ -1,7 +1,7 @@
 //! What leads a person, and what a person asks the program to find out.
 
+use super::guided_act::GuidedAct;
 use super::traits::{Subject, Traits};
-use crate::act::GuidedAct;
 use crate::at_home::AtHomeAct;
 use crate::plan::{PlanAct, PlanFile};
 use saute_session::permits::Permit;

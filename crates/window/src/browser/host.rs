@@ -1,10 +1,8 @@
 //! The page's script, as the window calls it.
 
-use wasm_bindgen::prelude::wasm_bindgen;
-
-use crate::act::Card;
-use crate::app::{SauteApp, Start};
 use crate::autosave::CookStore;
+use crate::start::Start;
+use wasm_bindgen::prelude::wasm_bindgen;
 
 #[wasm_bindgen]
 extern "C" {
@@ -18,47 +16,47 @@ extern "C" {
 
     /// Rows of the participant of a study that were kept before, as CSV; none where rows cannot be kept.
     #[wasm_bindgen(method, js_name = keptRows)]
-    pub(super) fn kept_rows(this: &Host) -> Option<String>;
+    pub(crate) fn kept_rows(this: &Host) -> Option<String>;
 
     /// Keeps the rows of a study, as CSV; returns why it could not.
     #[wasm_bindgen(method, js_name = keepRows)]
-    pub(super) fn keep_rows(this: &Host, text: &str) -> Option<String>;
+    pub(crate) fn keep_rows(this: &Host, text: &str) -> Option<String>;
 
     /// Numbers of the first gamepad; none where none is plugged in.
     #[wasm_bindgen(method, js_name = readPad)]
-    pub(super) fn read_pad(this: &Host) -> Option<Vec<f64>>;
+    pub(crate) fn read_pad(this: &Host) -> Option<Vec<f64>>;
 
     /// Lets the strong and the weak motor of the first gamepad turn so fast, 0 to 1.
     #[wasm_bindgen(method, js_name = shakePad)]
-    pub(super) fn shake_pad(this: &Host, strong: f64, weak: f64);
+    pub(crate) fn shake_pad(this: &Host, strong: f64, weak: f64);
 
     /// Returns true if the page can read how the phone is held.
     #[wasm_bindgen(method, js_name = canTilt)]
-    pub(super) fn can_tilt(this: &Host) -> bool;
+    pub(crate) fn can_tilt(this: &Host) -> bool;
 
     /// Reads from now on how the phone is held, after permission; or no longer.
     #[wasm_bindgen(method)]
-    pub(super) fn tilt(this: &Host, on: bool);
+    pub(crate) fn tilt(this: &Host, on: bool);
 
     /// How the phone is held, if that is new: angles, turn of the picture, accelerations; nothing in it if it was refused.
     #[wasm_bindgen(method, js_name = readTilt)]
-    pub(super) fn read_tilt(this: &Host) -> Option<Vec<f64>>;
+    pub(crate) fn read_tilt(this: &Host) -> Option<Vec<f64>>;
 
     /// Gives the page's worker for a kind of work an order.
     #[wasm_bindgen(method, js_name = askWorker)]
-    pub(super) fn ask_worker(this: &Host, kind: &str, order: &[u8]);
+    pub(crate) fn ask_worker(this: &Host, kind: &str, order: &[u8]);
 
     /// Takes what the worker for a kind of work answered; none if it is of no use.
     #[wasm_bindgen(method, js_name = workerAnswers)]
-    pub(super) fn worker_answers(this: &Host, kind: &str) -> Option<js_sys::Array>;
+    pub(crate) fn worker_answers(this: &Host, kind: &str) -> Option<js_sys::Array>;
 
     /// Shows the controls of the panels as HTML, from JSON.
     #[wasm_bindgen(method, js_name = showControls)]
-    pub(super) fn show_controls(this: &Host, controls: &str);
+    pub(crate) fn show_controls(this: &Host, controls: &str);
 
     /// Tells how the cook stands, and what was said last.
     #[wasm_bindgen(method)]
-    pub(super) fn tell(this: &Host, cook: &str, said: &str);
+    pub(crate) fn tell(this: &Host, cook: &str, said: &str);
 
     /// Hands a result to the page around this one, if the address says to whom.
     #[wasm_bindgen(method, js_name = reportResult)]
@@ -66,7 +64,7 @@ extern "C" {
 
     /// Copies a text to the clipboard.
     #[wasm_bindgen(method, js_name = copyText)]
-    fn copy_text(this: &Host, text: &str);
+    pub(crate) fn copy_text(this: &Host, text: &str);
 }
 
 /// What a page has for the window when it starts.
@@ -83,30 +81,11 @@ pub struct PageStart {
 }
 
 /// What a start says about the world around the window.
-pub(crate) struct Surroundings(PageStart);
+pub(crate) struct Surroundings(pub(crate) PageStart);
 
 impl Surroundings {
     pub fn of(start: &Start, _remembers: bool) -> Self {
         Self(start.page.clone())
-    }
-}
-
-impl SauteApp {
-    /// Opens the cook of the address, and keeps the cook in the browser's storage.
-    pub(crate) fn settle_in(&mut self, around: Surroundings, ctx: &egui::Context) {
-        self.mirrored.listen(ctx);
-        let PageStart { host, kept, link, is_embedded } = around.0;
-        self.host = host;
-        if let Some(host) = self.host.clone() {
-            self.employ(Box::new(host));
-        }
-        if is_embedded && self.card == Some(Card::FirstSteps) {
-            self.card = None;
-        }
-        self.open_link(&link);
-        if let Some(host) = self.host.clone() {
-            self.keep_cook_by(Box::new(host), kept.as_deref());
-        }
     }
 }
 
@@ -138,11 +117,4 @@ pub(crate) fn time_of_day() -> String {
 pub(crate) fn page_address() -> Option<String> {
     let address = web_sys::window()?.location().href().ok()?;
     address.split(['?', '#']).next().map(str::to_owned)
-}
-
-/// Copies a text to the clipboard.
-pub(crate) fn copy_text(app: &SauteApp, text: String) {
-    if let Some(host) = &app.host {
-        Host::copy_text(host, &text);
-    }
 }

@@ -1,26 +1,20 @@
 //! The panels a second time, as HTML beside the canvas: what egui tells screen readers goes to the page's script, and what is done
 //! there comes back.
 
-use std::sync::{Arc, Mutex};
-
+use crate::controls::{Control, Identity, controls};
 use egui::accesskit::{Action, ActionData, ActionRequest, NodeId, TreeId};
 use egui::{Context, Event, FullOutput, RawInput};
+use std::sync::{Arc, Mutex};
 use web_time::{Duration, Instant};
-
-use crate::app::SauteApp;
-use crate::controls::{Control, Identity, controls};
-use crate::spoken::told::told;
 
 /// Time between two looks at the panels (chosen: a screen reader speaks no faster, and looks cost time).
 const LOOK_EVERY: Duration = Duration::from_millis(250);
-/// Time between two descriptions of the cook (chosen: one is heard to its end before the next begins).
-const TELL_EVERY: Duration = Duration::from_secs(5);
 
 /// What was done to a control of the page.
 struct Asked {
-    control: Identity,
-    action: Action,
-    data: Option<ActionData>,
+    pub(crate) control: Identity,
+    pub(crate) action: Action,
+    pub(crate) data: Option<ActionData>,
 }
 
 impl Asked {
@@ -34,15 +28,15 @@ impl Asked {
 #[derive(Default)]
 struct Passed {
     /// What the panels show, since it was last looked at.
-    seen: Option<Vec<Control>>,
+    pub(crate) seen: Option<Vec<Control>>,
     /// What the page shows.
-    shown: Vec<Control>,
+    pub(crate) shown: Vec<Control>,
     /// What was done to that, until the panels are looked at anew.
-    asked: Vec<Asked>,
+    pub(crate) asked: Vec<Asked>,
     /// Where to do it in the panels: the ids that the controls had when they were looked at.
-    found: Vec<(String, Asked)>,
-    looked: Option<Instant>,
-    ctx: Option<Context>,
+    pub(crate) found: Vec<(String, Asked)>,
+    pub(crate) looked: Option<Instant>,
+    pub(crate) ctx: Option<Context>,
 }
 
 impl Passed {
@@ -64,8 +58,8 @@ impl Passed {
 /// The window's side.
 #[derive(Clone, Default)]
 pub(crate) struct Mirrored {
-    passed: Arc<Mutex<Passed>>,
-    told: Option<Instant>,
+    pub(crate) passed: Arc<Mutex<Passed>>,
+    pub(crate) told: Option<Instant>,
 }
 
 impl Mirrored {
@@ -77,7 +71,7 @@ impl Mirrored {
         }
     }
 
-    fn ask(&self, id: &str, action: Action, data: Option<ActionData>) {
+    pub(crate) fn ask(&self, id: &str, action: Action, data: Option<ActionData>) {
         let Ok(mut passed) = self.passed.lock() else { return };
         // Now, while the page shows what it was pressed in.
         let Some(control) = Identity::of(id, &passed.shown) else { return };
@@ -87,7 +81,7 @@ impl Mirrored {
     }
 
     /// Lets a frame be drawn soon.
-    fn wake(&self) {
+    pub(crate) fn wake(&self) {
         if let Ok(passed) = self.passed.lock()
             && let Some(ctx) = &passed.ctx
         {
@@ -96,7 +90,7 @@ impl Mirrored {
     }
 
     /// What the page is to show, if that is new.
-    fn news(&self) -> Option<String> {
+    pub(crate) fn news(&self) -> Option<String> {
         let mut passed = self.passed.lock().ok()?;
         let seen = passed.seen.take().filter(|seen| *seen != passed.shown)?;
         let text = serde_json::to_string(&seen).ok()?;
@@ -135,41 +129,5 @@ impl egui::Plugin for Listener {
         if passed.is_under_way() {
             ctx.request_repaint();
         }
-    }
-}
-
-impl SauteApp {
-    /// Shows the page what the panels show, if that is new, and tells it now and then how the cook stands.
-    pub(crate) fn show_mirrored(&mut self) {
-        let Some(host) = &self.host else { return };
-        if let Some(text) = self.mirrored.news() {
-            host.show_controls(&text);
-        }
-        if self.mirrored.told.is_none_or(|at| at.elapsed() >= TELL_EVERY) {
-            self.mirrored.told = Some(Instant::now());
-            let said = self.notice.current().map(|said| said.text).unwrap_or_default();
-            host.tell(&told(&self.session, &self.settings), &said);
-        }
-    }
-
-    /// Draws a frame soon: something has come for the window.
-    pub fn wake(&self) {
-        self.mirrored.wake();
-    }
-
-    /// Presses a control of the page.
-    pub fn press_control(&self, id: &str) {
-        self.ask_control(id, Action::Click, None);
-    }
-
-    /// Sets what a control of the page holds: a text, else a number.
-    pub fn set_control(&self, id: &str, value: &str, is_text: bool) {
-        let number = value.parse().ok().filter(|_| !is_text).map(ActionData::NumericValue);
-        let data = number.unwrap_or_else(|| ActionData::Value(value.into()));
-        self.ask_control(id, Action::SetValue, Some(data));
-    }
-
-    fn ask_control(&self, id: &str, action: Action, data: Option<ActionData>) {
-        self.mirrored.ask(id, action, data);
     }
 }

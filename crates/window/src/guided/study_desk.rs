@@ -95,7 +95,7 @@ impl StudyStart {
 #[cfg(target_arch = "wasm32")]
 use crate::browser::host as outside;
 #[cfg(not(target_arch = "wasm32"))]
-use crate::window as outside;
+use crate::desktop as outside;
 
 /// A study in the window.
 pub struct StudyDesk {

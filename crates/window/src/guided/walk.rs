@@ -10,7 +10,8 @@ use super::{LessonStart, StudyStart};
 use crate::act::GuidedAct;
 use crate::act::samples::samples;
 use crate::act::{Act, LearnAct};
-use crate::app::{SauteApp, Start};
+use crate::app::SauteApp;
+use crate::start::Start;
 use saute_session::permits::Permit;
 
 const PROTOCOL: &str = r#"id = "walk"

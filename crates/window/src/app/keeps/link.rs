@@ -1,11 +1,7 @@
 //! A cook as the fragment of an address: what it began with and every command, packed, with a version and a checksum.
 
 use crate::app::SauteApp;
-#[cfg(target_arch = "wasm32")]
-use crate::browser::host as outside;
 use crate::link::{LONGEST, fragment, page_address, read};
-#[cfg(not(target_arch = "wasm32"))]
-use crate::window as outside;
 use saute_session::permits::Permit;
 
 impl SauteApp {
@@ -17,7 +13,7 @@ impl SauteApp {
         if length > LONGEST {
             return self.notice.say(l.fill("link.too_long", &[("length", &length), ("most", &LONGEST)]));
         }
-        outside::copy_text(self, link);
+        self.copy_text(&link);
         self.notice.say(l.fill("link.copied", &[("length", &length)]));
     }
 

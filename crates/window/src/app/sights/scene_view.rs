@@ -12,7 +12,6 @@ use saute_picture::seen_point::Ray;
 use saute_picture::split;
 use saute_picture::stage::{Pose, StageOptions, half_length};
 use saute_recipe::probe::SeenPoint;
-use saute_scene::input::SceneInput;
 
 /// Height of the cut's knob above the steak [m] (chosen: clear of the crust, near enough to belong to it).
 const KNOB_HEIGHT: f32 = 0.028;

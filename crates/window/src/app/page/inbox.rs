@@ -1,0 +1,117 @@
+//! What the browser does for the window: events to the page, files, downloads.
+
+use crate::app::SauteApp;
+use crate::browser::{Inbox, announce, document, download, element, shown};
+use crate::plan::PlanFile;
+use crate::ui::japanese_font;
+use js_sys::Uint8Array;
+use saute_session::export::Export;
+use saute_words::language::Language;
+use std::path::Path;
+use std::sync::Arc;
+use wasm_bindgen::closure::Closure;
+use wasm_bindgen::{JsCast, JsValue};
+use wasm_bindgen_futures::{JsFuture, spawn_local};
+use web_sys::{File, HtmlInputElement};
+
+/// Sent to the page's window when Japanese is chosen and has no font yet.
+const FONT_WANTED: &str = "saute-font";
+
+impl SauteApp {
+    /// Takes a font with the characters of Japanese; the window then speaks it.
+    pub fn offer_font(&self, bytes: Vec<u8>) {
+        if let Ok(mut font) = self.inbox.font.lock() {
+            *font = Some(bytes);
+        }
+    }
+
+    /// Pauses while the tab is hidden, and says so once it is seen again.
+    fn pause_hidden(&mut self) {
+        let hidden = document().is_some_and(|document| document.hidden());
+        if hidden && !self.session.paused {
+            self.session.set_paused(true);
+            self.inbox.paused_hidden = true;
+        } else if !hidden && std::mem::take(&mut self.inbox.paused_hidden) {
+            self.say("notice.hidden");
+        }
+    }
+
+    pub(crate) fn want_font(&mut self) {
+        announce(FONT_WANTED);
+    }
+
+    pub(crate) fn take_inbox(&mut self, ctx: &egui::Context) {
+        self.pause_hidden();
+        let (files, font) = self.inbox.take();
+        if let Some(bytes) = font {
+            self.inbox.taken_font = Some(Arc::new(egui::FontData::from_owned(bytes)));
+            self.japanese_font = self.install_taken_font(ctx);
+            self.set_language(Language::Japanese);
+        }
+        for (name, read) in files {
+            self.take_file(&name, read);
+        }
+    }
+
+    /// Installs the font that the page handed in; returns false if there is none.
+    pub(crate) fn install_taken_font(&self, ctx: &egui::Context) -> bool {
+        let Some(font) = &self.inbox.taken_font else { return false };
+        japanese_font::install_font(ctx, Arc::clone(font));
+        true
+    }
+
+    /// Hands the browser a file that is made of the cook.
+    pub(crate) fn export(&mut self, what: Export, _: &egui::Context) {
+        let name = what.file_name(self.settings.language);
+        self.export_by(what, Path::new(&name), |bytes| download(&name, what.media_type(), bytes));
+    }
+
+    /// Hands the browser a file that is made of a plan.
+    pub(crate) fn save_plan(&mut self, file: PlanFile, _: &egui::Context) {
+        let Some(bytes) = self.plan_file(file) else { return };
+        let name = file.file_name(self.settings.language);
+        let written = download(&name, file.media_type(), &bytes);
+        self.say_written(Path::new(&name), written, PlanFile::SAID);
+    }
+
+    /// Reads dropped files; they arrive in a later frame.
+    pub(crate) fn take_dropped_files(&mut self, ctx: &egui::Context) {
+        for file in ctx.input(|i| i.raw.dropped_files.clone()) {
+            let (inbox, ctx) = (self.inbox.clone(), ctx.clone());
+            spawn_local(async move {
+                let name = file.path().display().to_string();
+                inbox.put((name, file.bytes_async().await));
+                ctx.request_repaint();
+            });
+        }
+    }
+
+    /// Opens the browser's file dialog for a recipe or a session.
+    pub(crate) fn choose_file(&mut self, ctx: &egui::Context) {
+        if let Err(error) = choose(self.inbox.clone(), ctx.clone()) {
+            self.say_trouble(&shown(&error));
+        }
+    }
+}
+
+fn choose(inbox: Inbox, ctx: egui::Context) -> Result<(), JsValue> {
+    let input: HtmlInputElement = element("input")?;
+    input.set_type("file");
+    input.set_accept(".toml,.saute,.csv,.tsv,text/plain,text/csv");
+    let chosen = input.clone();
+    let read = Closure::once_into_js(move || {
+        let Some(file) = chosen.files().and_then(|files| files.get(0)) else { return };
+        spawn_local(async move {
+            inbox.put((file.name(), bytes_of(&file).await));
+            ctx.request_repaint();
+        });
+    });
+    input.set_onchange(Some(read.unchecked_ref()));
+    input.click();
+    Ok(())
+}
+
+async fn bytes_of(file: &File) -> Result<Vec<u8>, String> {
+    let buffer = JsFuture::from(file.array_buffer()).await.map_err(|error| shown(&error))?;
+    Ok(Uint8Array::new(&buffer).to_vec())
+}

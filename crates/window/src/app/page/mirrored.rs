@@ -1,0 +1,46 @@
+//! The panels a second time, as HTML beside the canvas: what egui tells screen readers goes to the page's script, and what is done
+//! there comes back.
+
+use crate::app::SauteApp;
+use crate::spoken::told::told;
+use egui::accesskit::{Action, ActionData};
+use web_time::{Duration, Instant};
+
+/// Time between two descriptions of the cook (chosen: one is heard to its end before the next begins).
+const TELL_EVERY: Duration = Duration::from_secs(5);
+
+impl SauteApp {
+    /// Shows the page what the panels show, if that is new, and tells it now and then how the cook stands.
+    pub(crate) fn show_mirrored(&mut self) {
+        let Some(host) = &self.host else { return };
+        if let Some(text) = self.mirrored.news() {
+            host.show_controls(&text);
+        }
+        if self.mirrored.told.is_none_or(|at| at.elapsed() >= TELL_EVERY) {
+            self.mirrored.told = Some(Instant::now());
+            let said = self.notice.current().map(|said| said.text).unwrap_or_default();
+            host.tell(&told(&self.session, &self.settings), &said);
+        }
+    }
+
+    /// Draws a frame soon: something has come for the window.
+    pub fn wake(&self) {
+        self.mirrored.wake();
+    }
+
+    /// Presses a control of the page.
+    pub fn press_control(&self, id: &str) {
+        self.ask_control(id, Action::Click, None);
+    }
+
+    /// Sets what a control of the page holds: a text, else a number.
+    pub fn set_control(&self, id: &str, value: &str, is_text: bool) {
+        let number = value.parse().ok().filter(|_| !is_text).map(ActionData::NumericValue);
+        let data = number.unwrap_or_else(|| ActionData::Value(value.into()));
+        self.ask_control(id, Action::SetValue, Some(data));
+    }
+
+    fn ask_control(&self, id: &str, action: Action, data: Option<ActionData>) {
+        self.mirrored.ask(id, action, data);
+    }
+}
