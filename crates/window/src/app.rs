@@ -41,7 +41,7 @@ use crate::mirror::view::MirrorView;
 use crate::paint::ground::GroundCallback;
 use crate::paint::panel_layer::PanelLayer;
 use crate::paint::scene::SceneCallback;
-use crate::panels::window_state::PanelMemory;
+use crate::panels::memory::PanelMemory;
 use crate::session::Session;
 use crate::settings::Settings;
 use crate::start::{Start, StartError};

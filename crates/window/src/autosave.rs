@@ -1,8 +1,7 @@
 //! The cook that goes on is kept, so that a window that is closed, or killed, can go on with it.
 
 use crate::session::Session;
-#[cfg(not(target_arch = "wasm32"))]
-pub(crate) use saute_recipe::Recording;
+use saute_recipe::Recording;
 use web_time::{Duration, Instant};
 
 /// Wall time between two writings (chosen: a second is lost at most, with room for a slow disk).

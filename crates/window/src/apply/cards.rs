@@ -2,7 +2,7 @@
 
 use crate::act::Card;
 use crate::app::SauteApp;
-use crate::panels::Drawer;
+use crate::panels::memory::Drawer;
 
 impl SauteApp {
     /// Opens a card in place of the one that is open.

@@ -6,7 +6,7 @@ use saute_haptics::open::{self, Access, Reach};
 
 use super::hands::Role;
 use crate::act::{Act, Acts, AppAct};
-use crate::panels::settings_card::{explained, named, row};
+use crate::panels::cards::settings::{explained, named, row};
 use crate::panels::window_state::WindowState;
 use crate::ui::theme;
 use saute_words::language::Language;

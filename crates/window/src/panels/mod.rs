@@ -15,7 +15,7 @@ pub mod inside;
 pub mod language;
 pub mod learn;
 pub mod legend;
-pub mod mirror_card;
+pub mod memory;
 pub mod pantry;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod photo_bar;
@@ -23,7 +23,6 @@ pub mod pieces;
 pub mod plan;
 pub mod probes;
 pub mod read_out;
-pub mod settings_card;
 pub mod still;
 pub mod top;
 pub mod ways;
@@ -35,7 +34,8 @@ use crate::act::{Acts, Card};
 use crate::paint::ground::GroundCallback;
 use crate::panels::cards::{first_steps, goals, help, learn as learn_card, lessons, messages, result, unfinished};
 use crate::panels::cook::{hob_bar, pour, time_strip};
-use crate::panels::window_state::{PanelMemory, WindowState};
+use crate::panels::memory::{Drawer, PanelMemory};
+use crate::panels::window_state::WindowState;
 use crate::ui::layout::{GAP, Layout};
 use crate::ui::{fingers, theme};
 
@@ -45,33 +45,6 @@ const WIDE_MARGIN: i8 = 12;
 
 /// Height of the strip of time in the drawer [points].
 const STRIP_HEIGHT: f32 = 28.0;
-
-/// Which part of the drawer is open on a narrow window.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Drawer {
-    /// Hob, hands, time.
-    #[default]
-    Cook,
-    /// What is inside.
-    Inside,
-    /// Food and pan.
-    Food,
-    /// List of the pieces.
-    Pieces,
-}
-
-impl Drawer {
-    const ALL: [Self; 4] = [Self::Cook, Self::Inside, Self::Food, Self::Pieces];
-
-    fn name(self, state: &WindowState) -> &'static str {
-        match self {
-            Self::Cook => state.settings.language.text("drawer.cook"),
-            Self::Inside => state.settings.language.text("drawer.inside"),
-            Self::Food => state.settings.language.text("top.food"),
-            Self::Pieces => state.settings.language.text("top.pieces"),
-        }
-    }
-}
 
 /// Shows all panels, what is said over the scene, and the card that is open.
 pub fn show_all(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut Acts, layout: &Layout) {
@@ -109,13 +82,13 @@ pub fn show_all(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts
         None => {}
         Some(Card::Help) => help::show(state, memory, ui, acts, whole),
         Some(Card::Messages) => messages::show(state, ui, acts, whole),
-        Some(Card::Settings) => settings_card::show(state, memory, ui, acts, whole),
-        Some(Card::Mirror) => mirror_card::show(state, ui, acts, whole),
+        Some(Card::Settings) => cards::settings::show(state, memory, ui, acts, whole),
+        Some(Card::Mirror) => cards::mirror::show(state, ui, acts, whole),
         Some(Card::FirstSteps) => first_steps::show(state, ui, acts, whole),
         Some(Card::Learn) => learn_card::show(state, ui, acts, whole),
         Some(Card::Lessons) => lessons::show(state, ui, acts, whole),
         Some(Card::Goals) => goals::show(state, ui, acts, whole),
-        Some(Card::Result) => result::show(state, memory, ui, acts, whole),
+        Some(Card::Result) => result::show(state, &mut memory.result, ui, acts, whole),
         Some(Card::Plan) => plan::card::show(state, ui, acts, whole),
         Some(Card::AtHome) => at_home::card::show(state, ui, acts, whole),
     }

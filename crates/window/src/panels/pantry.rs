@@ -5,8 +5,9 @@ use saute_kitchen::Library;
 use saute_kitchen::food::FoodDescription;
 
 use crate::act::{Act, Acts, AppAct, Card, CookAct, Setting};
+use crate::panels::memory::PanelMemory;
 use crate::panels::still::Stills;
-use crate::panels::window_state::{PanelMemory, WindowState};
+use crate::panels::window_state::WindowState;
 use crate::ui::theme;
 use saute_session::export::Export;
 use saute_session::{SteakChoice, noun};

@@ -1,6 +1,6 @@
-//! What panels read of the window, and what they keep from frame to frame.
+//! What panels read of the window.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use saute_kitchen::Piece;
@@ -15,12 +15,6 @@ use crate::guided::Guided;
 use crate::input::pouring::Portion;
 use crate::learn::tutorial::Tutorial;
 use crate::mirror::view::MirrorView;
-use crate::panels::Drawer;
-use crate::panels::cards::result::CutOfResult;
-use crate::panels::guided::Entries;
-use crate::panels::inside::Inside;
-use crate::panels::still::Stills;
-use crate::panels::ways::WaysMemory;
 use crate::session::Session;
 use crate::settings::Settings;
 use crate::ui::notice::{Notice, Said};
@@ -131,48 +125,5 @@ impl WindowState<'_> {
     /// The scale in whose words a piece is spoken of.
     pub fn scale_of(&self, piece: &Piece) -> Option<Arc<Scale>> {
         self.session.scales(&self.settings.scale).of(&piece.model).cloned()
-    }
-}
-
-/// What panels keep from frame to frame.
-pub struct PanelMemory {
-    /// The section and what was read with it.
-    pub inside: Inside,
-    /// The open part of the drawer of a narrow window.
-    pub drawer: Drawer,
-    /// Groups of which the list shows every piece.
-    pub unfolded: BTreeSet<String>,
-    /// How many pieces the pantry adds at once.
-    pub count: usize,
-    /// What was typed into the search of the help.
-    pub search: String,
-    /// Pictures of the foods.
-    pub stills: Stills,
-    /// What is kept of ways side by side.
-    pub ways: WaysMemory,
-    /// What was entered on the card of a study or a lesson.
-    pub answers: Entries,
-    /// The picture of the result.
-    pub result: CutOfResult,
-    /// What was typed and chosen about a device.
-    #[cfg(not(target_arch = "wasm32"))]
-    pub(crate) hand_choice: crate::hand::Choice,
-}
-
-impl Default for PanelMemory {
-    fn default() -> Self {
-        Self {
-            inside: Inside::default(),
-            drawer: Drawer::default(),
-            unfolded: BTreeSet::new(),
-            count: 1,
-            search: String::new(),
-            stills: Stills::default(),
-            ways: WaysMemory::default(),
-            answers: Entries::default(),
-            result: CutOfResult::default(),
-            #[cfg(not(target_arch = "wasm32"))]
-            hand_choice: Default::default(),
-        }
     }
 }

@@ -12,6 +12,8 @@ use saute_picture::seen_point::Ray;
 use saute_picture::split;
 use saute_picture::stage::{Pose, StageOptions, half_length};
 use saute_recipe::probe::SeenPoint;
+#[cfg(not(target_arch = "wasm32"))]
+use saute_scene::input::SceneInput;
 
 /// Height of the cut's knob above the steak [m] (chosen: clear of the crust, near enough to belong to it).
 const KNOB_HEIGHT: f32 = 0.028;

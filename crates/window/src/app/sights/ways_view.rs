@@ -3,7 +3,7 @@
 use crate::app::SauteApp;
 use crate::app::frame::step_budget;
 use crate::paint::scene::SceneCallback;
-use crate::panels::Drawer;
+use crate::panels::memory::Drawer;
 use crate::panels::ways::displayed;
 use crate::ui::layout::Layout;
 use egui::Ui;

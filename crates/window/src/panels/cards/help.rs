@@ -5,7 +5,8 @@ use egui::{Id, Modal, Rect, RichText, TextEdit, Ui, vec2};
 use crate::act::{Act, Acts, AppAct, BINDINGS, CHORDS, Card, Subject, ViewAct};
 use crate::input::gamepad::PAD;
 use crate::input::pan_keys::HELD;
-use crate::panels::window_state::{PanelMemory, WindowState};
+use crate::panels::memory::PanelMemory;
+use crate::panels::window_state::WindowState;
 use crate::ui::theme;
 use saute_words::language::Language;
 

@@ -7,5 +7,7 @@ pub mod help;
 pub mod learn;
 pub mod lessons;
 pub mod messages;
+pub mod mirror;
 pub mod result;
+pub mod settings;
 pub mod unfinished;

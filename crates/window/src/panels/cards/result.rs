@@ -11,7 +11,7 @@ use saute_picture::cut::section::section_picture;
 
 use crate::act::{Act, Acts, AppAct, Card, CookAct};
 use crate::panels::cards::frame::Framed;
-use crate::panels::window_state::{PanelMemory, WindowState};
+use crate::panels::window_state::WindowState;
 use crate::ui::theme;
 use saute_words::judgement_words::ResultWords;
 
@@ -52,7 +52,7 @@ impl CutOfResult {
 }
 
 /// Shows the card; Esc, the button or a click beside it closes it.
-pub fn show(state: &WindowState, memory: &mut PanelMemory, ui: &Ui, acts: &mut Acts, whole: Rect) {
+pub fn show(state: &WindowState, memory: &mut CutOfResult, ui: &Ui, acts: &mut Acts, whole: Rect) {
     let framed = Framed { card: Card::Result, id: "result", title: "result.title", width: WIDTH };
     framed.show(state, ui, acts, whole, |ui, acts| {
         let l = state.settings.language;
@@ -60,13 +60,13 @@ pub fn show(state: &WindowState, memory: &mut PanelMemory, ui: &Ui, acts: &mut A
             ui.label(l.text("result.none"));
             return;
         };
-        memory.result.refresh(piece, words, ui.ctx());
+        memory.refresh(piece, words, ui.ctx());
         let narrow = ui.available_width() < NARROW;
         let height = whole.height() - if narrow { 230.0 } else { 180.0 };
         ScrollArea::vertical()
             .max_height(height)
             .min_scrolled_height(height)
-            .show(ui, |ui| content(ui, words, &memory.result, narrow));
+            .show(ui, |ui| content(ui, words, &memory, narrow));
         ui.add_space(4.0);
         ui.horizontal_wrapped(|ui| buttons(state, ui, acts));
     });

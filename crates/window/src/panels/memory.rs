@@ -1,0 +1,80 @@
+//! What panels keep from frame to frame.
+
+use std::collections::BTreeSet;
+
+use crate::panels::cards::result::CutOfResult;
+use crate::panels::guided::Entries;
+use crate::panels::inside::Inside;
+use crate::panels::still::Stills;
+use crate::panels::ways::WaysMemory;
+use crate::panels::window_state::WindowState;
+
+/// Which part of the drawer is open on a narrow window.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Drawer {
+    /// Hob, hands, time.
+    #[default]
+    Cook,
+    /// What is inside.
+    Inside,
+    /// Food and pan.
+    Food,
+    /// List of the pieces.
+    Pieces,
+}
+
+impl Drawer {
+    pub(super) const ALL: [Self; 4] = [Self::Cook, Self::Inside, Self::Food, Self::Pieces];
+
+    pub(super) fn name(self, state: &WindowState) -> &'static str {
+        match self {
+            Self::Cook => state.settings.language.text("drawer.cook"),
+            Self::Inside => state.settings.language.text("drawer.inside"),
+            Self::Food => state.settings.language.text("top.food"),
+            Self::Pieces => state.settings.language.text("top.pieces"),
+        }
+    }
+}
+
+/// What panels keep from frame to frame.
+pub struct PanelMemory {
+    /// The section and what was read with it.
+    pub inside: Inside,
+    /// The open part of the drawer of a narrow window.
+    pub drawer: Drawer,
+    /// Groups of which the list shows every piece.
+    pub unfolded: BTreeSet<String>,
+    /// How many pieces the pantry adds at once.
+    pub count: usize,
+    /// What was typed into the search of the help.
+    pub search: String,
+    /// Pictures of the foods.
+    pub stills: Stills,
+    /// What is kept of ways side by side.
+    pub ways: WaysMemory,
+    /// What was entered on the card of a study or a lesson.
+    pub answers: Entries,
+    /// The picture of the result.
+    pub result: CutOfResult,
+    /// What was typed and chosen about a device.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub(crate) hand_choice: crate::hand::Choice,
+}
+
+impl Default for PanelMemory {
+    fn default() -> Self {
+        Self {
+            inside: Inside::default(),
+            drawer: Drawer::default(),
+            unfolded: BTreeSet::new(),
+            count: 1,
+            search: String::new(),
+            stills: Stills::default(),
+            ways: WaysMemory::default(),
+            answers: Entries::default(),
+            result: CutOfResult::default(),
+            #[cfg(not(target_arch = "wasm32"))]
+            hand_choice: Default::default(),
+        }
+    }
+}
