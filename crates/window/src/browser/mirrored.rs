@@ -11,7 +11,7 @@ use web_time::{Duration, Instant};
 const LOOK_EVERY: Duration = Duration::from_millis(250);
 
 /// What was done to a control of the page.
-struct Asked {
+pub(crate) struct Asked {
     pub(crate) control: Identity,
     pub(crate) action: Action,
     pub(crate) data: Option<ActionData>,
@@ -26,7 +26,7 @@ impl Asked {
 
 /// What goes between the plugin, which egui owns, and the window.
 #[derive(Default)]
-struct Passed {
+pub(crate) struct Passed {
     /// What the panels show, since it was last looked at.
     pub(crate) seen: Option<Vec<Control>>,
     /// What the page shows.

@@ -3,11 +3,12 @@
 use std::sync::Arc;
 
 use egui::{Align2, Area, Color32, FontId, Id, Order, Rect, RichText, Sense, Shape, Stroke, Ui, pos2, vec2};
-use egui_plot::{HLine, Line, LineStyle, Plot, PlotPoint, PlotPoints, PlotTransform, VLine};
+use egui_plot::{HLine, LineStyle, Plot, PlotPoint, PlotTransform, VLine};
 use saute_kitchen::food::Scale;
 use saute_kitchen::food::change::doneness::Measure;
 
 use crate::panels::ahead::future_curves::futures;
+use crate::panels::curve::Curve;
 use crate::panels::window_state::WindowState;
 use crate::ui::palette::Palette;
 use crate::ui::theme;
@@ -24,25 +25,6 @@ const LANE: f32 = 15.0;
 const EVENT_APART: f32 = 6.0;
 /// How strongly the lines of events are drawn [-] (chosen: behind the curves).
 const EVENT_SEEN: f32 = 0.35;
-
-/// One curve: minutes and degrees in the chosen unit.
-pub(super) struct Curve {
-    pub(super) name: String,
-    /// Label at its end; empty for curves that the legend distinguishes.
-    pub(super) mark: String,
-    pub(super) colour: Color32,
-    pub(super) style: LineStyle,
-    pub(super) width: f32,
-    pub(super) points: Vec<[f64; 2]>,
-}
-
-impl Curve {
-    /// A part of it that is drawn as a line.
-    pub(super) fn line<'a>(&self, points: &[[f64; 2]], colour: Color32) -> Line<'a> {
-        let line = Line::new(self.name.clone(), PlotPoints::from(points.to_vec()));
-        line.color(colour).style(self.style).width(self.width)
-    }
-}
 
 /// Shows the curves with what happened.
 pub fn show(state: &WindowState, ui: &mut Ui, height: f32) {

@@ -6,7 +6,7 @@ use saute_kitchen::food::change::doneness::Measure;
 use saute_picture::colour::map::Tone;
 
 use crate::act::{Act, Acts, AppAct, Setting};
-use crate::panels::inside::Inside;
+use crate::panels::section_read::Inside;
 use crate::panels::window_state::WindowState;
 use crate::settings::Settings;
 use crate::ui::{fingers, theme};

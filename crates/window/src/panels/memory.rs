@@ -4,9 +4,9 @@ use std::collections::BTreeSet;
 
 use crate::panels::cards::result::CutOfResult;
 use crate::panels::guided::Entries;
-use crate::panels::inside::Inside;
+use crate::panels::section_read::Inside;
 use crate::panels::still::Stills;
-use crate::panels::ways::WaysMemory;
+use crate::panels::ways::memory::WaysMemory;
 use crate::panels::window_state::WindowState;
 
 /// Which part of the drawer is open on a narrow window.

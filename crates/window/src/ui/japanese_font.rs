@@ -90,7 +90,7 @@ mod tests {
     use egui::FontId;
 
     use super::*;
-    use crate::panels::language::name;
+    use crate::panels::cards::language::name;
     use saute_words::language::Language;
 
     /// Promise: with the shipped font, which is the only one of a page, no letter of the interface is missing.

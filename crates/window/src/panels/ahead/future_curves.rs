@@ -6,7 +6,7 @@ use saute_kitchen::{FRAME_S, celsius};
 use saute_plan::forecast::Question;
 
 use super::are_shown;
-use crate::panels::curves::Curve;
+use crate::panels::curve::Curve;
 use crate::panels::window_state::WindowState;
 use crate::ui::palette::Palette;
 use saute_session::forecasts::Standing;
@@ -16,9 +16,9 @@ const BAND_SEEN: f32 = 0.25;
 const STALE_SEEN: f32 = 0.45;
 
 /// A core to come, with its band.
-pub(in crate::panels) struct Future {
+pub(crate) struct Future {
     /// The curve.
-    pub(in crate::panels) curve: Curve,
+    pub(crate) curve: Curve,
     /// Half the width of the band at each of its points, in the chosen unit.
     half: Vec<f64>,
     /// The highest point, with its words, where it is marked.
@@ -26,7 +26,7 @@ pub(in crate::panels) struct Future {
 }
 
 /// The cores to come of the piece that the panels show.
-pub(in crate::panels) fn futures(state: &WindowState, palette: &Palette) -> Vec<Future> {
+pub(crate) fn futures(state: &WindowState, palette: &Palette) -> Vec<Future> {
     let l = state.settings.language;
     let looks = [
         (Question::AsItIs, "ahead.curve_as_it_is", palette.curves[1], 5.0),
@@ -77,7 +77,7 @@ fn peak(state: &WindowState, standing: &Standing) -> ([f64; 2], String) {
 
 impl Future {
     /// Draws the band and the curve.
-    pub(in crate::panels) fn draw<'a>(&'a self, plot: &mut PlotUi<'a>) {
+    pub(crate) fn draw<'a>(&'a self, plot: &mut PlotUi<'a>) {
         let Curve { points, colour, name, .. } = &self.curve;
         let minutes: Vec<f64> = points.iter().map(|point| point[0]).collect();
         let edge = |sign: f64| -> Vec<f64> {
@@ -89,7 +89,7 @@ impl Future {
     }
 
     /// Marks the highest point.
-    pub(in crate::panels) fn mark(&self, ui: &egui::Ui, transform: &PlotTransform) {
+    pub(crate) fn mark(&self, ui: &egui::Ui, transform: &PlotTransform) {
         let Some((at, words)) = &self.peak else { return };
         let frame = transform.frame();
         let at = transform.position_from_point(&PlotPoint::from(*at));

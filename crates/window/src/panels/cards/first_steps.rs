@@ -3,7 +3,7 @@
 use egui::{Align, Color32, Id, Layout, Modal, Pos2, Rect, RichText, Sense, Shape, Stroke, Ui, Vec2, pos2, vec2};
 
 use crate::act::{Act, Acts, AppAct, Card, LearnAct};
-use crate::panels::language;
+use crate::panels::cards::language;
 use crate::panels::window_state::WindowState;
 use crate::ui::theme;
 

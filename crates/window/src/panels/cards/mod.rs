@@ -4,6 +4,7 @@ pub mod first_steps;
 pub mod frame;
 pub mod goals;
 pub mod help;
+pub mod language;
 pub mod learn;
 pub mod lessons;
 pub mod messages;

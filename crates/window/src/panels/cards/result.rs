@@ -66,7 +66,7 @@ pub fn show(state: &WindowState, memory: &mut CutOfResult, ui: &Ui, acts: &mut A
         ScrollArea::vertical()
             .max_height(height)
             .min_scrolled_height(height)
-            .show(ui, |ui| content(ui, words, &memory, narrow));
+            .show(ui, |ui| content(ui, words, memory, narrow));
         ui.add_space(4.0);
         ui.horizontal_wrapped(|ui| buttons(state, ui, acts));
     });

@@ -7,7 +7,7 @@ use saute_scene::quality::Quality;
 
 use crate::act::{Act, Acts, AppAct, Card, Setting};
 use crate::panels::cards::frame::Framed;
-use crate::panels::language;
+use crate::panels::cards::language;
 use crate::panels::memory::PanelMemory;
 use crate::panels::window_state::WindowState;
 use crate::ui::interface_size::InterfaceSize;

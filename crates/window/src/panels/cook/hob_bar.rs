@@ -5,9 +5,9 @@ use saute_kitchen::advice::Advice;
 use saute_kitchen::doneness::core_class;
 use saute_kitchen::{Place, celsius};
 
-use crate::act::{Act, Acts, CookAct, TimeAct, hint};
+use crate::act::{Act, Acts, CookAct, TimeAct};
+use crate::panels::cook::act_button::{button, pressed, why_off};
 use crate::panels::cook::{hob_slider, pour, status, time_strip};
-use crate::panels::learn::callout::note_control;
 use crate::panels::window_state::WindowState;
 use crate::ui::theme;
 use saute_session::SPEEDS;
@@ -160,28 +160,4 @@ fn speed_button(state: &WindowState, ui: &mut Ui, acts: &mut Acts, speed: f64) {
     if why_off(state, response, &act).clicked() {
         acts.push(act);
     }
-}
-
-pub(crate) fn button(state: &WindowState, ui: &mut Ui, acts: &mut Acts, text: &str, on: bool, enabled: bool, act: Act) {
-    let enabled = enabled && !state.forbids(&act);
-    let response = pressed(ui, text, on, enabled, &hint(&act, state.settings.language));
-    let response = why_off(state, response, &act);
-    note_control(ui, &act, response.rect);
-    if response.clicked() {
-        acts.push(act);
-    }
-}
-
-/// Says why a study or a lesson holds a button back.
-fn why_off(state: &WindowState, response: egui::Response, act: &Act) -> egui::Response {
-    match state.forbids(act) {
-        true => response.on_disabled_hover_text(state.settings.language.text("guided.locked")),
-        false => response,
-    }
-}
-
-fn pressed(ui: &mut Ui, text: &str, on: bool, enabled: bool, hint: &str) -> egui::Response {
-    let height = ui.spacing().interact_size.y;
-    let response = ui.add_enabled(enabled, theme::of(ui).button(text, on).min_size(egui::vec2(height, height)));
-    response.on_hover_text(hint)
 }

@@ -1,5 +1,6 @@
 //! The panel of the cook: hob, hands, time, what is poured.
 
+pub mod act_button;
 pub mod hob_bar;
 pub mod hob_slider;
 pub mod pour;

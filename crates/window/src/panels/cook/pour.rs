@@ -5,7 +5,7 @@ use saute_kitchen::dynamics::Tool;
 
 use crate::act::{Act, Acts, CookAct, ROLL_STEP, TOOL_STEP};
 use crate::input::pouring::Pourable;
-use crate::panels::cook::hob_bar::button;
+use crate::panels::cook::act_button::button;
 use crate::panels::window_state::WindowState;
 
 /// Shows the controls.

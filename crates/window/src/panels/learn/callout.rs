@@ -5,7 +5,7 @@ use saute_kitchen::advice::Advice;
 
 use crate::act::{Act, Acts, CookAct, LearnAct};
 use crate::learn::tutorial::{Step, Tutorial, control};
-use crate::panels::inside::{advice_words, do_it_words};
+use crate::panels::learn::advice_words::{advice_words, do_it_words};
 use crate::panels::window_state::WindowState;
 use crate::ui::layout::{GAP, Layout};
 use crate::ui::theme;

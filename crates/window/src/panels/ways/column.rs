@@ -1,13 +1,14 @@
 //! One way among others: its name, how far it is, its cut and its readings round its pan.
 
 use egui::{Align2, Rect, RichText, Sense, Stroke, StrokeKind, Ui, UiBuilder, vec2};
-use saute_kitchen::{Piece, celsius};
+use saute_kitchen::celsius;
 
 use super::{WaysMemory, within};
 use crate::act::{Act, Acts, TimeAct, ViewAct};
 use crate::input::grab::ORBIT_PER_POINT;
 use crate::panels::curves::sample;
-use crate::panels::ways::plot::style;
+use crate::panels::ways::look::piece;
+use crate::panels::ways::look::style;
 use crate::panels::window_state::WindowState;
 use crate::ui::ways_layout::WayColumn;
 use crate::ui::{fingers, theme};
@@ -131,11 +132,6 @@ fn beside(state: &WindowState, place: usize, ui: &mut Ui, acts: &mut Acts, pictu
     if child.add(button).on_hover_text(l.text("ways.go_hint")).clicked() {
         acts.push(Act::Time(TimeAct::Branch(place)));
     }
-}
-
-/// The piece of a way that is the one that the panels show.
-pub(super) fn piece<'a>(state: &WindowState, way: &WayBeside<'a>) -> Option<&'a Piece> {
-    way.kitchen.piece(&state.session.steak_id()).or_else(|| way.kitchen.pieces().first())
 }
 
 fn cut(state: &WindowState, way: &WayBeside, memory: &mut WaysMemory, ui: &mut Ui, name: &str) {

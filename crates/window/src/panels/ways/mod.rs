@@ -1,15 +1,14 @@
 //! Ways side by side: for each its name, how far it is, its pan, its cut and its readings; their curves in one plot.
 
 mod column;
+mod look;
+pub mod memory;
 mod plot;
 
-use std::collections::BTreeMap;
-
-use egui::{Rect, Ui, UiBuilder, pos2};
+use egui::{Rect, Ui, pos2};
 
 use crate::act::Acts;
 use crate::panels::badge;
-use crate::panels::cut_picture::CutPicture;
 use crate::panels::window_state::WindowState;
 use crate::ui::theme;
 use crate::ui::ways_layout::WaysLayout;
@@ -17,23 +16,10 @@ use saute_session::timeline::{BranchName, WayBeside};
 use saute_words::act_words::act_words;
 use saute_words::language::Language;
 
-use self::plot::Quantity;
+use crate::panels::ways::memory::{WaysMemory, within};
 
 /// Height of the curves in the drawer of a narrow window [points].
 const DRAWER_CURVES: f32 = 150.0;
-
-/// What is kept from frame to frame.
-#[derive(Default)]
-pub struct WaysMemory {
-    /// What the curves show.
-    quantity: Quantity,
-    /// Number of the way that is shown beside the one that goes on, where there is room for one.
-    other: Option<u64>,
-    /// True if there is no room for all of them.
-    pages: bool,
-    /// The cuts, by the number of the way.
-    cuts: BTreeMap<u64, CutPicture>,
-}
 
 /// Shows all of it but the pans, which are drawn with the scene.
 pub fn show(
@@ -110,11 +96,4 @@ fn ground(ui: &Ui, all: Rect, layout: &WaysLayout) {
         left = picture.right();
     }
     fill(pos2(left, first.top()), pos2(all.right(), first.bottom()));
-}
-
-/// Shows a part in its rectangle.
-fn within(ui: &mut Ui, rect: Rect, name: &str, content: impl FnOnce(&mut Ui)) {
-    let mut child = ui.new_child(UiBuilder::new().id_salt(name).max_rect(rect));
-    child.set_clip_rect(rect.intersect(ui.clip_rect()));
-    content(&mut child);
 }

@@ -1,11 +1,13 @@
 //! The curves of all ways in one plot, with a legend.
 
 use egui::{RichText, Ui, vec2};
-use egui_plot::{LineStyle, VLine};
+use egui_plot::VLine;
 use saute_recipe::recorder::Row;
 
-use super::column::piece;
-use crate::panels::curves::{Curve, MOST_POINTS, axes, goal, goal_line, read_off, sample};
+use super::look::piece;
+use crate::panels::curve::Curve;
+use crate::panels::curves::{MOST_POINTS, axes, goal, goal_line, read_off, sample};
+use crate::panels::ways::look::style;
 use crate::panels::window_state::WindowState;
 use crate::ui::{fingers, theme};
 use saute_session::timeline::WayBeside;
@@ -20,7 +22,7 @@ const GOAL_NEAR: f64 = 25.0;
 
 /// What the curves show.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) enum Quantity {
+pub(crate) enum Quantity {
     /// Temperature of the core.
     #[default]
     Core,
@@ -48,16 +50,6 @@ impl Quantity {
             Self::Underside => row.foods.get(piece).map(|food| food[2]),
             Self::Pan => Some(row.pan_c),
         }
-    }
-}
-
-/// The line style of a way, by its slot: no two are the same.
-pub(super) fn style(slot: usize) -> LineStyle {
-    match slot {
-        0 => LineStyle::Solid,
-        1 => LineStyle::Dashed { length: 12.0 },
-        2 => LineStyle::Dotted { spacing: 6.0 },
-        _ => LineStyle::Dashed { length: 4.0 },
     }
 }
 

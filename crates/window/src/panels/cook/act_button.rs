@@ -1,0 +1,31 @@
+//! Buttons that do an act.
+
+use crate::act::{Act, Acts, hint};
+use crate::panels::learn::callout::note_control;
+use crate::panels::window_state::WindowState;
+use crate::ui::theme;
+use egui::Ui;
+
+pub(crate) fn button(state: &WindowState, ui: &mut Ui, acts: &mut Acts, text: &str, on: bool, enabled: bool, act: Act) {
+    let enabled = enabled && !state.forbids(&act);
+    let response = pressed(ui, text, on, enabled, &hint(&act, state.settings.language));
+    let response = why_off(state, response, &act);
+    note_control(ui, &act, response.rect);
+    if response.clicked() {
+        acts.push(act);
+    }
+}
+
+/// Says why a study or a lesson holds a button back.
+pub(crate) fn why_off(state: &WindowState, response: egui::Response, act: &Act) -> egui::Response {
+    match state.forbids(act) {
+        true => response.on_disabled_hover_text(state.settings.language.text("guided.locked")),
+        false => response,
+    }
+}
+
+pub(crate) fn pressed(ui: &mut Ui, text: &str, on: bool, enabled: bool, hint: &str) -> egui::Response {
+    let height = ui.spacing().interact_size.y;
+    let response = ui.add_enabled(enabled, theme::of(ui).button(text, on).min_size(egui::vec2(height, height)));
+    response.on_hover_text(hint)
+}
