@@ -10,6 +10,7 @@
 #   licences, versions and known advisories of all dependencies, where cargo-deny is installed;
 #   the page as people get it, with its size limit, and its tests with every pose in WebGPU too;
 #   the Python package as pip builds it, and a short training of its example;
+#   ten faults that are put in by hand, each of which a test must see;
 #   a sweep of 10,000 rows that is killed ten times, its memory, and its throughput beside bare cooks;
 #   the haptic loop against a simulated device for a minute, and every fault;
 #   the speed tables of the 2013 paper with their goals, and the speed of the heat solver.
@@ -33,7 +34,7 @@ source scripts/web.sh
 
 # Each part is the function of its name.
 PARTS=(pages_of_validation random_cooks random_packets random_instants random_sessions random_kills plans fits fuzz day
-    judge_dependencies judge_advisories real_page quick_endings test_wheel train_briefly sweeps haptics tables_of_2013 heat_solver)
+    judge_dependencies judge_advisories real_page quick_endings faults test_wheel train_briefly sweeps haptics tables_of_2013 heat_solver)
 # One file for each part: when it last passed, and of which commit.
 LAST="${CARGO_TARGET_DIR:-target}/campaign"
 
@@ -107,6 +108,9 @@ sweeps() { scripts/sweeps.sh; }
 tables_of_2013() { saute bench paper; }
 
 heat_solver() { saute bench heat; }
+
+# Faults that are put in by hand: a test must see each.
+faults() { scripts/faults.sh; }
 
 # The page as people get it.
 real_page() {
