@@ -1,7 +1,9 @@
 //! The program's window.
 
+mod desk;
 mod export;
 pub(crate) mod frame;
+mod graphics;
 mod hands;
 mod keeps;
 mod keys;
@@ -17,48 +19,40 @@ use std::sync::Arc;
 
 use egui::{Rect, Ui};
 use saute_kitchen::{Command, Library, TICK_S};
-use saute_picture::stage::{Places, Stage, following};
+use saute_picture::stage::{Places, following};
 use saute_recipe::Recipe;
 use saute_scene::camera::Camera;
 use saute_scene::quality::Quality;
 
+use self::desk::Desk;
+use self::graphics::Graphics;
+use self::hands::Inputs;
+use self::keeps::Keeps;
+use self::leads::Leads;
+use self::pace::Pace;
+#[cfg(target_arch = "wasm32")]
+use self::page::Page;
+use self::sights::Sights;
 use crate::act::Card;
-use crate::apply::waiting::Waiting;
 #[cfg(target_arch = "wasm32")]
 use crate::browser::host::Surroundings;
 #[cfg(not(target_arch = "wasm32"))]
 use crate::desktop::Surroundings;
-use crate::frame_meter::FrameMeter;
-use crate::governor::Governor;
 use crate::guided::Guided;
 use crate::input::pad_input::Pad;
-use crate::input::pan_keys::PanKeys;
-use crate::input::pouring::Portion;
-use crate::input::tool_hand::ToolHand;
-use crate::learn::Learning;
 use crate::mirror::presenter::MirrorCallback;
-use crate::mirror::view::MirrorView;
 use crate::paint::ground::GroundCallback;
 use crate::paint::panel_layer::PanelLayer;
 use crate::paint::scene::SceneCallback;
-use crate::panels::memory::PanelMemory;
 use crate::session::Session;
 use crate::settings::Settings;
 use crate::start::{Start, StartError};
 use crate::ui::fingers;
-use crate::ui::glance::Glance;
-use crate::ui::motion::Motions;
-use crate::ui::notice::Notice;
-use crate::ui::scene_view::SceneView;
 use crate::ui::theme;
-use crate::ui::ways_view::WaysView;
 #[cfg(not(target_arch = "wasm32"))]
 use saute_haptics::control::scheduling::yield_to_others;
-use saute_session::at_home::fitting::AtHome;
 use saute_session::at_home::kept::KeptKitchen;
 use saute_session::permits::NotDone;
-use saute_session::plan::live::Live;
-use saute_session::plan::planning::Planning;
 use saute_session::work::Agency;
 #[cfg(not(target_arch = "wasm32"))]
 use saute_session::work::thread::Threads;
@@ -80,79 +74,17 @@ const AUTO_SAVE: std::time::Duration = std::time::Duration::from_secs(5);
 pub struct SauteApp {
     pub(crate) session: Session,
     pub(crate) settings: Settings,
-    pub(crate) stage: Stage,
-    pub(crate) camera: Camera,
-    pub(crate) camera_preset: usize,
-    /// Place of the cut (−1…1), or none.
-    pub(crate) slice: Option<f64>,
-    /// The card that is open.
-    pub(crate) card: Option<Card>,
-    /// The study or the lesson that leads the cook.
-    pub(crate) guided: Option<Guided>,
-    pub(crate) notice: Notice,
-    pub(crate) motions: Motions,
-    pub(crate) scene: SceneView,
-    /// What the window keeps of what it teaches.
-    pub(crate) learn: Learning,
-    /// Ways side by side.
-    pub(crate) ways: WaysView,
-    /// The library with which the program was started.
-    pub(crate) library: Arc<Library>,
-    /// What was entered about the kitchen at home, and the fit to it.
-    pub(crate) at_home: AtHome,
-    /// The search for a plan.
-    pub(crate) planning: Planning,
-    /// The cook that follows a plan.
-    pub(crate) live: Option<Live>,
-    /// What panels keep from frame to frame.
-    pub(crate) memory: PanelMemory,
-    pub(crate) pan_keys: PanKeys,
-    pub(crate) tool_hand: ToolHand,
-    /// Portion that is poured at once.
-    pub(crate) portion: Portion,
-    pub(crate) pad: Pad,
-    last_time: Option<f64>,
-    /// The present lag of the clock.
-    lag: Option<pace::Lag>,
-    /// Where the eye is on its way to.
-    pub(crate) glance: Option<Glance>,
-    /// What waits until the instant is reached to which time is turned.
-    pub(crate) waiting: Vec<Waiting>,
-    /// The piece to which the eye turns once it lies on the board.
-    pub(crate) taken_out: Option<String>,
-    pub(crate) meter: FrameMeter,
-    /// True if there is a font with kana and kanji.
-    pub(crate) japanese_font: bool,
-    /// True if the scene can be drawn (a graphics device is there).
-    drawable: bool,
-    software: bool,
-    /// True if panels are drawn a few times a second only where the graphics are software.
-    frugal: bool,
-    /// Chooses the quality of the picture where that is left to the program.
-    pub(crate) governor: Governor,
-    pub(crate) mirror: MirrorView,
+    pub(crate) sights: Sights,
+    pub(crate) inputs: Inputs,
+    pub(crate) leads: Leads,
+    pub(crate) desk: Desk,
+    pub(crate) pace: Pace,
+    pub(crate) graphics: Graphics,
+    pub(crate) keeps: Keeps,
     /// Who finds helpers for heavy work, if anyone does.
     agency: Option<Box<dyn Agency>>,
-    /// The photo mode.
-    #[cfg(not(target_arch = "wasm32"))]
-    pub(crate) photo: crate::photo::PhotoMode,
-    /// The folder of pictures, if it is not the user's.
-    #[cfg(not(target_arch = "wasm32"))]
-    pub(crate) pictures: Option<std::path::PathBuf>,
-    /// The file dialog while it is open.
-    #[cfg(not(target_arch = "wasm32"))]
-    pub(crate) dialog: crate::files::Dialog,
-    /// The cook that goes on, as it is kept.
-    pub(crate) autosave: crate::autosave::Autosave,
-    /// What the page hands in.
     #[cfg(target_arch = "wasm32")]
-    pub(crate) inbox: crate::browser::Inbox,
-    /// What the page's script does for the window.
-    #[cfg(target_arch = "wasm32")]
-    pub(crate) host: Option<crate::browser::host::Host>,
-    /// The panels a second time, as HTML.
-    #[cfg(target_arch = "wasm32")]
-    pub(crate) mirrored: crate::browser::Mirrored,
+    pub(crate) page: Page,
 }
 
 impl SauteApp {
@@ -161,7 +93,7 @@ impl SauteApp {
         let stored = cc.storage.map(|s| s.get_string(SETTINGS_KEY).unwrap_or_else(|| FIRST_START.to_owned()));
         let around = Surroundings::of(&start, stored.is_some());
         let mut app = Self::start(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), stored, start)?;
-        app.pad = Pad::connected();
+        app.inputs.pad = Pad::connected();
         app.settle_in(around, &cc.egui_ctx);
         Ok(app)
     }
@@ -196,52 +128,23 @@ impl SauteApp {
         let mut app = Self {
             session,
             settings,
-            stage: Stage::default(),
-            camera: Camera::three_quarter(),
-            camera_preset: 0,
-            slice: None,
-            card: first_steps.then_some(Card::FirstSteps),
-            guided: None,
-            notice: Notice::default(),
-            motions: Motions::default(),
-            scene: SceneView::default(),
-            learn: Learning::default(),
-            ways: WaysView::default(),
-            library: started,
-            at_home: AtHome::default(),
-            planning: Planning::default(),
-            live: None,
-            memory: PanelMemory::default(),
-            pan_keys: PanKeys::default(),
-            tool_hand: ToolHand::default(),
-            portion: Portion::default(),
-            pad: Pad::default(),
-            last_time: None,
-            lag: None,
-            glance: None,
-            waiting: Vec::new(),
-            taken_out: None,
-            meter: FrameMeter::default(),
-            drawable: false,
-            software: false,
-            frugal: start.frugal,
-            governor: Governor::new(Quality::Best),
-            japanese_font,
-            mirror: MirrorView::default(),
+            sights: Sights::default(),
+            inputs: Inputs::default(),
+            leads: Leads::default(),
+            desk: Desk { card: first_steps.then_some(Card::FirstSteps), ..Desk::default() },
+            pace: Pace::default(),
+            graphics: Graphics::new(start.frugal, japanese_font),
+            keeps: Keeps {
+                library: started,
+                #[cfg(not(target_arch = "wasm32"))]
+                pictures: start.pictures,
+                #[cfg(not(target_arch = "wasm32"))]
+                dialog: Default::default(),
+                autosave: Default::default(),
+            },
             agency: None,
-            #[cfg(not(target_arch = "wasm32"))]
-            photo: Default::default(),
-            #[cfg(not(target_arch = "wasm32"))]
-            pictures: start.pictures,
-            #[cfg(not(target_arch = "wasm32"))]
-            dialog: crate::files::Dialog::default(),
-            autosave: Default::default(),
             #[cfg(target_arch = "wasm32")]
-            inbox: crate::browser::Inbox::default(),
-            #[cfg(target_arch = "wasm32")]
-            host: None,
-            #[cfg(target_arch = "wasm32")]
-            mirrored: Default::default(),
+            page: Page::default(),
         };
         app.draw_on(context, graphics);
         #[cfg(not(target_arch = "wasm32"))]
@@ -266,12 +169,12 @@ impl SauteApp {
     fn draw_on(&mut self, context: &egui::Context, graphics: Option<&egui_wgpu::RenderState>) {
         theme::install(context);
         fingers::note(context, crate::ui::system::has_coarse_pointer());
-        self.drawable = graphics.is_some();
+        self.graphics.drawable = graphics.is_some();
         let Some(state) = graphics else { return };
         SceneCallback::install(state);
         GroundCallback::install(state);
         MirrorCallback::install(state);
-        self.software = state.adapter.get_info().device_type == wgpu::DeviceType::Cpu;
+        self.graphics.software = state.adapter.get_info().device_type == wgpu::DeviceType::Cpu;
         if self.is_frugal() {
             PanelLayer::install(context, state);
         }
@@ -279,7 +182,7 @@ impl SauteApp {
 
     /// Returns true if panels are drawn a few times a second only.
     fn is_frugal(&self) -> bool {
-        self.frugal && self.software
+        self.graphics.frugal && self.graphics.software
     }
 
     /// Gives the kitchen a command and says so if it refuses.
@@ -310,20 +213,20 @@ impl SauteApp {
         #[cfg(target_arch = "wasm32")]
         return false;
         #[cfg(not(target_arch = "wasm32"))]
-        self.photo.open
+        self.sights.photo.open
     }
 
     /// Returns true if a card covers the scene, or a photo is taken of it; time then waits.
     pub(crate) fn card_is_open(&self) -> bool {
         // Behind that of the half mirror the cook goes on in the mirror.
-        let card = self.card.is_some_and(|card| card != Card::Mirror);
-        let asks = self.guided.as_ref().is_some_and(Guided::asks) || self.session.asks();
+        let card = self.desk.card.is_some_and(|card| card != Card::Mirror);
+        let asks = self.leads.guided.as_ref().is_some_and(Guided::asks) || self.session.asks();
         card || asks || self.photo_is_open() || self.offered_s().is_some()
     }
 
     /// Says a text that leaves nothing open.
     pub(crate) fn say(&self, key: &'static str) {
-        self.notice.say(self.settings.language.text(key));
+        self.desk.notice.say(self.settings.language.text(key));
     }
 
     /// Says why a command was not carried out.
@@ -331,14 +234,14 @@ impl SauteApp {
         match not_done {
             NotDone::Locked => self.say("guided.locked"),
             NotDone::Refused(refused) => {
-                self.notice.say(saute_words::refusal::words(refused, self.settings.language));
+                self.desk.notice.say(saute_words::refusal::words(refused, self.settings.language));
             }
         }
     }
 
     /// Says what the core could not do; recipes and data have their own words, with file and line.
     pub(crate) fn say_trouble(&self, error: &dyn std::fmt::Display) {
-        self.notice.say(self.settings.language.fill("notice.trouble", &[("error", error)]));
+        self.desk.notice.say(self.settings.language.fill("notice.trouble", &[("error", error)]));
     }
 
     /// Opens a recipe's text, as from a dropped file.
@@ -353,13 +256,13 @@ impl SauteApp {
                     ("message", &wrong.message),
                     ("remedy", &wrong.remedy),
                 ];
-                return self.notice.say(l.fill("notice.wrong_recipe", &parts));
+                return self.desk.notice.say(l.fill("notice.wrong_recipe", &parts));
             }
         };
         match self.session.play(recipe) {
             Ok(()) => {
                 let title = l.called("recipe", self.session.recipe_title().unwrap_or(file));
-                self.notice.say(l.fill("notice.playing", &[("title", &title)]));
+                self.desk.notice.say(l.fill("notice.playing", &[("title", &title)]));
             }
             Err(error) => self.say_trouble(&error),
         }
@@ -369,7 +272,7 @@ impl SauteApp {
     /// scaled down to 960 × 540 at least.
     pub(crate) fn scene_pixels(&self, rect: Rect, pixels_per_point: f32) -> [u32; 2] {
         let (w, h) = (rect.width() * pixels_per_point, rect.height() * pixels_per_point);
-        let scaled = self.software && self.quality() < Quality::Best;
+        let scaled = self.graphics.software && self.quality() < Quality::Best;
         let least = if scaled { (960.0 / w).max(540.0 / h).clamp(0.1, 1.0) } else { 1.0 };
         let most = 2048.0 / w.max(h);
         let scale = least.min(most);
@@ -378,30 +281,30 @@ impl SauteApp {
 
     /// Returns true if the graphics are software.
     pub(crate) fn software(&self) -> bool {
-        self.software
+        self.graphics.software
     }
 
     /// Ticks between two looks at slow changes in the pan.
     pub(crate) fn look_ticks(&self) -> u64 {
-        if !self.software || self.session.paused || self.quality() > Quality::Quick {
+        if !self.graphics.software || self.session.paused || self.quality() > Quality::Quick {
             return 1;
         }
         (LOOK_PERIOD_S * self.session.speed / TICK_S).round() as u64
     }
 
     pub(crate) fn drawable(&self) -> bool {
-        self.drawable
+        self.graphics.drawable
     }
 
     pub(crate) fn places(&self) -> Places {
-        let mut places = self.motions.places();
-        places.pieces.extend(self.scene.carried.clone());
+        let mut places = self.sights.motions.places();
+        places.pieces.extend(self.sights.scene.carried.clone());
         places
     }
 
     /// The eye as the scene is drawn with it.
     pub(crate) fn eye(&self) -> Camera {
-        following(&self.camera, self.places().followed(&self.session.kitchen))
+        following(&self.sights.camera, self.places().followed(&self.session.kitchen))
     }
 }
 
@@ -435,7 +338,7 @@ impl eframe::App for SauteApp {
 
     fn save(&mut self, storage: &mut dyn eframe::Storage) {
         // What a study shows is not what the next person at this machine chose.
-        if matches!(self.guided, Some(Guided::Study(_))) {
+        if matches!(self.leads.guided, Some(Guided::Study(_))) {
             return;
         }
         if let Ok(text) = serde_json::to_string(&self.settings) {

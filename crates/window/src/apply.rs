@@ -92,7 +92,7 @@ impl SauteApp {
             ViewAct::View(view) => self.settings.view = view,
             ViewAct::Split => self.toggle_split(),
             ViewAct::Probe => self.place_probe(),
-            ViewAct::Placing(on) => self.scene.placing = on,
+            ViewAct::Placing(on) => self.sights.scene.placing = on,
             ViewAct::SelectProbe(number) => self.session.probes.selected = number,
             ViewAct::NameProbe(number, name) => self.session.probes.rename(number, name),
             ViewAct::RemoveProbe(number) => self.session.probes.remove(number),
@@ -100,7 +100,7 @@ impl SauteApp {
             ViewAct::Scale => self.next_scale(),
             ViewAct::Slice => self.toggle_slice(),
             ViewAct::SliceBy(by) => self.shift_slice(by),
-            ViewAct::SliceAt(place) => self.slice = Some(place),
+            ViewAct::SliceAt(place) => self.sights.slice = Some(place),
             ViewAct::Units => self.settings.fahrenheit = !self.settings.fahrenheit,
             ViewAct::Camera => self.next_camera(),
             ViewAct::Eye(view) => self.look_from(view),
@@ -147,24 +147,24 @@ impl SauteApp {
             #[cfg(target_arch = "wasm32")]
             AppAct::StopHands => {}
             #[cfg(not(target_arch = "wasm32"))]
-            AppAct::Picture if self.photo.open => self.take_photo(ctx),
+            AppAct::Picture if self.sights.photo.open => self.take_photo(ctx),
             AppAct::Picture => self.save_picture(ctx),
             #[cfg(target_arch = "wasm32")]
             AppAct::Photo => self.say("settings.native_only"),
             #[cfg(not(target_arch = "wasm32"))]
-            AppAct::Photo => self.photo.open = !self.photo.open,
+            AppAct::Photo => self.sights.photo.open = !self.sights.photo.open,
             #[cfg(not(target_arch = "wasm32"))]
-            AppAct::SetPhoto(choice) => self.photo.choice = choice,
+            AppAct::SetPhoto(choice) => self.sights.photo.choice = choice,
             #[cfg(not(target_arch = "wasm32"))]
             AppAct::TimeLapse => self.make_time_lapse(ctx),
             AppAct::Mirror if cfg!(target_arch = "wasm32") => self.say("settings.native_only"),
             AppAct::Mirror => self.toggle_mirror(),
-            AppAct::MirrorWindow(open) => (self.mirror.open, self.mirror.full) = (open, false),
+            AppAct::MirrorWindow(open) => (self.sights.mirror.open, self.sights.mirror.full) = (open, false),
             AppAct::Calibrate(on) => self.calibrate_mirror(on),
-            AppAct::ReadRig => self.mirror.forget_rig(),
+            AppAct::ReadRig => self.sights.mirror.forget_rig(),
             AppAct::ShareResult => self.share_result(),
             AppAct::Set(setting) => self.set(setting),
-            AppAct::Say(text) => self.notice.say(text),
+            AppAct::Say(text) => self.desk.notice.say(text),
             AppAct::Open(card) => self.open_card(card),
             AppAct::Shut(card) => self.shut_card(card),
             AppAct::Help => self.toggle_card(Card::Help),

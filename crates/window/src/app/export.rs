@@ -15,7 +15,7 @@ impl SauteApp {
         let l = self.settings.language;
         let (bytes, leaves_out) = match self.session.exported(what) {
             Ok(made) => made,
-            Err(error) => return self.notice.say(l.fill("notice.no_recipe", &[("error", &error)])),
+            Err(error) => return self.desk.notice.say(l.fill("notice.no_recipe", &[("error", &error)])),
         };
         if self.say_written(path, write(&bytes), COOK_SAID) && leaves_out {
             self.say("notice.recipe_leaves_out");
@@ -32,10 +32,10 @@ impl SauteApp {
         let l = self.settings.language;
         if let Err(error) = &written {
             let parts: [(&str, &dyn std::fmt::Display); 2] = [("path", &path.display()), ("error", error)];
-            self.notice.say(l.fill(not_done, &parts));
+            self.desk.notice.say(l.fill(not_done, &parts));
             return false;
         }
-        self.notice.say_of(l.fill(done, &[("path", &path.display())]), path.to_owned());
+        self.desk.notice.say_of(l.fill(done, &[("path", &path.display())]), path.to_owned());
         true
     }
 }

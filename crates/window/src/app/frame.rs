@@ -32,7 +32,7 @@ impl SauteApp {
     /// One frame: takes input, lets time pass, shows everything.
     pub fn frame(&mut self, ui: &mut Ui) {
         let ctx = ui.ctx().clone();
-        self.scene.rests = self.scene.rest.is_final() && !ctx.requested_repaint_last_pass();
+        self.sights.scene.rests = self.sights.scene.rest.is_final() && !ctx.requested_repaint_last_pass();
         self.settings.display(&ctx);
         fingers::note(&ctx, false);
         self.shake_pad(&ctx);
@@ -79,9 +79,9 @@ impl SauteApp {
         let keeping = self.keeping();
         // While a plan is kept to, its guide gives the orders.
         let advice = keeping.map_or_else(|| advised.clone(), |keeping| keeping.leaves(&advised));
-        if self.card == Some(Card::Mirror) {
+        if self.desk.card == Some(Card::Mirror) {
             // The card shows the error of a rig that cannot be read.
-            let _ = self.mirror.rig(&self.settings.mirror.rig);
+            let _ = self.sights.mirror.rig(&self.settings.mirror.rig);
         }
         let ways = if self.shows_ways() { self.session.ways() } else { Vec::new() };
         let way_names = if ways.is_empty() { BTreeMap::new() } else { self.session.way_names() };
@@ -90,42 +90,42 @@ impl SauteApp {
         let piece = self.session.steak().filter(|_| coach);
         let coaching = piece.and_then(|piece| Coaching::of(&self.session.kitchen, piece, &advised));
         let alarm = coach && advice.iter().any(|one| one.is_goal());
-        let result = if self.card == Some(Card::Result) { self.result_words() } else { None };
+        let result = if self.desk.card == Some(Card::Result) { self.result_words() } else { None };
         let state = WindowState {
             session: &self.session,
             settings: &self.settings,
-            scene: &self.scene,
-            mirror: &self.mirror,
+            scene: &self.sights.scene,
+            mirror: &self.sights.mirror,
             #[cfg(not(target_arch = "wasm32"))]
-            photo: &self.photo,
-            tool: self.tool_hand.tool,
-            turner_in_hand: self.tool_hand.turner.is_some(),
+            photo: &self.sights.photo,
+            tool: self.inputs.tool_hand.tool,
+            turner_in_hand: self.inputs.tool_hand.turner.is_some(),
             #[cfg(target_arch = "wasm32")]
             phone_tilts: self.phone_tilts(),
-            portion: self.portion,
-            planning: &self.planning,
-            at_home: &self.at_home,
-            live: self.live.as_ref().filter(|live| live.is_of(&self.session)),
-            slice: self.slice,
-            card: self.card,
-            guided: self.guided.as_ref(),
-            said: &self.notice,
+            portion: self.inputs.portion,
+            planning: &self.leads.planning,
+            at_home: &self.leads.at_home,
+            live: self.leads.live.as_ref().filter(|live| live.is_of(&self.session)),
+            slice: self.sights.slice,
+            card: self.desk.card,
+            guided: self.leads.guided.as_ref(),
+            said: &self.desk.notice,
             unfinished_s: self.offered_s(),
-            japanese_font: self.japanese_font,
+            japanese_font: self.graphics.japanese_font,
             quality,
             advice,
             guide_leads: keeping == Some(Keeping::Kept),
             coaching,
             alarm,
             result,
-            tutorial: self.learn.tutorial.as_ref(),
-            notice: self.notice.current(),
-            waiting: self.waiting.iter().map(|waiting| waiting.words(l)).collect(),
+            tutorial: self.leads.learn.tutorial.as_ref(),
+            notice: self.desk.notice.current(),
+            waiting: self.pace.waiting.iter().map(|waiting| waiting.words(l)).collect(),
             ways,
             way_names: way_names.into_iter().map(|(id, name)| (id, way_words(&name, l))).collect(),
         };
         let mut acts = Acts::new();
-        panels::show_all(&state, &mut self.memory, ui, &mut acts, layout);
+        panels::show_all(&state, &mut self.desk.memory, ui, &mut acts, layout);
         self.pulse_at_goal(alarm);
         self.tutor(&advised);
         self.watch_result(&advised);
@@ -150,35 +150,35 @@ impl SauteApp {
         };
         match read.map(String::from_utf8) {
             Ok(Ok(text)) if is_table(name) => self.open_log(name, &text),
-            Ok(Ok(text)) if self.card == Some(Card::AtHome) => self.take_cooked(name, &text),
+            Ok(Ok(text)) if self.desk.card == Some(Card::AtHome) => self.take_cooked(name, &text),
             Ok(Ok(text)) => self.open_recipe(&text, name),
-            Ok(Err(_)) => self.notice.say(self.settings.language.fill("notice.not_text", &[("file", &name)])),
+            Ok(Err(_)) => self.desk.notice.say(self.settings.language.fill("notice.not_text", &[("file", &name)])),
             Err(error) => {
                 let open: [(&str, &dyn std::fmt::Display); 2] = [("file", &name), ("error", &error)];
-                self.notice.say(self.settings.language.fill("notice.not_read", &open));
+                self.desk.notice.say(self.settings.language.fill("notice.not_read", &open));
             }
         }
     }
 
     fn let_time_pass(&mut self, ctx: &egui::Context) {
         let now = ctx.input(|i| i.time);
-        let wall = now - self.last_time.unwrap_or(now);
-        self.last_time = Some(now);
+        let wall = now - self.pace.last_time.unwrap_or(now);
+        self.pace.last_time = Some(now);
         self.take_hands(ctx, wall.clamp(0.0, LONGEST_FRAME_S));
         let begun = Instant::now();
         self.session.permits = self.permits();
         // Behind a card nothing is missed; a trial whose time cannot be stopped goes on.
-        let waits = self.card_is_open() && self.guided.as_ref().is_none_or(Guided::time_waits);
+        let waits = self.card_is_open() && self.leads.guided.as_ref().is_none_or(Guided::time_waits);
         let passes = if waits { 0.0 } else { wall.max(0.0) };
         let passed = self.session.advance(Duration::from_secs_f64(passes), step_budget(wall));
-        self.meter.frame(now, self.session.kitchen.time_s());
+        self.pace.meter.frame(now, self.session.kitchen.time_s());
         // While time stands still frames come when there is something to see.
         if !self.session.paused && !waits {
-            self.governor.frame(wall, begun.elapsed().as_secs_f64());
+            self.graphics.governor.frame(wall, begun.elapsed().as_secs_f64());
         }
         self.do_what_waited(ctx);
         // Studies and lessons ask what will come.
-        let shown = match self.settings.foresees() && self.guided.is_none() {
+        let shown = match self.settings.foresees() && self.leads.guided.is_none() {
             true if self.settings.curves_open => Shown::Table,
             true => Shown::Line,
             false => Shown::Nothing,
@@ -189,16 +189,16 @@ impl SauteApp {
         if let Err(error) = passed {
             self.say_trouble(&error);
         }
-        self.motions.jumps = self.settings.moves_less();
-        self.motions.advance(&self.session.kitchen, self.session.generation, wall as f32);
+        self.sights.motions.jumps = self.settings.moves_less();
+        self.sights.motions.advance(&self.session.kitchen, self.session.generation, wall as f32);
         self.move_eye(wall as f32);
         if !(self.session.paused || waits)
-            || self.motions.moving()
-            || self.glance.is_some()
+            || self.sights.motions.moving()
+            || self.sights.glance.is_some()
             || self.session.is_travelling()
-            || self.ways.catch_up
+            || self.sights.ways.catch_up
             || self.session.forecasts().need_frames()
-            || (self.scene.rest.at_once && !self.scene.rest.is_final())
+            || (self.sights.scene.rest.at_once && !self.sights.scene.rest.is_final())
         {
             ctx.request_repaint();
         } else {

@@ -19,7 +19,7 @@ impl SauteApp {
             return self.say_trouble(&error);
         }
         let file: (&str, &dyn Display) = ("file", &name);
-        self.notice.say(match damage {
+        self.desk.notice.say(match damage {
             Some(_) => l.fill("notice.session_damaged", &[file]),
             None => l.fill("notice.session_opened", &[file]),
         });

@@ -38,18 +38,18 @@ impl SauteApp {
 
     /// Place of the cut (−1…1), or none.
     pub fn slice(&self) -> Option<f64> {
-        self.slice
+        self.sights.slice
     }
 
     /// Chooses how many pieces the pantry adds at once.
     pub fn set_count(&mut self, count: usize) {
-        self.memory.count = count;
+        self.desk.memory.count = count;
     }
 
     /// Chooses the window's language; a page without a font for Japanese asks its host for one first.
     pub fn set_language(&mut self, language: Language) {
         #[cfg(target_arch = "wasm32")]
-        if language == Language::Japanese && !self.japanese_font {
+        if language == Language::Japanese && !self.graphics.japanese_font {
             return self.want_font();
         }
         self.settings.language = language;
@@ -57,34 +57,34 @@ impl SauteApp {
 
     /// What the guide says in a cook that follows a plan.
     pub fn guidance(&self) -> Option<saute_session::plan::live::Guidance> {
-        let live = self.live.as_ref().filter(|live| live.is_of(&self.session))?;
+        let live = self.leads.live.as_ref().filter(|live| live.is_of(&self.session))?;
         Some(live.guidance(&self.session))
     }
 
     /// What was entered about the kitchen at home, and the fit to it.
     pub fn at_home(&self) -> &saute_session::at_home::fitting::AtHome {
-        &self.at_home
+        &self.leads.at_home
     }
 
     /// Returns true if the card of the first steps is shown.
     pub fn first_steps_are_open(&self) -> bool {
-        self.card == Some(Card::FirstSteps)
+        self.desk.card == Some(Card::FirstSteps)
     }
 
     /// Returns true if the list of keys is open.
     pub fn help_is_open(&self) -> bool {
-        self.card == Some(Card::Help)
+        self.desk.card == Some(Card::Help)
     }
 
     /// Returns true if the card of the settings is open.
     pub fn settings_are_open(&self) -> bool {
-        self.card == Some(Card::Settings)
+        self.desk.card == Some(Card::Settings)
     }
 
     /// The photo mode.
     #[cfg(not(target_arch = "wasm32"))]
     pub fn photo(&self) -> &crate::photo::PhotoMode {
-        &self.photo
+        &self.sights.photo
     }
 
     /// Goes on with a new picture after the graphics were lost: the cook, the eye and what is open stay.
@@ -93,31 +93,31 @@ impl SauteApp {
         if !self.install_taken_font(&cc.egui_ctx) {
             cc.egui_ctx.set_fonts(crate::ui::latin_font::definitions());
         }
-        self.mirrored.listen(&cc.egui_ctx);
+        self.page.mirrored.listen(&cc.egui_ctx);
         self.draw_on(&cc.egui_ctx, cc.wgpu_render_state.as_ref());
         // Pictures of panels, and what was drawn before, belonged to the lost graphics.
-        self.memory = Default::default();
-        self.stage = Default::default();
-        self.last_time = None;
+        self.desk.memory = Default::default();
+        self.sights.stage = Default::default();
+        self.pace.last_time = None;
     }
 
     /// All that was said, the last first.
     pub fn said(&self) -> Vec<String> {
-        self.notice.all().into_iter().map(|said| said.text).collect()
+        self.desk.notice.all().into_iter().map(|said| said.text).collect()
     }
 
     /// How fast frames and simulated time have run lately.
     pub fn meter(&self) -> &FrameMeter {
-        &self.meter
+        &self.pace.meter
     }
 
     /// Size at which the scene was drawn last [pixels].
     pub fn scene_size(&self) -> [u32; 2] {
-        self.scene.drawn_size
+        self.sights.scene.drawn_size
     }
 
     /// Returns true if the picture stays as it is until something happens: nothing moves, and nothing is left to smooth.
     pub fn rests(&self) -> bool {
-        self.scene.rests
+        self.sights.scene.rests
     }
 }

@@ -1,6 +1,8 @@
 //! A speed that the machine cannot hold gives way to one that it can.
 
 use super::SauteApp;
+use crate::apply::waiting::Waiting;
+use crate::frame_meter::FrameMeter;
 use saute_session::SPEEDS;
 
 /// How long the clock may lag before a lower speed is chosen [wall s] (chosen: one slow moment is no slow machine).
@@ -8,11 +10,22 @@ const PATIENCE_S: f64 = 2.0;
 
 /// A lag of the clock: when it began, and for how long it has lasted.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Lag {
+pub(crate) struct Lag {
     /// Simulated time at its beginning [s].
     from_s: f64,
     /// Wall time since [s].
     wall_s: f64,
+}
+
+/// How time goes in the window.
+#[derive(Default)]
+pub(crate) struct Pace {
+    pub(crate) last_time: Option<f64>,
+    /// The present lag of the clock.
+    pub(crate) lag: Option<Lag>,
+    /// What waits until the instant is reached to which time is turned.
+    pub(crate) waiting: Vec<Waiting>,
+    pub(crate) meter: FrameMeter,
 }
 
 impl SauteApp {
@@ -20,20 +33,20 @@ impl SauteApp {
     pub(super) fn keep_up(&mut self, wall: f64) {
         let (now, time_s) = (self.session.speed, self.session.kitchen.time_s());
         if self.session.behind_s().is_none() || now <= SPEEDS[0] {
-            self.lag = None;
+            self.pace.lag = None;
             return;
         }
-        let lag = self.lag.get_or_insert(Lag { from_s: time_s, wall_s: 0.0 });
+        let lag = self.pace.lag.get_or_insert(Lag { from_s: time_s, wall_s: 0.0 });
         lag.wall_s += wall;
         if lag.wall_s < PATIENCE_S {
             return;
         }
         let holds = holdable(now, (time_s - lag.from_s) / lag.wall_s);
-        self.lag = None;
+        self.pace.lag = None;
         self.session.set_speed(holds);
         let words = |speed: f64| format!("{speed:.0}");
         let said: [(&str, &dyn std::fmt::Display); 2] = [("wanted", &words(now)), ("speed", &words(holds))];
-        self.notice.say(self.settings.language.fill("notice.slowed", &said));
+        self.desk.notice.say(self.settings.language.fill("notice.slowed", &said));
     }
 }
 

@@ -7,29 +7,29 @@ use crate::panels::memory::Drawer;
 impl SauteApp {
     /// Opens a card in place of the one that is open.
     pub(super) fn open_card(&mut self, card: Card) {
-        self.card = Some(card);
+        self.desk.card = Some(card);
     }
 
     /// Closes a card; the first steps are then known.
     pub(super) fn shut_card(&mut self, card: Card) {
         self.settings.introduced |= card == Card::FirstSteps;
-        self.card.take_if(|open| *open == card);
+        self.desk.card.take_if(|open| *open == card);
     }
 
     /// Opens a card, or closes it.
     pub(super) fn toggle_card(&mut self, card: Card) {
-        self.card = (self.card != Some(card)).then_some(card);
+        self.desk.card = (self.desk.card != Some(card)).then_some(card);
     }
 
     /// Closes the cards and ends the placing of probes.
     pub(super) fn close_all(&mut self) {
-        self.scene.placing = false;
-        if let Some(card) = self.card {
+        self.sights.scene.placing = false;
+        if let Some(card) = self.desk.card {
             self.shut_card(card);
         }
         #[cfg(not(target_arch = "wasm32"))]
         {
-            self.photo.open = false;
+            self.sights.photo.open = false;
         }
     }
 
@@ -37,15 +37,15 @@ impl SauteApp {
     pub(super) fn open_left(&mut self, pantry: bool, pieces: bool) {
         (self.settings.pantry_open, self.settings.pieces_open) = (pantry, pieces);
         match (pantry, pieces) {
-            (true, _) => self.memory.drawer = Drawer::Food,
-            (_, true) => self.memory.drawer = Drawer::Pieces,
+            (true, _) => self.desk.memory.drawer = Drawer::Food,
+            (_, true) => self.desk.memory.drawer = Drawer::Pieces,
             _ => {}
         }
     }
 
     /// Shows the calibration pattern of the half mirror, or its picture.
     pub(super) fn calibrate_mirror(&mut self, on: bool) {
-        self.mirror.calibrating = on;
-        self.mirror.open |= on;
+        self.sights.mirror.calibrating = on;
+        self.sights.mirror.open |= on;
     }
 }

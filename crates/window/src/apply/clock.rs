@@ -19,7 +19,7 @@ impl SauteApp {
     pub(crate) fn set_speed(&mut self, speed: f64) {
         self.session.set_speed(speed);
         self.settings.speed = speed;
-        if let Some(live) = &mut self.live {
+        if let Some(live) = &mut self.leads.live {
             live.keeps_speed();
         }
     }

@@ -39,7 +39,7 @@ impl SauteApp {
     pub(super) fn take_out(&mut self) {
         let food = self.handled_id();
         if self.give(&Command::Rest { food: food.clone(), on: RestOn::Board }) {
-            self.taken_out = Some(food);
+            self.sights.taken_out = Some(food);
         }
     }
 
@@ -49,7 +49,7 @@ impl SauteApp {
         let commands = question.commands(&self.session.kitchen, &food).unwrap_or_default();
         let is_done = !commands.is_empty() && commands.iter().all(|command| self.give(command));
         if is_done && question == Question::TakeOut {
-            self.taken_out = Some(food);
+            self.sights.taken_out = Some(food);
         }
     }
 
@@ -78,10 +78,10 @@ impl SauteApp {
 
     /// Restarts with the chosen food and pan.
     pub(crate) fn set_out(&mut self) {
-        self.learn.shown_for = None;
+        self.leads.learn.shown_for = None;
         match self.session.set_out(&self.settings.choice) {
             Ok(()) => {
-                self.motions.clear();
+                self.sights.motions.clear();
                 self.say_new_beginning();
             }
             Err(error) => self.say_trouble(&error),
@@ -90,7 +90,7 @@ impl SauteApp {
 
     /// Says that another cook begins, and how the one before comes back, if there is one.
     pub(crate) fn say_new_beginning(&self) {
-        if self.session.can_undo() && self.guided.is_none() {
+        if self.session.can_undo() && self.leads.guided.is_none() {
             self.say("notice.begun_anew");
         }
     }
@@ -100,14 +100,14 @@ impl SauteApp {
         let (here, l) = (self.session.kitchen.pieces().len(), self.settings.language);
         if here + count > MOST_PIECES {
             let room = MOST_PIECES.saturating_sub(here);
-            self.notice.say(l.fill("pantry.full", &[("most", &MOST_PIECES), ("room", &room)]));
+            self.desk.notice.say(l.fill("pantry.full", &[("most", &MOST_PIECES), ("room", &room)]));
             return;
         }
         match self.session.add(&self.settings.choice, count) {
             Ok(group) => {
                 let first = self.session.members(&group).into_iter().next();
                 self.session.select(first);
-                self.notice.say(l.fill("pantry.added", &[("count", &count), ("food", &name(&group, l))]));
+                self.desk.notice.say(l.fill("pantry.added", &[("count", &count), ("food", &name(&group, l))]));
             }
             Err(error) => self.say_trouble(&error),
         }
@@ -122,14 +122,14 @@ impl SauteApp {
     }
 
     pub(super) fn restart(&mut self) {
-        if self.guided.is_some() {
+        if self.leads.guided.is_some() {
             return self.lesson_again();
         }
-        self.learn.shown_for = None;
+        self.leads.learn.shown_for = None;
         match self.session.restart() {
             Ok(()) => self.say_new_beginning(),
             Err(error) => self.say_trouble(&error),
         }
-        self.motions.clear();
+        self.sights.motions.clear();
     }
 }

@@ -10,9 +10,9 @@ impl SauteApp {
     pub(super) fn set_skill_mode(&mut self, on: bool) {
         self.settings.skill_mode = on;
         if on {
-            (self.settings.view, self.settings.split, self.slice) = (View::Look, false, None);
+            (self.settings.view, self.settings.split, self.sights.slice) = (View::Look, false, None);
             (self.settings.curves_open, self.settings.pieces_open) = (false, false);
-            self.scene.placing = false;
+            self.sights.scene.placing = false;
             if self.shows_ways() {
                 self.toggle_ways();
             }

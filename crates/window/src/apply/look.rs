@@ -14,16 +14,16 @@ const LAST_SLICE: f64 = 0.95;
 impl SauteApp {
     /// Shows or hides the cut. In the pan its face points towards +x, so the camera moves to that side.
     pub(crate) fn toggle_slice(&mut self) {
-        self.slice = if self.slice.is_some() { None } else { Some(0.0) };
+        self.sights.slice = if self.sights.slice.is_some() { None } else { Some(0.0) };
         let in_pan = self.session.steak().is_some_and(saute_kitchen::Piece::in_pan);
-        if self.slice.is_some() && in_pan && !(0.35..2.6).contains(&self.camera.yaw) {
-            self.camera.yaw = CUT_YAW;
+        if self.sights.slice.is_some() && in_pan && !(0.35..2.6).contains(&self.sights.camera.yaw) {
+            self.sights.camera.yaw = CUT_YAW;
         }
     }
 
     /// Moves the cut by a share of the half-length [-]; it stays within the food.
     pub(super) fn shift_slice(&mut self, by: f64) {
-        self.slice = Some((self.slice.unwrap_or(0.0) + by).clamp(-LAST_SLICE, LAST_SLICE));
+        self.sights.slice = Some((self.sights.slice.unwrap_or(0.0) + by).clamp(-LAST_SLICE, LAST_SLICE));
     }
 
     /// Shows the look next to the view, or the view alone. If the view is the look, it becomes the temperature.
@@ -44,7 +44,7 @@ impl SauteApp {
     /// Turns the eye [rad].
     pub(crate) fn orbit(&mut self, dx: f32, dy: f32) {
         self.take_eye();
-        self.camera.orbit(dx, dy);
+        self.sights.camera.orbit(dx, dy);
     }
 
     /// Brings the eye nearer (below 1) or farther.
@@ -52,19 +52,19 @@ impl SauteApp {
         if factor != 1.0 {
             self.take_eye();
         }
-        self.camera.zoom(factor);
+        self.sights.camera.zoom(factor);
     }
 
     pub(crate) fn next_camera(&mut self) {
         self.take_eye();
-        self.camera_preset = (self.camera_preset + 1) % 3;
-        self.camera = [Camera::three_quarter, Camera::above, Camera::close_up][self.camera_preset]();
-        if self.camera_preset == 2 {
-            self.camera.zoom(self.session.steak().map_or(1.0, nearness));
+        self.sights.camera_preset = (self.sights.camera_preset + 1) % 3;
+        self.sights.camera = [Camera::three_quarter, Camera::above, Camera::close_up][self.sights.camera_preset]();
+        if self.sights.camera_preset == 2 {
+            self.sights.camera.zoom(self.session.steak().map_or(1.0, nearness));
         }
         let on_board = matches!(self.session.steak().map(|p| p.place), Some(Place::Rest(_) | Place::Waiting));
-        if self.camera_preset == 2 && on_board {
-            self.camera.target = saute_picture::waiting::FIRST_ON_BOARD;
+        if self.sights.camera_preset == 2 && on_board {
+            self.sights.camera.target = saute_picture::waiting::FIRST_ON_BOARD;
         }
     }
 }

@@ -14,7 +14,7 @@ impl SauteApp {
             Some(Undone::Act(label)) => {
                 let (what, time) = (act_words(&label, l), clock(self.session.shown_s()));
                 let parts: [(&str, &dyn std::fmt::Display); 2] = [("what", &what), ("time", &time)];
-                self.notice.say(l.fill("notice.undone", &parts));
+                self.desk.notice.say(l.fill("notice.undone", &parts));
             }
             Some(Undone::Beginning) => self.say("notice.undone_restart"),
             None => self.say("notice.nothing_to_undo"),
@@ -27,7 +27,7 @@ impl SauteApp {
         self.time_was_turned();
         let time = clock(self.session.shown_s());
         match done {
-            true => self.notice.say(self.settings.language.fill("notice.redone", &[("time", &time)])),
+            true => self.desk.notice.say(self.settings.language.fill("notice.redone", &[("time", &time)])),
             false => self.say("notice.nothing_to_redo"),
         }
     }
@@ -46,7 +46,7 @@ impl SauteApp {
 
     /// What hands held and where the eye was going belong to another instant.
     fn time_was_turned(&mut self) {
-        self.pan_keys = Default::default();
-        (self.glance, self.taken_out) = (None, None);
+        self.inputs.pan_keys = Default::default();
+        (self.sights.glance, self.sights.taken_out) = (None, None);
     }
 }

@@ -51,7 +51,7 @@ fn led<const N: usize>(start: Start, begins: [GuidedAct; N]) -> (SauteApp, egui:
     let ctx = egui::Context::default();
     let mut app = SauteApp::start(&ctx, None, None, start).expect("starts");
     begins.into_iter().for_each(|act| app.act(Act::Learn(LearnAct::Guided(act)), &ctx));
-    assert!(!app.guided.as_ref().expect("is led").asks(), "it runs");
+    assert!(!app.leads.guided.as_ref().expect("is led").asks(), "it runs");
     (app, ctx)
 }
 
@@ -60,9 +60,15 @@ fn state(app: &SauteApp) -> String {
     let session = app.session();
     let cook = (session.kitchen.state_hash(), session.recording().entries().len(), session.generation, session.paused);
     let time = (session.shown_s(), session.speed, session.is_travelling(), session.kitchen.pieces().len());
-    let seen = (app.slice, app.card, app.scene.placing, app.photo.open, app.planning.is_searching());
+    let seen = (
+        app.sights.slice,
+        app.desk.card,
+        app.sights.scene.placing,
+        app.sights.photo.open,
+        app.leads.planning.is_searching(),
+    );
     let settings = serde_json::to_string(&app.settings).expect("is written");
-    format!("{cook:?} {time:?} {seen:?} {} {settings}", app.guided.is_some())
+    format!("{cook:?} {time:?} {seen:?} {} {settings}", app.leads.guided.is_some())
 }
 
 #[test]

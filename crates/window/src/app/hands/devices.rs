@@ -57,7 +57,7 @@ impl SauteApp {
         for kept in self.session.hands.update() {
             match kept {
                 Ok(file) => {
-                    self.notice.say(self.settings.language.fill("notice.calibrated", &[("file", &file.display())]))
+                    self.desk.notice.say(self.settings.language.fill("notice.calibrated", &[("file", &file.display())]))
                 }
                 Err(error) => self.say_trouble(&error),
             }

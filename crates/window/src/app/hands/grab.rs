@@ -37,7 +37,7 @@ impl SauteApp {
     fn take_two_fingers(&mut self, ui: &Ui) -> bool {
         let Some(fingers) = ui.input(|i| i.multi_touch()) else { return false };
         // What the first finger took hold of before the second one came is let go.
-        if self.scene.hold != Hold::Nothing {
+        if self.sights.scene.hold != Hold::Nothing {
             self.let_go();
         }
         let by = fingers.translation_delta;
@@ -56,16 +56,16 @@ impl SauteApp {
             let wheel = ui.input(|i| i.smooth_scroll_delta());
             let scroll = wheel.x + wheel.y;
             let pinch = ui.input(|i| i.zoom_delta());
-            if self.scene.hold == Hold::Turner && scroll != 0.0 {
+            if self.sights.scene.hold == Hold::Turner && scroll != 0.0 {
                 self.with_turner(|turner| turner.shift(DVec3::Z * (RAISE_PER_SCROLL * f64::from(scroll))));
-            } else if self.scene.hold != Hold::Turner {
+            } else if self.sights.scene.hold != Hold::Turner {
                 self.zoom((-0.0015 * scroll).exp() / pinch);
             }
         }
         if let Some(at) = response.interact_pointer_pos() {
             if response.drag_started() {
                 let origin = ui.input(|i| i.pointer.press_origin()).unwrap_or(at);
-                self.scene.hold = self.grabbed(origin, rect);
+                self.sights.scene.hold = self.grabbed(origin, rect);
             }
             if response.dragged() {
                 self.drag(ui, response, at, rect);
@@ -75,9 +75,9 @@ impl SauteApp {
             }
         }
         if response.long_touched() {
-            self.scene.hold = Hold::Asks;
+            self.sights.scene.hold = Hold::Asks;
         }
-        let lifted = self.scene.hold == Hold::Asks && !ui.input(|i| i.pointer.any_down());
+        let lifted = self.sights.scene.hold == Hold::Asks && !ui.input(|i| i.pointer.any_down());
         if response.drag_stopped() || lifted {
             self.let_go();
         }
@@ -86,16 +86,16 @@ impl SauteApp {
 
     fn hover(&mut self, ui: &Ui, response: &egui::Response, rect: Rect) {
         let touched = ui.input(|i| i.any_touches());
-        let asks = self.scene.hold == Hold::Asks;
+        let asks = self.sights.scene.hold == Hold::Asks;
         let finger = ui.input(|i| i.pointer.latest_pos()).filter(|_| asks);
         // A finger on its way to a tap or a drag asks nothing.
-        let idle = response.hover_pos().filter(|_| self.scene.hold == Hold::Nothing && !touched);
-        self.scene.reads_at = finger.or(idle).map(|at| (at, asks));
+        let idle = response.hover_pos().filter(|_| self.sights.scene.hold == Hold::Nothing && !touched);
+        self.sights.scene.reads_at = finger.or(idle).map(|at| (at, asks));
         let within = if asks { GRAB } else { TOUCH };
-        self.scene.hovered = finger.or(idle).and_then(|at| self.piece_near(at, rect, within));
-        if self.scene.hovered.is_some() || idle.is_some_and(|at| self.pan_near(at, rect)) {
+        self.sights.scene.hovered = finger.or(idle).and_then(|at| self.piece_near(at, rect, within));
+        if self.sights.scene.hovered.is_some() || idle.is_some_and(|at| self.pan_near(at, rect)) {
             ui.ctx().set_cursor_icon(egui::CursorIcon::Grab);
-        } else if !matches!(self.scene.hold, Hold::Nothing | Hold::Eye | Hold::Asks) {
+        } else if !matches!(self.sights.scene.hold, Hold::Nothing | Hold::Eye | Hold::Asks) {
             ui.ctx().set_cursor_icon(egui::CursorIcon::Grabbing);
         }
     }
@@ -117,13 +117,13 @@ impl SauteApp {
 
     /// With the turner chosen a drag from what is in the pan, or from the blade, leads it.
     fn takes_turner(&self, piece: Option<&str>, at: Pos2, rect: Rect) -> bool {
-        if self.tool_hand.tool != Tool::Turner {
+        if self.inputs.tool_hand.tool != Tool::Turner {
             return false;
         }
         let kitchen = &self.session.kitchen;
         let blade = kitchen.hand().tool_pose(kitchen.world()).position.as_vec3();
         let on_blade = self.on_screen(blade, rect).is_some_and(|seen| seen.distance(at) < TOOL_GRAB);
-        if self.tool_hand.turner.is_some() && on_blade {
+        if self.inputs.tool_hand.turner.is_some() && on_blade {
             return true;
         }
         if let Some(id) = piece {
@@ -147,7 +147,7 @@ impl SauteApp {
     }
 
     fn drag(&mut self, ui: &Ui, response: &egui::Response, at: Pos2, rect: Rect) {
-        match self.scene.hold.clone() {
+        match self.sights.scene.hold.clone() {
             Hold::Nothing | Hold::Asks => {}
             Hold::Eye => {
                 let delta = response.drag_delta();
@@ -183,7 +183,7 @@ impl SauteApp {
         let Some(hit) = self.pointed(at, rect, CARRY_HEIGHT) else { return };
         let position = Vec3::new(hit.x.clamp(-0.5, 0.6), hit.y.clamp(-0.4, 0.4), CARRY_HEIGHT);
         let rotation = Quat::from_rotation_z(-std::f32::consts::FRAC_PI_2);
-        self.scene.carried.insert(id, Pose { position, rotation });
+        self.sights.scene.carried.insert(id, Pose { position, rotation });
     }
 
     /// Leads the tongs to above the place that the pointer shows: low within the pan, over its rim elsewhere.
@@ -216,7 +216,7 @@ impl SauteApp {
                 turner.shift(DVec3::Z * (-LIFT_PER_POINT * dy));
             });
         }
-        let height = self.tool_hand.turner.map_or(0.0, |turner| turner.height);
+        let height = self.inputs.tool_hand.turner.map_or(0.0, |turner| turner.height);
         let plane = self.session.kitchen.world().motion.pose.position.z + height;
         let Some(hit) = self.pointed(at, rect, plane as f32) else { return };
         self.with_turner(|turner| {
@@ -239,7 +239,7 @@ impl SauteApp {
 
     /// What the mouse held is laid down where it is; a pan released next to its ring slides onto it.
     fn let_go(&mut self) {
-        match std::mem::take(&mut self.scene.hold) {
+        match std::mem::take(&mut self.sights.scene.hold) {
             Hold::Piece(_) => self.command(&Command::LetGo),
             Hold::Pan { .. } => self.release_pan(),
             Hold::Waiting(_) => self.drop_waiting(),
@@ -249,7 +249,7 @@ impl SauteApp {
     }
 
     fn settle_turner(&mut self) {
-        if self.tool_hand.turner.is_some() && !self.session.paused {
+        if self.inputs.tool_hand.turner.is_some() && !self.session.paused {
             self.with_turner(crate::input::tool_hand::TurnerPose::settle);
         }
     }
@@ -267,8 +267,8 @@ impl SauteApp {
 
     /// Over the pan a carried piece goes in, as near to the hand as it fits; elsewhere it stays on the board.
     fn drop_waiting(&mut self) {
-        for (food, pose) in std::mem::take(&mut self.scene.carried) {
-            self.motions.release(&food, pose);
+        for (food, pose) in std::mem::take(&mut self.sights.scene.carried) {
+            self.sights.motions.release(&food, pose);
             let kitchen = &self.session.kitchen;
             let (pan, shape) = (self.places().pan(kitchen), *kitchen.world().pan_shape());
             let place = pan.matrix().inverse().transform_point3(pose.position).truncate().as_dvec2();

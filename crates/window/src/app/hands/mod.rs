@@ -13,3 +13,18 @@ mod scale_choice;
 #[cfg(not(target_arch = "wasm32"))]
 mod strings;
 mod tool_hand;
+
+use crate::input::pad_input::Pad;
+use crate::input::pan_keys::PanKeys;
+use crate::input::pouring::Portion;
+use crate::input::tool_hand::ToolHand;
+
+/// What keys, mouse and gamepad hold from frame to frame.
+#[derive(Default)]
+pub(crate) struct Inputs {
+    pub(crate) pan_keys: PanKeys,
+    pub(crate) tool_hand: ToolHand,
+    /// Portion that is poured at once.
+    pub(crate) portion: Portion,
+    pub(crate) pad: Pad,
+}

@@ -59,15 +59,15 @@ impl SauteApp {
     }
 
     fn move_pan(&mut self, way: DVec3, lean: DVec2, wall: f64) {
-        let before = self.pan_keys.tilt;
+        let before = self.inputs.pan_keys.tilt;
         let tilt = before + (lean * TILT - before).clamp_length_max(TILT_SPEED * wall);
-        self.pan_keys.tilt = tilt;
+        self.inputs.pan_keys.tilt = tilt;
         if way != DVec3::ZERO || tilt != before {
             let held = self.session.kitchen.held_pan();
             let raised = |tilt: DVec2| self.session.kitchen.world().pan_shape().floor * tilt.length().sin();
             let level = held.position - DVec3::Z * raised(before);
             // Seen from the eye: away from it is forwards.
-            let turned = DQuat::from_rotation_z(f64::from(self.camera.yaw)) * (way * SPEED * wall);
+            let turned = DQuat::from_rotation_z(f64::from(self.sights.camera.yaw)) * (way * SPEED * wall);
             let position = level + turned + DVec3::Z * raised(tilt);
             self.hold_pan(Pose { position, rotation: tilted(tilt) });
         }
@@ -75,13 +75,13 @@ impl SauteApp {
 
     fn shake_while(&mut self, down: bool) {
         let shaking = matches!(self.session.kitchen.gesture(), Some(Gesture::Shake { .. }));
-        match (down, self.pan_keys.shaking) {
+        match (down, self.inputs.pan_keys.shaking) {
             (true, false) if !shaking => {
                 self.command(&Command::Shake { amplitude: AMPLITUDE, hz: HZ, for_s: SHAKE_S });
-                self.pan_keys.shaking = true;
+                self.inputs.pan_keys.shaking = true;
             }
             (false, true) => {
-                self.pan_keys.shaking = false;
+                self.inputs.pan_keys.shaking = false;
                 if shaking {
                     let pose = self.session.kitchen.held_pan();
                     self.command(&Command::HoldPan { pose });

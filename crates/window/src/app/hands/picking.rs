@@ -31,7 +31,7 @@ impl SauteApp {
 
     /// Distance of a place in the window from a piece's outline; 0 on it [points].
     fn distance_to(&self, piece: &Piece, pose: &Pose, clip: &Mat4, at: Pos2, rect: Rect) -> Option<f32> {
-        let points = self.stage.points(&piece.id);
+        let points = self.sights.stage.points(&piece.id);
         let step = points.len().div_ceil(LOOKED_AT).max(1);
         let matrix = *clip * pose.matrix();
         let seen: Option<Vec<Pos2>> =

@@ -7,7 +7,7 @@ use saute_kitchen::Command;
 impl SauteApp {
     /// Adds a portion to the pan.
     pub(crate) fn pour(&mut self, what: Pourable) {
-        let mass = 1e-3 * self.portion.grams(what);
+        let mass = 1e-3 * self.inputs.portion.grams(what);
         self.command(&match what {
             Pourable::Oil => Command::Oil { kind: None, mass },
             Pourable::Butter => Command::Butter(mass),
@@ -17,7 +17,7 @@ impl SauteApp {
 
     /// The next larger portion, or the smallest again.
     pub(crate) fn next_portion(&mut self) {
-        self.portion = self.portion.next();
+        self.inputs.portion = self.inputs.portion.next();
     }
 
     /// Lays the lid on, or takes it off; a tool in the pan is put away first.

@@ -19,17 +19,17 @@ const POINT: f32 = 3.0;
 impl SauteApp {
     /// Puts a probe where the pointer is.
     pub(crate) fn place_probe(&mut self) {
-        match self.scene.pointed.clone() {
+        match self.sights.scene.pointed.clone() {
             Some(point) => self.place_probe_at(point),
             None => {
-                self.scene.placing = true;
+                self.sights.scene.placing = true;
                 self.say("probe.point");
             }
         }
     }
 
     pub(crate) fn place_probe_at(&mut self, point: SeenPoint) {
-        self.scene.placing = false;
+        self.sights.scene.placing = false;
         let piece = point.piece.clone();
         let l = self.settings.language;
         let named = |number| l.fill("probe.name", &[("number", &number)]);
@@ -38,9 +38,9 @@ impl SauteApp {
                 // What a probe is for is its curve.
                 self.settings.curves_open = true;
                 self.session.select(Some(piece.clone()));
-                self.notice.say(l.fill("probe.is_in", &[("number", &number), ("food", &name(&piece, l))]));
+                self.desk.notice.say(l.fill("probe.is_in", &[("number", &number), ("food", &name(&piece, l))]));
             }
-            Err(NoProbeLeft) => self.notice.say(l.fill("probe.none_left", &[("most", &MOST_PROBES)])),
+            Err(NoProbeLeft) => self.desk.notice.say(l.fill("probe.none_left", &[("most", &MOST_PROBES)])),
         }
     }
 

@@ -15,7 +15,7 @@ impl SauteApp {
                     Ok(0) if all == 1 => self.put_at_middle(wanted[0].clone()),
                     Ok(fit) if fit < all => {
                         let l = self.settings.language;
-                        self.notice.say(l.fill("notice.some_fit", &[("fit", &fit), ("all", &all)]));
+                        self.desk.notice.say(l.fill("notice.some_fit", &[("fit", &fit), ("all", &all)]));
                     }
                     Ok(_) if played => self.say("notice.taken_over"),
                     Ok(_) => {}

@@ -21,7 +21,7 @@ impl SauteApp {
             }
         };
         let key = if self.settings.scale == spoken.id { "notice.scale" } else { "notice.scale_own" };
-        self.notice.say(l.fill(key, &[("scale", &l.called("scale", &spoken.name))]));
+        self.desk.notice.say(l.fill(key, &[("scale", &l.called("scale", &spoken.name))]));
     }
 
     /// Selects the next of the scales of doneness that fit the food.

@@ -25,16 +25,16 @@ impl SauteApp {
     pub(crate) fn toggle_strings(&mut self) {
         let Some(rig) = self.session.hands.strung().and_then(|device| device.strings) else { return };
         if let Some(distance) = self.session.hands.eye_before.take() {
-            self.camera.distance = distance;
+            self.sights.camera.distance = distance;
             return;
         }
-        self.session.hands.eye_before = Some(self.camera.distance);
-        let Some(pane) = self.scene.pane else { return };
+        self.session.hands.eye_before = Some(self.sights.camera.distance);
+        let Some(pane) = self.sights.scene.pane else { return };
         let seen = |eye: &Camera, at: Vec3| project(eye, pane.rect, at).is_some_and(|p| pane.free.contains(p));
         let mut before = 0.0;
-        while before != self.camera.distance && !rig.motor.iter().all(|m| seen(&self.eye(), m.as_vec3())) {
-            before = self.camera.distance;
-            self.camera.zoom(STEP_BACK);
+        while before != self.sights.camera.distance && !rig.motor.iter().all(|m| seen(&self.eye(), m.as_vec3())) {
+            before = self.sights.camera.distance;
+            self.sights.camera.zoom(STEP_BACK);
         }
     }
 

@@ -22,17 +22,17 @@ impl SauteApp {
     /// The other tool; the one in the hand is laid down.
     pub(crate) fn choose_tool(&mut self) {
         self.put_tool_away();
-        let (tool, words) = match self.tool_hand.tool {
+        let (tool, words) = match self.inputs.tool_hand.tool {
             Tool::Tongs => (Tool::Turner, "notice.turner"),
             Tool::Turner => (Tool::Tongs, "notice.tongs"),
         };
-        self.tool_hand.tool = tool;
+        self.inputs.tool_hand.tool = tool;
         self.say(words);
     }
 
     /// Lays down what the tool holds and puts the tool away.
     pub(crate) fn put_tool_away(&mut self) {
-        if self.tool_hand.turner.take().is_some() | self.tool_hand.tongs.take().is_some() {
+        if self.inputs.tool_hand.turner.take().is_some() | self.inputs.tool_hand.tongs.take().is_some() {
             self.command(&Command::LetGo);
         }
     }
@@ -41,19 +41,19 @@ impl SauteApp {
     pub(crate) fn look_at_tool(&mut self) {
         let led = self.session.kitchen.led_tool();
         if led != Some(Tool::Turner) {
-            self.tool_hand.turner = None;
+            self.inputs.tool_hand.turner = None;
         }
         if led != Some(Tool::Tongs) {
-            self.tool_hand.tongs = None;
+            self.inputs.tool_hand.tongs = None;
         }
     }
 
     /// The turner in the hand; one that lay aside comes in over the pan's edge at the cook's side.
     fn turner_in_hand(&mut self) -> TurnerPose {
-        if let Some(turner) = self.tool_hand.turner {
+        if let Some(turner) = self.inputs.tool_hand.turner {
             return turner;
         }
-        let facing = f64::from(self.camera.yaw) + FRAC_PI_2;
+        let facing = f64::from(self.sights.camera.yaw) + FRAC_PI_2;
         let world = self.session.kitchen.world();
         let away = DVec2::from_angle(facing) * (world.pan_shape().floor - COMES_IN + BLADE_HALF.x);
         let at = world.motion.pose.position.truncate() - away;
@@ -65,12 +65,12 @@ impl SauteApp {
     fn lead_turner(&mut self, turner: TurnerPose) {
         let floor = self.session.kitchen.world().motion.pose.position.z;
         self.command(&Command::Lead { tool: Tool::Turner, to: turner.pose(floor), grip: None });
-        self.tool_hand.turner = self.session.kitchen.led_tool().map(|_| turner);
+        self.inputs.tool_hand.turner = self.session.kitchen.led_tool().map(|_| turner);
     }
 
     /// Changes where the turner is wanted; food on its blade is rolled high enough above the pan.
     pub(crate) fn with_turner(&mut self, change: impl FnOnce(&mut TurnerPose)) {
-        if self.stands_still() || self.tool_hand.tool != Tool::Turner {
+        if self.stands_still() || self.inputs.tool_hand.tool != Tool::Turner {
             return;
         }
         let before = self.turner_in_hand();
@@ -105,8 +105,8 @@ impl SauteApp {
         if way == DVec3::ZERO && roll == 0.0 && pitch == 0.0 {
             return;
         }
-        let by = DQuat::from_rotation_z(f64::from(self.camera.yaw)) * (way * STICK_SPEED * wall);
-        match self.tool_hand.tool {
+        let by = DQuat::from_rotation_z(f64::from(self.sights.camera.yaw)) * (way * STICK_SPEED * wall);
+        match self.inputs.tool_hand.tool {
             Tool::Turner => self.with_turner(|turner| {
                 turner.shift(by);
                 turner.tilt(roll * STICK_TURN * wall, pitch * STICK_TURN * wall);
@@ -123,10 +123,10 @@ impl SauteApp {
             let id = self.handled_id();
             Some((id.clone(), grip_point(self.session.kitchen.piece(&id)?)))
         };
-        let Some((id, at)) = self.tool_hand.tongs.clone().or_else(begun) else { return };
+        let Some((id, at)) = self.inputs.tool_hand.tongs.clone().or_else(begun) else { return };
         let at = (at + by).clamp(DVec3::new(-REACH, -REACH, 0.0), DVec3::new(REACH, REACH, HIGHEST));
         self.lead_tongs(&id, at);
-        self.tool_hand.tongs = self.session.kitchen.led_tool().map(|_| (id, at));
+        self.inputs.tool_hand.tongs = self.session.kitchen.led_tool().map(|_| (id, at));
     }
 }
 

@@ -11,17 +11,17 @@ impl SauteApp {
         // A cook in which nothing was done is set out again soon enough.
         let has_begun = |recording: &Recording| !recording.entries().is_empty() || recording.beginning().plays;
         let offered = stored.map(|opened| opened.recording).filter(has_begun);
-        self.autosave = Autosave { store: Some(store), kept: None, offered };
+        self.keeps.autosave = Autosave { store: Some(store), kept: None, offered };
     }
 
     /// How far the cook came with which the window offers to go on [s].
     pub fn offered_s(&self) -> Option<f64> {
-        self.autosave.offered.as_ref().map(|recording| recording.moment().time_s())
+        self.keeps.autosave.offered.as_ref().map(|recording| recording.moment().time_s())
     }
 
     /// Goes on with the cook that is offered, or leaves it.
     pub(crate) fn decide_on_offer(&mut self, goes_on: bool) {
-        let Some(offered) = self.autosave.offered.take() else { return };
+        let Some(offered) = self.keeps.autosave.offered.take() else { return };
         if !goes_on {
             return;
         }
@@ -32,12 +32,12 @@ impl SauteApp {
 
     /// Writes what happened, a few times a second, or at once. An error is said once; then nothing is kept any longer.
     pub fn keep_cook(&mut self, at_once: bool) {
-        if self.autosave.offered.is_some() {
+        if self.keeps.autosave.offered.is_some() {
             return;
         }
-        if let Err(error) = self.autosave.follow(&mut self.session, at_once) {
-            self.autosave = Autosave::default();
-            self.notice.say(self.settings.language.fill("notice.not_kept", &[("error", &error)]));
+        if let Err(error) = self.keeps.autosave.follow(&mut self.session, at_once) {
+            self.keeps.autosave = Autosave::default();
+            self.desk.notice.say(self.settings.language.fill("notice.not_kept", &[("error", &error)]));
         }
     }
 }

@@ -29,7 +29,7 @@ impl SauteApp {
     }
 
     fn ask(&mut self, asked: Asked, ctx: &egui::Context) {
-        if self.dialog.0.is_some() {
+        if self.keeps.dialog.0.is_some() {
             return;
         }
         let (send, receive) = channel();
@@ -45,7 +45,7 @@ impl SauteApp {
             ctx.request_repaint();
         });
         match begun {
-            Ok(_) => self.dialog = Dialog(Some((asked, receive))),
+            Ok(_) => self.keeps.dialog = Dialog(Some((asked, receive))),
             Err(error) => self.say_trouble(&error),
         }
     }
@@ -67,11 +67,11 @@ impl SauteApp {
 
     /// Opens the file that was chosen since the last frame, or writes it.
     pub(crate) fn take_chosen_file(&mut self) {
-        let Some((asked, answer)) = &self.dialog.0 else { return };
+        let Some((asked, answer)) = &self.keeps.dialog.0 else { return };
         let asked = *asked;
         match answer.try_recv() {
             Ok(chosen) => {
-                self.dialog = Dialog::default();
+                self.keeps.dialog = Dialog::default();
                 match (chosen, asked) {
                     (Some(path), Asked::Open) => self.open_file(&path),
                     (Some(path), Asked::Save(what)) => self.save_export(what, &path),
@@ -80,7 +80,7 @@ impl SauteApp {
                 }
             }
             Err(std::sync::mpsc::TryRecvError::Empty) => {}
-            Err(std::sync::mpsc::TryRecvError::Disconnected) => self.dialog = Dialog::default(),
+            Err(std::sync::mpsc::TryRecvError::Disconnected) => self.keeps.dialog = Dialog::default(),
         }
     }
 
@@ -111,7 +111,7 @@ impl SauteApp {
 
     /// The folder into which pictures are saved.
     pub(crate) fn pictures_folder(&self) -> PathBuf {
-        self.pictures.clone().unwrap_or_else(pictures_folder)
+        self.keeps.pictures.clone().unwrap_or_else(pictures_folder)
     }
 
     /// Shows a file in the system's file manager.

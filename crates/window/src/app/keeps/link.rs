@@ -11,10 +11,10 @@ impl SauteApp {
         let link = format!("{address}#{}", fragment(&self.session.whole_recording()));
         let (l, length) = (self.settings.language, link.len());
         if length > LONGEST {
-            return self.notice.say(l.fill("link.too_long", &[("length", &length), ("most", &LONGEST)]));
+            return self.desk.notice.say(l.fill("link.too_long", &[("length", &length), ("most", &LONGEST)]));
         }
         self.copy_text(&link);
-        self.notice.say(l.fill("link.copied", &[("length", &length)]));
+        self.desk.notice.say(l.fill("link.copied", &[("length", &length)]));
     }
 
     /// Opens the cook that a fragment holds; nothing if it is about something else.

@@ -17,7 +17,7 @@ impl SauteApp {
             Act::Time(TimeAct::Undo) => self.takes_back_waiting() || self.session.catches_up(),
             Act::Time(TimeAct::Redo) => self.session.catches_up(),
             Act::Time(TimeAct::Scrub(_)) => {
-                self.waiting.clear();
+                self.pace.waiting.clear();
                 false
             }
             act if act.traits().waits => {
@@ -38,20 +38,20 @@ impl SauteApp {
     }
 
     fn wait_with(&mut self, waiting: Waiting) {
-        if self.waiting.last().is_some_and(|last| waiting.replaces(last)) {
-            self.waiting.pop();
+        if self.pace.waiting.last().is_some_and(|last| waiting.replaces(last)) {
+            self.pace.waiting.pop();
         }
-        if self.waiting.last() != Some(&waiting) {
-            self.waiting.push(waiting);
+        if self.pace.waiting.last() != Some(&waiting) {
+            self.pace.waiting.push(waiting);
         }
     }
 
     /// Undo takes back what waits, the last first.
     fn takes_back_waiting(&mut self) -> bool {
-        let last = self.waiting.pop();
+        let last = self.pace.waiting.pop();
         if let Some(waiting) = &last {
             let what = waiting.words(self.settings.language);
-            self.notice.say(self.settings.language.fill("waiting.taken_back", &[("what", &what)]));
+            self.desk.notice.say(self.settings.language.fill("waiting.taken_back", &[("what", &what)]));
         }
         last.is_some()
     }
@@ -61,7 +61,7 @@ impl SauteApp {
         if self.session.is_travelling() {
             return;
         }
-        for waiting in std::mem::take(&mut self.waiting) {
+        for waiting in std::mem::take(&mut self.pace.waiting) {
             match waiting {
                 Waiting::Act(act) => self.act(act, ctx),
                 Waiting::Command(command) => self.command(&command),

@@ -14,13 +14,13 @@ use std::sync::Arc;
 impl SauteApp {
     /// The study or the lesson that leads the cook.
     pub fn guided(&self) -> Option<&Guided> {
-        self.guided.as_ref()
+        self.leads.guided.as_ref()
     }
 
     /// Begins a study.
     pub(crate) fn begin_study(&mut self, start: StudyStart) {
-        self.card = None;
-        self.guided = Some(Guided::Study(Box::new(StudyDesk::begin(start))));
+        self.desk.card = None;
+        self.leads.guided = Some(Guided::Study(Box::new(StudyDesk::begin(start))));
     }
 
     /// Opens a lesson: its food is set out, and its card says what it is about.
@@ -32,14 +32,14 @@ impl SauteApp {
         let mut desk = LessonDesk::begin(start);
         self.session.lesson = Some(desk.watch(&self.session));
         self.session.set_speed(speed);
-        self.motions.clear();
-        self.card = None;
-        self.guided = Some(Guided::Lesson(Box::new(desk)));
+        self.sights.motions.clear();
+        self.desk.card = None;
+        self.leads.guided = Some(Guided::Lesson(Box::new(desk)));
     }
 
     /// What a person may do now.
     pub(crate) fn permits(&self) -> Permits {
-        self.guided.as_ref().map(Guided::permits).unwrap_or_default()
+        self.leads.guided.as_ref().map(Guided::permits).unwrap_or_default()
     }
 
     /// Returns true if an act is locked, and says so.
@@ -53,14 +53,14 @@ impl SauteApp {
 
     /// Leads the study or the lesson: ends what is over, and tells what has become known.
     pub(crate) fn guide(&mut self) {
-        match &mut self.guided {
+        match &mut self.leads.guided {
             Some(Guided::Study(desk)) if desk.is_over(&self.session) => self.end_trial(),
             Some(Guided::Lesson(desk)) => {
                 let known = self.session.lesson.as_ref().and_then(|lesson| desk.newly_known(lesson));
                 let is_over = desk.is_over(&self.session);
                 if let (Some(place), Some(lesson)) = (known, &self.session.lesson) {
                     let words = guided_words::truth(lesson, place, self.settings.speech());
-                    self.notice.say(words);
+                    self.desk.notice.say(words);
                 }
                 if is_over {
                     self.end_lesson();
@@ -94,13 +94,13 @@ impl SauteApp {
     }
 
     fn with_study(&mut self, change: impl FnOnce(&mut StudyDesk)) {
-        if let Some(Guided::Study(desk)) = &mut self.guided {
+        if let Some(Guided::Study(desk)) = &mut self.leads.guided {
             change(desk);
         }
     }
 
     fn with_lesson(&mut self, change: impl FnOnce(&mut LessonDesk)) {
-        if let Some(Guided::Lesson(desk)) = &mut self.guided {
+        if let Some(Guided::Lesson(desk)) = &mut self.leads.guided {
             change(desk);
         }
     }
@@ -108,23 +108,23 @@ impl SauteApp {
     fn study_event(&mut self, event: Event) {
         let mut refused = None;
         self.with_study(|desk| refused = desk.take(event).err());
-        self.memory.answers = Default::default();
+        self.desk.memory.answers = Default::default();
         if let Some(error) = refused {
             self.say_trouble(&error);
         }
     }
 
     fn begin_trial(&mut self) {
-        let Some(Guided::Study(desk)) = &self.guided else { return };
+        let Some(Guided::Study(desk)) = &self.leads.guided else { return };
         let (Stage::Trial { .. }, Some(simulate)) = (desk.study().stage(), desk.study().simulate()) else { return };
         let (recipe, speed) = (Arc::clone(&simulate.recipe), simulate.speed);
         if let Err(error) = self.session.set_out_led(recipe) {
             return self.say_trouble(&error);
         }
         self.session.set_speed(speed);
-        self.motions.clear();
+        self.sights.motions.clear();
         let session = &self.session;
-        if let Some(Guided::Study(desk)) = &mut self.guided {
+        if let Some(Guided::Study(desk)) = &mut self.leads.guided {
             desk.begin_trial(session);
         }
         self.show_only_what_is_allowed();
@@ -132,20 +132,20 @@ impl SauteApp {
 
     fn end_trial(&mut self) {
         let session = &self.session;
-        if let Some(Guided::Study(desk)) = &mut self.guided {
+        if let Some(Guided::Study(desk)) = &mut self.leads.guided {
             desk.end_trial(session);
         }
     }
 
     /// Where read-outs are hidden the window shows the look, without cut and curves.
     fn show_only_what_is_allowed(&mut self) {
-        (self.glance, self.card) = (None, None);
+        (self.sights.glance, self.desk.card) = (None, None);
         if self.permits().allow(&[Permit::ReadOuts]) {
             return;
         }
         (self.settings.view, self.settings.split) = (View::Look, false);
         (self.settings.curves_open, self.settings.pieces_open) = (false, false);
-        self.slice = None;
+        self.sights.slice = None;
     }
 
     fn open_shipped_lesson(&mut self, id: &str) {
@@ -169,37 +169,37 @@ impl SauteApp {
         let Some(lesson) = &mut self.session.lesson else { return };
         let Some(place) = lesson.answer(answer) else { return };
         let is_known = lesson.asked()[place].truth.is_some();
-        self.memory.answers = Default::default();
+        self.desk.memory.answers = Default::default();
         self.with_lesson(|desk| desk.show_truth(place, is_known));
         self.session.set_paused(false);
     }
 
     fn end_lesson(&mut self) {
-        if let Some(Guided::Lesson(desk)) = &mut self.guided {
+        if let Some(Guided::Lesson(desk)) = &mut self.leads.guided {
             desk.end(&mut self.session);
             #[cfg(target_arch = "wasm32")]
-            if let (Some((row, _)), Some(host)) = (desk.result(), &self.host) {
+            if let (Some((row, _)), Some(host)) = (desk.result(), &self.page.host) {
                 host.report(row);
             }
         }
     }
 
     pub(crate) fn lesson_again(&mut self) {
-        let Some(Guided::Lesson(desk)) = &self.guided else { return };
+        let Some(Guided::Lesson(desk)) = &self.leads.guided else { return };
         let start = desk.start().clone();
         self.open_lesson(start);
     }
 
     fn leave_lesson(&mut self) {
-        let may = matches!(&self.guided, Some(Guided::Lesson(desk)) if !desk.is_locked());
+        let may = matches!(&self.leads.guided, Some(Guided::Lesson(desk)) if !desk.is_locked());
         if may {
-            (self.guided, self.session.lesson) = (None, None);
+            (self.leads.guided, self.session.lesson) = (None, None);
             self.session.set_paused(false);
         }
     }
 
     fn save_log(&mut self) {
-        let Some(Guided::Study(desk)) = &self.guided else { return };
+        let Some(Guided::Study(desk)) = &self.leads.guided else { return };
         let (name, csv) = (format!("study-{}.csv", desk.study().participant()), desk.csv());
         self.save_text(&name, &csv);
     }
@@ -218,7 +218,7 @@ impl SauteApp {
     }
 
     fn lesson_result(&self) -> Option<&(saute_study::class::ResultRow, saute_study::Measures)> {
-        match &self.guided {
+        match &self.leads.guided {
             Some(Guided::Lesson(desk)) => desk.result(),
             _ => None,
         }
@@ -239,7 +239,7 @@ impl SauteApp {
         match crate::session_file::write_whole(&path, text.as_bytes()) {
             Ok(()) => {
                 let said = self.settings.language.fill("notice.cook_saved", &[("path", &path.display())]);
-                self.notice.say_of(said, path);
+                self.desk.notice.say_of(said, path);
             }
             Err(error) => self.say_trouble(&format!("{}: {error}", path.display())),
         }

@@ -6,3 +6,25 @@ mod guided;
 mod plan;
 mod result;
 mod tutorial;
+
+use saute_session::at_home::fitting::AtHome;
+use saute_session::plan::live::Live;
+use saute_session::plan::planning::Planning;
+
+use crate::guided::Guided;
+use crate::learn::Learning;
+
+/// What leads a person, and what is searched for.
+#[derive(Default)]
+pub(crate) struct Leads {
+    /// The study or the lesson that leads the cook.
+    pub(crate) guided: Option<Guided>,
+    /// What the window keeps of what it teaches.
+    pub(crate) learn: Learning,
+    /// What was entered about the kitchen at home, and the fit to it.
+    pub(crate) at_home: AtHome,
+    /// The search for a plan.
+    pub(crate) planning: Planning,
+    /// The cook that follows a plan.
+    pub(crate) live: Option<Live>,
+}

@@ -19,21 +19,21 @@ impl SauteApp {
         match act {
             PlanAct::Choose(choice) => self.settings.plan = choice,
             PlanAct::Find => self.find_plan(),
-            PlanAct::Cancel => self.planning.cancel(),
+            PlanAct::Cancel => self.leads.planning.cancel(),
             PlanAct::CookLive => self.cook_live(),
             PlanAct::CookItself => self.let_plan_cook(),
             PlanAct::Save(file) => self.save_plan(file, ctx),
             PlanAct::DoStep => self.do_step(),
             PlanAct::Hurry => self.hurry(),
-            PlanAct::Leave => drop(self.live.take_if(|live| !live.close())),
+            PlanAct::Leave => drop(self.leads.live.take_if(|live| !live.close())),
         }
     }
 
     fn find_plan(&mut self) {
         let asked = self.settings.plan.asked(&self.settings.choice, &self.session.library, &self.settings);
-        let helper = (!self.planning.has_helper()).then(|| self.hire_or_frames(Kind::Plan));
+        let helper = (!self.leads.planning.has_helper()).then(|| self.hire_or_frames(Kind::Plan));
         let home = self.session.home().home().map(str::to_owned);
-        self.planning.ask(asked, home, helper);
+        self.leads.planning.ask(asked, home, helper);
     }
 
     /// A helper for a kind of work; where no agency finds one, it works in frames.
@@ -44,23 +44,23 @@ impl SauteApp {
 
     /// Takes what the search has found since the last frame.
     pub(crate) fn follow_plan(&mut self, ctx: &egui::Context) {
-        let was_searching = self.planning.is_searching();
-        self.planning.take_answers(&self.session.library);
-        if was_searching && !self.planning.is_searching() && self.card != Some(Card::Plan) {
+        let was_searching = self.leads.planning.is_searching();
+        self.leads.planning.take_answers(&self.session.library);
+        if was_searching && !self.leads.planning.is_searching() && self.desk.card != Some(Card::Plan) {
             self.say("plan.ready");
         }
-        if self.planning.is_searching() {
-            let soon = std::time::Duration::from_millis(if self.planning.needs_frames() { 0 } else { 200 });
+        if self.leads.planning.is_searching() {
+            let soon = std::time::Duration::from_millis(if self.leads.planning.needs_frames() { 0 } else { 200 });
             ctx.request_repaint_after(soon);
         }
-        let live = self.live.as_mut().filter(|live| live.is_of(&self.session));
+        let live = self.leads.live.as_mut().filter(|live| live.is_of(&self.session));
         if live.is_some_and(|live| live.look_after(&mut self.session)) {
             self.open_result_of_plan();
         }
     }
 
     fn hurry(&mut self) {
-        if let Some(live) = &mut self.live {
+        if let Some(live) = &mut self.leads.live {
             live.hurries(&self.session);
         }
         self.session.set_speed(SPEEDS[SPEEDS.len() - 1]);
@@ -68,7 +68,7 @@ impl SauteApp {
 
     /// The plan that the shown cook follows, until it is over: its rest is as long as planned.
     fn followed(&self) -> Option<&Live> {
-        self.live.as_ref().filter(|live| live.is_of(&self.session) && live.gave().is_none())
+        self.leads.live.as_ref().filter(|live| live.is_of(&self.session) && live.gave().is_none())
     }
 
     /// Returns true while a plan is followed.
@@ -82,19 +82,19 @@ impl SauteApp {
     }
 
     fn cook_live(&mut self) {
-        let Some(plan) = self.planning.plan().cloned() else { return };
+        let Some(plan) = self.leads.planning.plan().cloned() else { return };
         if self.begin_plan(&plan, false) {
             self.aim_at(&plan.order.goal);
-            self.live = Some(Live::new(plan, &self.session));
+            self.leads.live = Some(Live::new(plan, &self.session));
             self.session.set_paused(true);
         }
     }
 
     fn let_plan_cook(&mut self) {
-        let Some(plan) = self.planning.plan().cloned() else { return };
+        let Some(plan) = self.leads.planning.plan().cloned() else { return };
         if self.begin_plan(&plan, true) {
             self.aim_at(&plan.order.goal);
-            self.live = Some(Live::new(plan, &self.session));
+            self.leads.live = Some(Live::new(plan, &self.session));
         }
     }
 
@@ -110,23 +110,23 @@ impl SauteApp {
             self.say_trouble(error);
             return false;
         }
-        self.learn.shown_for = None;
-        self.motions.clear();
-        self.card = None;
+        self.leads.learn.shown_for = None;
+        self.sights.motions.clear();
+        self.desk.card = None;
         self.say_new_beginning();
         true
     }
 
     /// Does the steps that come next, in the cook that follows a plan; time goes on.
     fn do_step(&mut self) {
-        let Some(live) = self.live.as_ref().filter(|live| live.is_of(&self.session)) else { return };
+        let Some(live) = self.leads.live.as_ref().filter(|live| live.is_of(&self.session)) else { return };
         for command in live.commands(&self.session) {
             let is_given = self.give(&command);
             // The eye follows what comes out, as when it is taken out by its own button.
             if let Command::Rest { food, .. } = command
                 && is_given
             {
-                self.taken_out = Some(food);
+                self.sights.taken_out = Some(food);
             }
         }
         self.session.set_paused(false);
@@ -134,7 +134,7 @@ impl SauteApp {
 
     /// The bytes of a file that is made of the plan that was found.
     pub(crate) fn plan_file(&self, file: PlanFile) -> Option<Vec<u8>> {
-        let plan = self.planning.plan().or_else(|| self.live.as_ref().map(Live::plan))?;
+        let plan = self.leads.planning.plan().or_else(|| self.leads.live.as_ref().map(Live::plan))?;
         let text = match file {
             PlanFile::Recipe => crate::plan::recipe_file(plan, &self.session.library, &self.settings),
             PlanFile::Card => kitchen_card::page(plan, &self.session.library, self.settings.speech()),

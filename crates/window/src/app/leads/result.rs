@@ -14,24 +14,24 @@ impl SauteApp {
     /// Opens the result once the food has rested: once for each time that it came out, unless it is switched off.
     pub(crate) fn watch_result(&mut self, advice: &[Advice]) {
         let has_rested = advice.iter().any(|one| matches!(one, Advice::Rested { .. }));
-        let is_free = self.card.is_none() && !self.card_is_open() && !self.shows_ways() && !self.session.paused;
-        let is_led = self.learn.tutorial.is_some() || self.guided.is_some() || self.follows_plan();
+        let is_free = self.desk.card.is_none() && !self.card_is_open() && !self.shows_ways() && !self.session.paused;
+        let is_led = self.leads.learn.tutorial.is_some() || self.leads.guided.is_some() || self.follows_plan();
         let is_alone = self.session.runner.is_none() && !is_led;
         if !(self.settings.result_opens && has_rested && is_free && is_alone && self.session.is_out()) {
             return;
         }
         let moved = self.session.last_moved_s();
         let same = |a: f64, b: f64| (a - b).abs() < SAME_OUT_S;
-        let is_new = self.learn.shown_for.is_none_or(|before| !same(moved, before));
+        let is_new = self.leads.learn.shown_for.is_none_or(|before| !same(moved, before));
         if is_new {
-            self.learn.shown_for = Some(moved);
-            self.card = Some(Card::Result);
+            self.leads.learn.shown_for = Some(moved);
+            self.desk.card = Some(Card::Result);
         }
     }
 
     /// The result in words; none without food that a scale knows.
     pub(crate) fn result_words(&self) -> Option<ResultWords> {
-        let live = self.live.as_ref().filter(|live| live.judges(&self.session));
+        let live = self.leads.live.as_ref().filter(|live| live.judges(&self.session));
         // A plan is judged by what it was made for.
         let goal = live.map(|live| live.goal().clone()).or_else(|| goal_of(&self.session, &self.settings))?;
         let judgement = self.session.judgement(&goal)?;
@@ -44,10 +44,10 @@ impl SauteApp {
 
     /// Opens the result of a plan once its rest is over, unless it is switched off: time stands still then.
     pub(crate) fn open_result_of_plan(&mut self) {
-        let is_free = self.card.is_none() && !self.card_is_open() && !self.shows_ways();
-        if self.settings.result_opens && is_free && self.guided.is_none() && self.session.is_out() {
-            self.learn.shown_for = Some(self.session.last_moved_s());
-            self.card = Some(Card::Result);
+        let is_free = self.desk.card.is_none() && !self.card_is_open() && !self.shows_ways();
+        if self.settings.result_opens && is_free && self.leads.guided.is_none() && self.session.is_out() {
+            self.leads.learn.shown_for = Some(self.session.last_moved_s());
+            self.desk.card = Some(Card::Result);
         }
     }
 
@@ -58,8 +58,8 @@ impl SauteApp {
         let drawn = on_its_own::picture(&words, piece, l);
         let bytes = saute_picture::still::png_file::png_bytes(&drawn).map_err(|error| error.to_string());
         match bytes.and_then(|bytes| self.keeper()(&bytes)) {
-            Ok(path) => self.notice.say_of(l.fill("notice.saved", &[("path", &path.display())]), path),
-            Err(error) => self.notice.say(l.fill("notice.not_saved", &[("error", &error)])),
+            Ok(path) => self.desk.notice.say_of(l.fill("notice.saved", &[("path", &path.display())]), path),
+            Err(error) => self.desk.notice.say(l.fill("notice.not_saved", &[("error", &error)])),
         }
     }
 }

@@ -12,12 +12,12 @@ use saute_session::SteakChoice;
 impl SauteApp {
     /// The tutorial while it runs.
     pub fn tutorial(&self) -> Option<&Tutorial> {
-        self.learn.tutorial.as_ref()
+        self.leads.learn.tutorial.as_ref()
     }
 
     /// Begins with a raw steak and a cold pan, or leaves the tutorial.
     pub(crate) fn set_tutorial(&mut self, on: bool) {
-        if let Some(left) = self.learn.tutorial.take() {
+        if let Some(left) = self.leads.learn.tutorial.take() {
             self.session.set_speed(left.before);
         }
         if !on {
@@ -27,16 +27,16 @@ impl SauteApp {
         self.set_out();
         self.session.set_paused(false);
         (self.settings.introduced, self.settings.skill_mode) = (true, false);
-        (self.card, self.slice, self.settings.panels_hidden) = (None, None, false);
+        (self.desk.card, self.sights.slice, self.settings.panels_hidden) = (None, None, false);
         self.settings.view = saute_picture::View::Look;
         let (before, last_s) = (self.session.speed, self.session.kitchen.time_s());
         self.session.set_speed(SLOW);
-        self.learn.tutorial = Some(Tutorial { step: Step::HobOn, before, set: SLOW, passed: [0.0; 2], last_s });
+        self.leads.learn.tutorial = Some(Tutorial { step: Step::HobOn, before, set: SLOW, passed: [0.0; 2], last_s });
     }
 
     /// Goes on to the next step once the present one is done, and sets the speed of time.
     pub(crate) fn tutor(&mut self, advice: &[Advice]) {
-        let Some(mut tutorial) = self.learn.tutorial.take() else { return };
+        let Some(mut tutorial) = self.leads.learn.tutorial.take() else { return };
         tutorial.note(self.session.kitchen.time_s());
         if self.is_done(tutorial.step, advice) {
             let Some(next) = Step::ALL.get(tutorial.place() + 1) else {
@@ -52,7 +52,7 @@ impl SauteApp {
             self.session.set_speed(speed);
             tutorial.set = speed;
         }
-        self.learn.tutorial = Some(tutorial);
+        self.leads.learn.tutorial = Some(tutorial);
     }
 
     /// Returns true if what a step asks for is done.
@@ -64,13 +64,13 @@ impl SauteApp {
             Step::HobOn => kitchen.hob_w() > 0.0,
             Step::Heat => says(|one| matches!(one, Advice::PutIn { .. })),
             Step::PutIn => is_at(|place| matches!(place, Place::Pan(_))),
-            Step::Inside => self.slice.is_some(),
+            Step::Inside => self.sights.slice.is_some(),
             Step::Flip => piece.is_some_and(|piece| piece.flipped_at().is_some()),
             Step::TakeOut => is_at(|place| matches!(place, Place::Rest(_))),
             Step::HobOff => kitchen.hob_w() == 0.0,
             Step::Rest => says(|one| matches!(one, Advice::Rested { .. })),
             Step::Halve => piece.is_some_and(|piece| piece.halved().is_some()),
-            Step::Result => self.card == Some(Card::Result),
+            Step::Result => self.desk.card == Some(Card::Result),
         }
     }
 }

@@ -7,24 +7,24 @@ use crate::browser::host::{PageStart, Surroundings};
 impl SauteApp {
     /// Opens the cook of the address, and keeps the cook in the browser's storage.
     pub(crate) fn settle_in(&mut self, around: Surroundings, ctx: &egui::Context) {
-        self.mirrored.listen(ctx);
+        self.page.mirrored.listen(ctx);
         let PageStart { host, kept, link, is_embedded } = around.0;
-        self.host = host;
-        if let Some(host) = self.host.clone() {
+        self.page.host = host;
+        if let Some(host) = self.page.host.clone() {
             self.employ(Box::new(host));
         }
-        if is_embedded && self.card == Some(Card::FirstSteps) {
-            self.card = None;
+        if is_embedded && self.desk.card == Some(Card::FirstSteps) {
+            self.desk.card = None;
         }
         self.open_link(&link);
-        if let Some(host) = self.host.clone() {
+        if let Some(host) = self.page.host.clone() {
             self.keep_cook_by(Box::new(host), kept.as_deref());
         }
     }
 
     /// Copies a text to the clipboard, by the page's script.
     pub(crate) fn copy_text(&self, text: &str) {
-        if let Some(host) = &self.host {
+        if let Some(host) = &self.page.host {
             host.copy_text(text);
         }
     }

@@ -20,7 +20,7 @@ const FONT_WANTED: &str = "saute-font";
 impl SauteApp {
     /// Takes a font with the characters of Japanese; the window then speaks it.
     pub fn offer_font(&self, bytes: Vec<u8>) {
-        if let Ok(mut font) = self.inbox.font.lock() {
+        if let Ok(mut font) = self.page.inbox.font.lock() {
             *font = Some(bytes);
         }
     }
@@ -30,8 +30,8 @@ impl SauteApp {
         let hidden = document().is_some_and(|document| document.hidden());
         if hidden && !self.session.paused {
             self.session.set_paused(true);
-            self.inbox.paused_hidden = true;
-        } else if !hidden && std::mem::take(&mut self.inbox.paused_hidden) {
+            self.page.inbox.paused_hidden = true;
+        } else if !hidden && std::mem::take(&mut self.page.inbox.paused_hidden) {
             self.say("notice.hidden");
         }
     }
@@ -42,10 +42,10 @@ impl SauteApp {
 
     pub(crate) fn take_inbox(&mut self, ctx: &egui::Context) {
         self.pause_hidden();
-        let (files, font) = self.inbox.take();
+        let (files, font) = self.page.inbox.take();
         if let Some(bytes) = font {
-            self.inbox.taken_font = Some(Arc::new(egui::FontData::from_owned(bytes)));
-            self.japanese_font = self.install_taken_font(ctx);
+            self.page.inbox.taken_font = Some(Arc::new(egui::FontData::from_owned(bytes)));
+            self.graphics.japanese_font = self.install_taken_font(ctx);
             self.set_language(Language::Japanese);
         }
         for (name, read) in files {
@@ -55,7 +55,7 @@ impl SauteApp {
 
     /// Installs the font that the page handed in; returns false if there is none.
     pub(crate) fn install_taken_font(&self, ctx: &egui::Context) -> bool {
-        let Some(font) = &self.inbox.taken_font else { return false };
+        let Some(font) = &self.page.inbox.taken_font else { return false };
         japanese_font::install_font(ctx, Arc::clone(font));
         true
     }
@@ -77,7 +77,7 @@ impl SauteApp {
     /// Reads dropped files; they arrive in a later frame.
     pub(crate) fn take_dropped_files(&mut self, ctx: &egui::Context) {
         for file in ctx.input(|i| i.raw.dropped_files.clone()) {
-            let (inbox, ctx) = (self.inbox.clone(), ctx.clone());
+            let (inbox, ctx) = (self.page.inbox.clone(), ctx.clone());
             spawn_local(async move {
                 let name = file.path().display().to_string();
                 inbox.put((name, file.bytes_async().await));
@@ -88,7 +88,7 @@ impl SauteApp {
 
     /// Opens the browser's file dialog for a recipe or a session.
     pub(crate) fn choose_file(&mut self, ctx: &egui::Context) {
-        if let Err(error) = choose(self.inbox.clone(), ctx.clone()) {
+        if let Err(error) = choose(self.page.inbox.clone(), ctx.clone()) {
             self.say_trouble(&shown(&error));
         }
     }

@@ -12,20 +12,20 @@ const TELL_EVERY: Duration = Duration::from_secs(5);
 impl SauteApp {
     /// Shows the page what the panels show, if that is new, and tells it now and then how the cook stands.
     pub(crate) fn show_mirrored(&mut self) {
-        let Some(host) = &self.host else { return };
-        if let Some(text) = self.mirrored.news() {
+        let Some(host) = &self.page.host else { return };
+        if let Some(text) = self.page.mirrored.news() {
             host.show_controls(&text);
         }
-        if self.mirrored.told.is_none_or(|at| at.elapsed() >= TELL_EVERY) {
-            self.mirrored.told = Some(Instant::now());
-            let said = self.notice.current().map(|said| said.text).unwrap_or_default();
+        if self.page.mirrored.told.is_none_or(|at| at.elapsed() >= TELL_EVERY) {
+            self.page.mirrored.told = Some(Instant::now());
+            let said = self.desk.notice.current().map(|said| said.text).unwrap_or_default();
             host.tell(&told(&self.session, &self.settings), &said);
         }
     }
 
     /// Draws a frame soon: something has come for the window.
     pub fn wake(&self) {
-        self.mirrored.wake();
+        self.page.mirrored.wake();
     }
 
     /// Presses a control of the page.
@@ -41,6 +41,6 @@ impl SauteApp {
     }
 
     fn ask_control(&self, id: &str, action: Action, data: Option<ActionData>) {
-        self.mirrored.ask(id, action, data);
+        self.page.mirrored.ask(id, action, data);
     }
 }

@@ -38,31 +38,31 @@ impl SauteApp {
 
     /// A hand on the eye ends its own way.
     pub(crate) fn take_eye(&mut self) {
-        self.glance = None;
+        self.sights.glance = None;
     }
 
     /// Moves the eye through `wall` seconds; food that a button took out is looked at as soon as it lies on the board and
     /// nothing else fries.
     pub(crate) fn move_eye(&mut self, wall: f32) {
         let lies = |piece: &Piece| matches!(piece.place, Place::Rest(_));
-        let arrived = self.taken_out.as_ref().and_then(|id| self.session.kitchen.piece(id)).is_some_and(lies);
+        let arrived = self.sights.taken_out.as_ref().and_then(|id| self.session.kitchen.piece(id)).is_some_and(lies);
         if arrived {
-            self.taken_out = None;
+            self.sights.taken_out = None;
             if !self.session.kitchen.pieces().iter().any(Piece::in_pan) {
                 self.glance_at(self.food_view(TO_FOOD));
             }
         }
-        let Some(glance) = &mut self.glance else { return };
+        let Some(glance) = &mut self.sights.glance else { return };
         glance.progress += if self.settings.moves_less() { 1.0 } else { wall / GLANCE_S };
-        self.camera = glance.at();
+        self.sights.camera = glance.at();
         if glance.progress >= 1.0 {
-            self.glance = None;
+            self.sights.glance = None;
         }
     }
 
     fn glance_at(&mut self, to: Camera) {
-        self.camera_preset = 0;
-        self.glance = Some(Glance { from: self.camera.clone(), to, progress: 0.0 });
+        self.sights.camera_preset = 0;
+        self.sights.glance = Some(Glance { from: self.sights.camera.clone(), to, progress: 0.0 });
     }
 
     fn food_view(&self, distance: f32) -> Camera {

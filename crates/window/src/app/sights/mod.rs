@@ -9,3 +9,52 @@ mod quality;
 mod save_picture;
 mod scene_view;
 mod ways_view;
+
+use saute_picture::stage::Stage;
+use saute_scene::camera::Camera;
+
+use crate::mirror::view::MirrorView;
+use crate::ui::glance::Glance;
+use crate::ui::motion::Motions;
+use crate::ui::scene_view::SceneView;
+use crate::ui::ways_view::WaysView;
+
+/// What is seen, and from where.
+pub(crate) struct Sights {
+    pub(crate) stage: Stage,
+    pub(crate) camera: Camera,
+    pub(crate) camera_preset: usize,
+    /// Place of the cut (−1…1), or none.
+    pub(crate) slice: Option<f64>,
+    pub(crate) scene: SceneView,
+    /// Ways side by side.
+    pub(crate) ways: WaysView,
+    /// Where the eye is on its way to.
+    pub(crate) glance: Option<Glance>,
+    /// The piece to which the eye turns once it lies on the board.
+    pub(crate) taken_out: Option<String>,
+    pub(crate) motions: Motions,
+    pub(crate) mirror: MirrorView,
+    /// The photo mode.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub(crate) photo: crate::photo::PhotoMode,
+}
+
+impl Default for Sights {
+    fn default() -> Self {
+        Self {
+            stage: Stage::default(),
+            camera: Camera::three_quarter(),
+            camera_preset: 0,
+            slice: None,
+            scene: SceneView::default(),
+            ways: WaysView::default(),
+            glance: None,
+            taken_out: None,
+            motions: Motions::default(),
+            mirror: MirrorView::default(),
+            #[cfg(not(target_arch = "wasm32"))]
+            photo: Default::default(),
+        }
+    }
+}

@@ -9,8 +9,8 @@ use saute_scene::quality::Quality;
 impl SauteApp {
     /// Draws the scene once more, at the best quality and in the chosen size, and saves it.
     pub(crate) fn take_photo(&mut self, ctx: &egui::Context) {
-        let Some(scene) = self.scene.shown.clone() else { return };
-        let size = self.photo.choice.size;
+        let Some(scene) = self.sights.scene.shown.clone() else { return };
+        let size = self.sights.photo.choice.size;
         self.begin_making(ctx, |making| making.photo(scene, size));
     }
 
@@ -19,15 +19,15 @@ impl SauteApp {
         let options = saute_picture::still::shot::ShotOptions {
             view: self.settings.view,
             split: false,
-            slice: self.slice.is_some(),
+            slice: self.sights.slice.is_some(),
             white_balance: self.settings.white_balance,
             light: self.settings.light,
-            photo: self.photo.choice.photo,
+            photo: self.sights.photo.choice.photo,
             quality: Quality::Smooth,
             flat: false,
             scales: self.session.scales(&self.settings.scale),
-            eye: Some(seen_from(&self.camera)),
-            field_of_view: self.camera.field_of_view,
+            eye: Some(seen_from(&self.sights.camera)),
+            field_of_view: self.sights.camera.field_of_view,
         };
         let (recording, library) = (self.session.recording().clone(), self.session.library.clone());
         self.begin_making(ctx, |making| making.time_lapse(recording, library, options));
@@ -39,23 +39,23 @@ impl SauteApp {
         ctx: &egui::Context,
         make: impl FnOnce(crate::photo::making::Maker) -> std::io::Result<Making>,
     ) {
-        if self.photo.making.is_some() {
+        if self.sights.photo.making.is_some() {
             return self.say("notice.photo_is_made");
         }
         match make(crate::photo::making::Maker { ctx: ctx.clone(), folder: self.pictures_folder() }) {
-            Ok(making) => self.photo.making = Some(making),
+            Ok(making) => self.sights.photo.making = Some(making),
             Err(error) => self.say_trouble(&error),
         }
     }
 
     /// Says what was made since the last frame.
     pub(crate) fn take_photo_made(&mut self) {
-        let Some(made) = self.photo.making.as_ref().and_then(Making::made) else { return };
-        self.photo.making = None;
+        let Some(made) = self.sights.photo.making.as_ref().and_then(Making::made) else { return };
+        self.sights.photo.making = None;
         let l = self.settings.language;
         match made {
-            Ok(path) => self.notice.say_of(l.fill("notice.saved", &[("path", &path.display())]), path),
-            Err(error) => self.notice.say(l.fill("notice.not_saved", &[("error", &error)])),
+            Ok(path) => self.desk.notice.say_of(l.fill("notice.saved", &[("path", &path.display())]), path),
+            Err(error) => self.desk.notice.say(l.fill("notice.not_saved", &[("error", &error)])),
         }
     }
 }

@@ -14,20 +14,20 @@ impl SauteApp {
     /// Says what is wrong with the recipe.
     pub fn pose(&mut self, pose: &Pose) -> Result<(), String> {
         self.cook_to(pose)?;
-        self.scene.rest.at_once = true;
+        self.sights.scene.rest.at_once = true;
         self.settings.view = pose.view;
         self.settings.split = pose.split;
         self.settings.panels_hidden = !pose.panels;
         self.set_quality(QualityChoice::Always(pose.quality));
-        self.card = None;
+        self.desk.card = None;
         // They come when they are ready; pictures that are compared do not wait for them.
         self.settings.forecasts = false;
-        self.camera_preset = (pose.camera + 2) % 3;
+        self.sights.camera_preset = (pose.camera + 2) % 3;
         self.next_camera();
-        self.slice = None;
+        self.sights.slice = None;
         if let Some(place) = pose.cut {
             self.toggle_slice();
-            self.slice = Some(place);
+            self.sights.slice = Some(place);
         }
         Ok(())
     }
@@ -35,12 +35,12 @@ impl SauteApp {
     /// Cooks a condition's recipe to its instant. The cook of the last condition goes on, where it has not come too far.
     fn cook_to(&mut self, pose: &Pose) -> Result<(), String> {
         let posed = Some((pose.recipe.clone(), self.session.generation));
-        if self.scene.posed != posed || self.session.kitchen.time_s() > pose.at_s + 0.5 * TICK_S {
+        if self.sights.scene.posed != posed || self.session.kitchen.time_s() > pose.at_s + 0.5 * TICK_S {
             let library = std::sync::Arc::clone(&self.session.library);
             let text = library.recipes.get(&pose.recipe).unwrap_or(&pose.recipe);
             let recipe = Recipe::parse(text, "pose.toml", &library).map_err(|e| e.to_string())?;
             self.session.play(recipe).map_err(|e| e.to_string())?;
-            self.scene.posed = Some((pose.recipe.clone(), self.session.generation));
+            self.sights.scene.posed = Some((pose.recipe.clone(), self.session.generation));
         }
         self.session.set_paused(false);
         while self.session.kitchen.time_s() < pose.at_s - 0.5 * TICK_S && !self.session.paused {

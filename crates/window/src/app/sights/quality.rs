@@ -10,7 +10,7 @@ impl SauteApp {
         match self.settings.quality {
             QualityChoice::Always(quality) => quality,
             QualityChoice::Automatic if self.software() => Quality::Quick,
-            QualityChoice::Automatic => self.governor.level(),
+            QualityChoice::Automatic => self.graphics.governor.level(),
         }
     }
 

@@ -9,7 +9,7 @@ impl SauteApp {
     /// Requests a picture of the window; it is written into the folder of pictures as `saute-N.png`, or downloaded by the
     /// browser.
     pub(crate) fn save_picture(&self, ctx: &egui::Context) {
-        let (notice, repaint, l) = (self.notice.clone(), ctx.clone(), self.settings.language);
+        let (notice, repaint, l) = (self.desk.notice.clone(), ctx.clone(), self.settings.language);
         let keep = self.keeper();
         ctx.request_screenshot(move |image| {
             let picture = Picture {

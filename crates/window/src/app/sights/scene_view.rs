@@ -21,35 +21,35 @@ const KNOB_HEIGHT: f32 = 0.028;
 impl SauteApp {
     /// The point of a piece that a place in a picture of the scene shows, as the scene is drawn in this frame.
     pub fn seen_point(&self, at: Pos2, rect: Rect) -> Option<SeenPoint> {
-        let input = self.scene.shown.as_deref()?;
+        let input = self.sights.scene.shown.as_deref()?;
         let (origin, direction) = self.eye().ray(ndc(at, rect), rect.width() / rect.height());
-        self.stage.seen_point(&self.session.kitchen, input, self.slice, Ray { origin, direction })
+        self.sights.stage.seen_point(&self.session.kitchen, input, self.sights.slice, Ray { origin, direction })
     }
 
     /// Draws the scene over the whole window, or split in two, and takes the mouse there.
     pub(crate) fn show_scene(&mut self, ui: &mut Ui, layout: &Layout) {
         let panes = layout.panes(self.settings.is_split());
-        self.camera.shift = panes[0].lens_shift();
-        self.scene.pane = Some(panes[0]);
+        self.sights.camera.shift = panes[0].lens_shift();
+        self.sights.scene.pane = Some(panes[0]);
         let seen = layout.ways.map_or(layout.whole, |ways| ways.live_picture());
         let response = ui.interact(seen, ui.scope_id().with("scene"), Sense::click_and_drag());
         let l = self.settings.language;
         response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Canvas, true, l.text("scene.spoken")));
         let rect = self.used_pane(ui, &panes).rect;
-        let placed = self.scene.placing && response.clicked();
+        let placed = self.sights.scene.placing && response.clicked();
         if !placed {
             self.take_mouse(ui, &response, rect);
         }
         self.draw_scene(ui, layout, &panes);
-        if self.scene.placing {
+        if self.sights.scene.placing {
             ui.ctx().set_cursor_icon(egui::CursorIcon::Crosshair);
         }
-        let read = self.scene.reads_at.filter(|_| self.scene.hovered.is_some());
-        self.scene.pointed = read.and_then(|(at, _)| self.seen_point(at, rect));
+        let read = self.sights.scene.reads_at.filter(|_| self.sights.scene.hovered.is_some());
+        self.sights.scene.pointed = read.and_then(|(at, _)| self.seen_point(at, rect));
         if let (true, Some(at)) = (placed, response.interact_pointer_pos()) {
             match self.seen_point(at, rect) {
                 Some(point) => self.place_probe_at(point),
-                None => self.scene.placing = false,
+                None => self.sights.scene.placing = false,
             }
         }
         for pane in &panes {
@@ -69,33 +69,33 @@ impl SauteApp {
 
     fn draw_scene(&mut self, ui: &Ui, layout: &Layout, panes: &[Pane]) {
         let options = StageOptions {
-            camera: self.camera.clone(),
+            camera: self.sights.camera.clone(),
             view: self.settings.view,
             map: self.settings.map,
             scales: self.session.scales(&self.settings.scale),
-            slice: self.slice,
+            slice: self.sights.slice,
             cut: self.session.steak().map(|p| p.id.clone()),
             white_balance: self.settings.white_balance,
             light: self.settings.light,
             photo: self.photo_set(),
             flat: false,
         };
-        self.stage.look_every(self.look_ticks());
-        let input = self.stage.scene(&self.session.kitchen, &options, &self.places());
+        self.sights.stage.look_every(self.look_ticks());
+        let input = self.sights.stage.scene(&self.session.kitchen, &options, &self.places());
         #[cfg(not(target_arch = "wasm32"))]
         let input = SceneInput { strings: self.string_looks(), ..input };
         let scenes = split::scenes(input, panes.len() > 1);
-        self.scene.shown = scenes.last().cloned();
-        self.scene.drawn_size = self.scene_pixels(layout.whole, ui.ctx().pixels_per_point());
-        let fineness = self.scene.drawn_size[0] as f32 / layout.whole.width();
+        self.sights.scene.shown = scenes.last().cloned();
+        self.sights.scene.drawn_size = self.scene_pixels(layout.whole, ui.ctx().pixels_per_point());
+        let fineness = self.sights.scene.drawn_size[0] as f32 / layout.whole.width();
         if !self.drawable() {
             ui.painter().rect_filled(layout.whole, 0.0, theme::of(ui).sunken);
             return;
         }
-        self.scene.rest.begin();
+        self.sights.scene.rest.begin();
         for (place, (pane, input)) in panes.iter().zip(scenes).enumerate() {
             let size = [pane.rect.width(), pane.rect.height()].map(|v| (v * fineness).round().max(1.0) as u32);
-            let rest = self.scene.rest.clone();
+            let rest = self.sights.scene.rest.clone();
             let callback = SceneCallback { input, size, quality: self.quality(), pane: place, rest };
             ui.painter().add(egui_wgpu::Callback::new_paint_callback(pane.rect, callback));
         }
@@ -111,7 +111,7 @@ impl SauteApp {
         #[cfg(target_arch = "wasm32")]
         return Default::default();
         #[cfg(not(target_arch = "wasm32"))]
-        self.photo.photo()
+        self.sights.photo.photo()
     }
 
     pub(crate) fn steak_pose(&self) -> Option<(Pose, &Piece)> {
@@ -139,7 +139,7 @@ impl SauteApp {
 
     /// Where the foot and the knob of the cut's handle appear in a window.
     pub fn cut_handle_on_screen(&self, window: Rect) -> Option<[Pos2; 2]> {
-        let (slice, (pose, piece)) = (self.slice?, self.steak_pose()?);
+        let (slice, (pose, piece)) = (self.sights.slice?, self.steak_pose()?);
         let lengthwise = piece.model.size()[0] >= piece.model.size()[1];
         let height = 0.5 * piece.model.thickness(&piece.state) as f32;
         let place = along(&pose.matrix(), lengthwise, slice as f32 * half_length(piece) as f32) + Vec3::Z * height;
@@ -152,7 +152,7 @@ impl SauteApp {
     /// The cut's handle: a knob above the cut that is dragged along the steak.
     fn show_slice_handle(&mut self, ui: &mut Ui, pane: &Pane) {
         let rect = pane.rect;
-        let (Some(slice), Some([foot, knob])) = (self.slice, self.cut_handle_on_screen(rect)) else { return };
+        let (Some(slice), Some([foot, knob])) = (self.sights.slice, self.cut_handle_on_screen(rect)) else { return };
         let response = ui.interact(
             Rect::from_center_size(knob, vec2(44.0, 44.0)),
             ui.scope_id().with(("cut", pane.look)),
@@ -183,7 +183,7 @@ impl SauteApp {
         let local = pose.matrix().inverse().transform_point3(hit);
         let lengthwise = piece.model.size()[0] >= piece.model.size()[1];
         let s = if lengthwise { local.x } else { local.y } / half_length(piece) as f32;
-        self.slice = Some(f64::from(s.clamp(-0.95, 0.95)));
+        self.sights.slice = Some(f64::from(s.clamp(-0.95, 0.95)));
     }
 }
 

@@ -18,19 +18,19 @@ const BESIDE_MS: u64 = 8;
 impl SauteApp {
     /// Returns true while ways are shown side by side.
     pub fn shows_ways(&self) -> bool {
-        self.ways.on && self.session.has_branches() && !self.photo_is_open()
+        self.sights.ways.on && self.session.has_branches() && !self.photo_is_open()
     }
 
     /// Shows all ways side by side, or the one that goes on alone.
     pub(crate) fn toggle_ways(&mut self) {
         if !self.session.has_branches() {
-            self.ways.on = false;
+            self.sights.ways.on = false;
             return self.say("ways.none");
         }
-        self.ways.on = !self.ways.on;
-        if self.ways.on {
+        self.sights.ways.on = !self.sights.ways.on;
+        if self.sights.ways.on {
             // A narrow window has the curves there.
-            self.memory.drawer = Drawer::Inside;
+            self.desk.memory.drawer = Drawer::Inside;
         }
     }
 
@@ -39,25 +39,25 @@ impl SauteApp {
         self.follow_way();
         if !self.shows_ways() {
             self.session.forget_beside();
-            self.ways.catch_up = false;
+            self.sights.ways.catch_up = false;
             return;
         }
         let is_idle = self.session.paused && !self.session.is_travelling();
         let budget = if is_idle { step_budget(wall_s) } else { Duration::from_millis(BESIDE_MS) };
-        self.ways.catch_up = self.session.keep_beside(budget);
+        self.sights.ways.catch_up = self.session.keep_beside(budget);
     }
 
     /// The skins of the window's own stage are those of the way that goes on.
     fn follow_way(&mut self) {
         let ids: Vec<u64> = self.session.all_ways().map(|way| way.id).collect();
         let live = self.session.way().id;
-        if live != self.ways.live {
-            let before = std::mem::replace(&mut self.ways.live, live);
+        if live != self.sights.ways.live {
+            let before = std::mem::replace(&mut self.sights.ways.live, live);
             // A new way begins where the last one is left: it looks the same.
-            let own = self.ways.stages.remove(&live).unwrap_or_else(|| self.stage.clone());
-            self.ways.stages.insert(before, std::mem::replace(&mut self.stage, own));
+            let own = self.sights.ways.stages.remove(&live).unwrap_or_else(|| self.sights.stage.clone());
+            self.sights.ways.stages.insert(before, std::mem::replace(&mut self.sights.stage, own));
         }
-        self.ways.stages.retain(|id, _| ids.contains(id) && *id != live);
+        self.sights.ways.stages.retain(|id, _| ids.contains(id) && *id != live);
     }
 
     /// Gives ways side by side their places.
@@ -75,14 +75,14 @@ impl SauteApp {
         let Some(places) = &layout.ways else { return };
         let quality = self.quality();
         let ways = self.session.ways();
-        let shown = displayed(&ways, &self.memory.ways, places.columns().len());
+        let shown = displayed(&ways, &self.desk.memory.ways, places.columns().len());
         let beside = shown.iter().zip(places.columns()).filter(|(way, _)| way.place.is_some());
         for (pane, (way, column)) in (1..).zip(beside) {
-            let stage = self.ways.stages.entry(way.way.id).or_default();
+            let stage = self.sights.ways.stages.entry(way.way.id).or_default();
             let input = Arc::new(stage.scene(way.kitchen, options, &Places::default()));
             let size = [column.picture.width(), column.picture.height()];
             let size = size.map(|points| (points * fineness).round().max(1.0) as u32);
-            let callback = SceneCallback { input, size, quality, pane, rest: self.scene.rest.clone() };
+            let callback = SceneCallback { input, size, quality, pane, rest: self.sights.scene.rest.clone() };
             ui.painter().add(egui_wgpu::Callback::new_paint_callback(column.picture, callback));
         }
     }

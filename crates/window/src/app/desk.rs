@@ -1,0 +1,15 @@
+//! What lies over the scene.
+
+use crate::act::Card;
+use crate::panels::memory::PanelMemory;
+use crate::ui::notice::Notice;
+
+/// What lies over the scene: a card, what was said, and what panels keep.
+#[derive(Default)]
+pub(crate) struct Desk {
+    /// The card that is open.
+    pub(crate) card: Option<Card>,
+    pub(crate) notice: Notice,
+    /// What panels keep from frame to frame.
+    pub(crate) memory: PanelMemory,
+}
