@@ -160,7 +160,7 @@ pub const TARGETS: &[Target] = &[
     Target {
         name: "settings",
         work: Work::Reads,
-        sources: &["crates/window/src/remembered.rs", "crates/window/src/ui/stored_zoom.rs"],
+        sources: &["crates/window/src/kept/remembered.rs", "crates/window/src/ui/stored_zoom.rs"],
         run: machine_files::settings,
     },
     Target {

@@ -17,7 +17,6 @@ pub mod act;
 pub mod app;
 mod apply;
 pub mod at_home;
-pub mod autosave;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod bench_frame;
 #[cfg(target_arch = "wasm32")]
@@ -25,16 +24,14 @@ pub mod browser;
 pub mod controls;
 #[cfg(not(target_arch = "wasm32"))]
 mod desktop;
-#[cfg(not(target_arch = "wasm32"))]
-mod files;
 pub mod frame_meter;
 pub mod governor;
 pub mod guided;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod hand;
 pub mod input;
+pub mod kept;
 pub mod learn;
-pub mod link;
 pub mod mirror;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod offscreen;
@@ -44,10 +41,7 @@ pub mod panels;
 pub mod photo;
 pub mod plan;
 pub mod pose;
-mod remembered;
 pub mod session;
-#[cfg(not(target_arch = "wasm32"))]
-pub mod session_file;
 pub mod settings;
 pub mod spoken;
 pub mod start;

@@ -16,7 +16,7 @@ use saute_picture::cut::section::Picture;
 use saute_picture::still::animation::{Format, animation};
 use saute_picture::still::png_file::png_bytes;
 use saute_picture::still::series::Series;
-use saute_picture::still::shot::{Eye, ShotOptions, shot_of};
+use saute_picture::still::shot::{Eye, ShotOptions, cook_to_end, shot_of};
 use saute_recipe::Cook;
 use saute_scene::camera::FIELD_OF_VIEW;
 use saute_scene::light::photo::Photo;
@@ -38,8 +38,8 @@ pub struct ShotArgs {
     /// Recipe file, id of a shipped recipe, or session file (.saute).
     #[arg(value_name = "RECIPE")]
     pub recipe: String,
-    /// Simulated time of the picture; of an animation the end.
-    #[arg(long, value_name = "SECONDS", value_parser = seconds, allow_hyphen_values = true, required_unless_present_any = ["time_lapse", "contact_sheet"])]
+    /// Simulated time of the picture; of an animation the end. The end of the cook unless given.
+    #[arg(long, value_name = "SECONDS", value_parser = seconds, allow_hyphen_values = true)]
     pub at: Option<f64>,
     /// Renders an animation with a frame for every so many simulated seconds, ten frames a second, up to --at or to the
     /// end of the recipe; --out names a .gif or an .apng.
@@ -164,9 +164,12 @@ pub fn run(args: &ShotArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
         eye: args.camera,
         field_of_view: args.fov.to_radians(),
     };
-    let cook = session_source::cook(source, data)?;
+    let mut cook = session_source::cook(source, data)?;
     let bytes = match kind {
-        Kind::One(at_s) => png_bytes(&one(args, cook, at_s, options)?)?,
+        Kind::One(at_s) => {
+            let at_s = at_s.map_or_else(|| cook_to_end(&mut cook), Ok)?;
+            png_bytes(&one(args, cook, at_s, options)?)?
+        }
         Kind::Sheet => {
             let mut series = Series::of(cook, options, args.size)?;
             png_bytes(&contact_sheet(&mut series, &args.contact_sheet)?)?
@@ -183,8 +186,8 @@ pub fn run(args: &ShotArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
 
 /// What is rendered.
 enum Kind {
-    /// One picture at a time [s].
-    One(f64),
+    /// One picture at a time [s], or at the end of the cook.
+    One(Option<f64>),
     /// Several pictures in one.
     Sheet,
     /// An animation with a frame for every so many seconds.
@@ -205,7 +208,7 @@ impl Kind {
         if ending.as_deref() != Some("png") {
             return Err(wrong("pictures are written as PNG: write --out FILE.png"));
         }
-        Ok(args.at.map_or(Self::Sheet, Self::One))
+        Ok(if args.contact_sheet.is_empty() { Self::One(args.at) } else { Self::Sheet })
     }
 }
 

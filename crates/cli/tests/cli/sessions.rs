@@ -133,16 +133,18 @@ fn what_cannot_be_recorded_or_replayed_is_refused_with_a_remedy() {
 #[test]
 fn a_picture_of_a_session_is_that_of_its_recipe() {
     let recorded = record(SHORT);
-    let picture = |source: &Path, at: &str| {
+    let picture = |source: &Path, at: &[&str]| {
         let out = recorded.dir.path().join("shot.png");
-        let args = ["shot", name(source), "--at", at, "--size", "96x64", "--view", "temperature", "--out", name(&out)];
-        let ran = run(&args);
+        let args = ["shot", name(source), "--size", "96x64", "--view", "temperature", "--out", name(&out)];
+        let ran = run(&[&args, at].concat());
         assert_eq!(ran.code, Some(0), "{}", ran.err);
         std::fs::read(out).unwrap()
     };
-    for at in ["5", "20"] {
-        assert!(picture(&recorded.recipe, at) == picture(&recorded.session, at), "{at} s");
+    for at in ["5", "20"].map(|at| ["--at", at]) {
+        assert!(picture(&recorded.recipe, &at) == picture(&recorded.session, &at), "{at:?} s");
     }
+    let end = picture(&recorded.recipe, &[]);
+    assert!(end == picture(&recorded.session, &[]) && end == picture(&recorded.session, &["--at", "20"]));
     let late = run(&["shot", name(&recorded.session), "--at", "30", "--out", "late.png"]);
     assert_eq!(late.code, Some(2));
     assert!(late.err.contains("past the end"), "{}", late.err);

@@ -70,6 +70,18 @@ pub fn cook_to(cook: &mut Cook, at_s: f64) -> Result<(), ShotError> {
     if advance_to(cook, at_s)? { Ok(()) } else { Err(ShotError::past_the_end(cook, at_s)) }
 }
 
+/// Cooks to the end of the recipe; returns its time [s].
+///
+/// # Errors
+///
+/// If a step fails.
+pub fn cook_to_end(cook: &mut Cook) -> Result<f64, ShotError> {
+    while cook.stopped().is_none() {
+        cook.advance()?;
+    }
+    Ok(cook.kitchen.time_s())
+}
+
 /// Cooks on to a time [s], steps that are due then included; returns false if the recipe ends earlier.
 pub(crate) fn advance_to(cook: &mut Cook, at_s: f64) -> Result<bool, ShotError> {
     while cook.kitchen.time_s() < at_s - 0.5 * TICK_S {

@@ -1,6 +1,6 @@
 //! The page's script, as the window calls it.
 
-use crate::autosave::CookStore;
+use crate::kept::autosave::CookStore;
 use crate::start::Start;
 use wasm_bindgen::prelude::wasm_bindgen;
 

@@ -33,7 +33,7 @@ impl LogFile {
         file.set_len(whole as u64).and_then(|()| file.seek(SeekFrom::End(0))).map_err(place)?;
         let rows = from_csv(&path.display().to_string(), &text[..whole]).map_err(|error| error.to_string())?;
         for (name, text) in [("data-dictionary.csv", dictionary::csv()), ("data-dictionary.md", dictionary::page())] {
-            crate::session_file::write_whole(&folder.join(name), text.as_bytes()).map_err(place)?;
+            crate::kept::session_file::write_whole(&folder.join(name), text.as_bytes()).map_err(place)?;
         }
         Ok((Self { file, folder: folder.to_owned(), is_empty: whole == 0 }, rows))
     }

@@ -245,7 +245,7 @@ impl StudyDesk {
         }
         let name = format!("study-{}-phase-{}-trial-{trial}.saute", self.study.participant(), phase + 1);
         let bytes = session.recording().clone().to_file();
-        match crate::session_file::write_whole(&file.folder.join(&name), &bytes) {
+        match crate::kept::session_file::write_whole(&file.folder.join(&name), &bytes) {
             Ok(()) => Some(name),
             Err(error) => {
                 self.trouble = Some(format!("{name}: {error}"));

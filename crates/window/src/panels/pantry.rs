@@ -181,7 +181,8 @@ fn recipes(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
             acts.push(Act::App(AppAct::Export(what)));
         }
     }
-    if crate::link::page_address().is_some() && ui.add(theme::of(ui).button(l.text("link.copy"), false)).clicked() {
+    if crate::kept::link::page_address().is_some() && ui.add(theme::of(ui).button(l.text("link.copy"), false)).clicked()
+    {
         acts.push(Act::App(AppAct::CopyLink));
     }
     #[cfg(not(target_arch = "wasm32"))]

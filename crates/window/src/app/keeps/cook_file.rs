@@ -1,7 +1,7 @@
 //! The file in which the cook that goes on is kept.
 
 use crate::app::SauteApp;
-use crate::autosave::CookStore;
+use crate::kept::autosave::CookStore;
 use std::fs::File;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};

@@ -1,9 +1,9 @@
 //! Files of the system: dialogs that open a recipe and save a cook, the recipes opened before, the folder of pictures.
 
 use crate::app::SauteApp;
-use crate::files::{Asked, Dialog, read};
+use crate::kept::files::{Asked, Dialog, read};
+use crate::kept::session_file::write_whole;
 use crate::plan::PlanFile;
-use crate::session_file::write_whole;
 use saute_session::export::Export;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};

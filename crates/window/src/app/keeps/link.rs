@@ -1,7 +1,7 @@
 //! A cook as the fragment of an address: what it began with and every command, packed, with a version and a checksum.
 
 use crate::app::SauteApp;
-use crate::link::{LONGEST, fragment, page_address, read};
+use crate::kept::link::{LONGEST, fragment, page_address, read};
 use saute_session::permits::Permit;
 
 impl SauteApp {

@@ -23,7 +23,7 @@ pub(crate) struct Keeps {
     pub(crate) pictures: Option<std::path::PathBuf>,
     /// The file dialog while it is open.
     #[cfg(not(target_arch = "wasm32"))]
-    pub(crate) dialog: crate::files::Dialog,
+    pub(crate) dialog: crate::kept::files::Dialog,
     /// The cook that goes on, as it is kept.
-    pub(crate) autosave: crate::autosave::Autosave,
+    pub(crate) autosave: crate::kept::autosave::Autosave,
 }

@@ -236,7 +236,7 @@ impl SauteApp {
     #[cfg(not(target_arch = "wasm32"))]
     fn save_text(&self, name: &str, text: &str) {
         let path = self.pictures_folder().join(name);
-        match crate::session_file::write_whole(&path, text.as_bytes()) {
+        match crate::kept::session_file::write_whole(&path, text.as_bytes()) {
             Ok(()) => {
                 let said = self.settings.language.fill("notice.cook_saved", &[("path", &path.display())]);
                 self.desk.notice.say_of(said, path);

@@ -29,7 +29,7 @@ impl SauteApp {
     #[cfg(not(target_arch = "wasm32"))]
     pub(crate) fn keeper(&self) -> impl Fn(&[u8]) -> Result<PathBuf, String> + Send + 'static {
         let folder = self.pictures_folder();
-        move |bytes| crate::files::write_picture(&folder, "png", bytes)
+        move |bytes| crate::kept::files::write_picture(&folder, "png", bytes)
     }
 
     /// What downloads a picture; returns what it is called.
