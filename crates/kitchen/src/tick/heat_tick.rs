@@ -248,7 +248,9 @@ impl Kitchen {
         if heat.water != 0.0 {
             self.account.flows.other -= fixed.pan.liquids.draw_from_pool(&mut self.pan.liquids, heat.water);
         }
-        let mass = heat.steam / latent_heat(kelvin(100.0));
+        // A piece that is hotter than the steam round it warms it, and nothing condenses.
+        self.account.flows.evaporation -= heat.steam.min(0.0);
+        let mass = heat.steam.max(0.0) / latent_heat(kelvin(100.0));
         let piece = &mut self.pieces[index];
         piece.vapour_flow = (piece.vapour_flow - mass / lapse.s()).max(0.0);
         Runoff { mass, enthalpy: mass * WATER_SPECIFIC_HEAT * 100.0 }

@@ -4,6 +4,7 @@ mod actions;
 mod conditions;
 #[path = "../../../kitchen/tests/kitchen/draws/mod.rs"]
 mod draws;
+mod ends;
 mod recipes;
 mod repeat;
 mod sessions;

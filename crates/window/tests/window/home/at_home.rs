@@ -16,10 +16,11 @@ use saute_session::at_home::fitting::Standing;
 use saute_session::at_home::kept::KeptKitchen;
 use saute_session::work::bench::Bench;
 use saute_session::work::{Agency, Helper, Kind};
+use saute_window::SauteApp;
 use saute_window::act::{Act, AppAct, Card, LearnAct, Setting, ViewAct};
 use saute_window::at_home::AtHomeAct;
+use saute_window::kept::link;
 use saute_window::session::Session;
-use saute_window::{SauteApp, link};
 use saute_words::language::Language;
 
 use crate::harness::{save, steps, window};
