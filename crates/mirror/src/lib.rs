@@ -6,10 +6,10 @@
 //! file.
 
 pub mod calibration;
-pub mod frame;
 pub mod keystone;
 pub mod lens;
 pub mod optics;
+pub mod options;
 pub mod registration;
 pub mod rig;
 pub mod rig_file;

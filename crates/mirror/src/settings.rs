@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::calibration::Calibration;
-use crate::frame::MirrorOptions;
+use crate::options::MirrorOptions;
 use crate::rig::Rig;
 use crate::rig_file::SHIPPED;
 use crate::stereo::Stereo;

@@ -7,7 +7,7 @@ use std::process::ExitCode;
 use clap::ValueEnum;
 use saute_kitchen::TICK_S;
 use saute_kitchen::data::library::DEFAULT_SCALE;
-use saute_mirror::frame::MirrorOptions;
+use saute_mirror::options::MirrorOptions;
 use saute_mirror::rig::Rig;
 use saute_mirror::rig_file;
 use saute_mirror::stereo::Stereo;

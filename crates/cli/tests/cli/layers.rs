@@ -22,7 +22,7 @@ const ARROWS: [(&str, &[&str]); 28] = [
     ("saute-sweep-folder", &["saute-formats", "saute-sweep"]),
     ("saute-surface", &["saute-heat"]),
     ("saute-scene", &["wgpu"]),
-    ("saute-mirror", &["saute-scene"]),
+    ("saute-mirror", &[]),
     ("saute-session", &["saute-kitchen", "saute-plan", "saute-recipe", "saute-study", "saute-words"]),
     ("saute-words", &["saute-kitchen", "saute-plan", "saute-recipe", "saute-study"]),
     ("saute-picture", &["saute-kitchen", "saute-recipe", "saute-scene", "wgpu"]),

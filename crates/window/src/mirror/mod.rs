@@ -3,6 +3,7 @@
 //! Room, hob and pan are left out of the picture; the pan remains as a black occluder.
 
 pub mod aim;
+pub mod frame;
 pub mod pattern;
 pub mod presenter;
 #[cfg(not(target_arch = "wasm32"))]

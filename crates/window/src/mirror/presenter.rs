@@ -4,7 +4,7 @@ use egui_wgpu::{CallbackResources, CallbackTrait, ScreenDescriptor};
 use saute_scene::gpu::overlay::{self, Overlay, VS_COVER};
 use saute_scene::renderer::SceneRenderer;
 
-use saute_mirror::frame::{MirrorFrame, WarpUniform};
+use super::frame::{MirrorFrame, WarpUniform};
 
 const LABEL: &str = "mirror";
 const SHADER: &str = include_str!("mirror.wgsl");

@@ -11,8 +11,9 @@ use saute_scene::gpu::readback::read_picture;
 use saute_scene::input::SceneInput;
 use saute_scene::quality::Quality;
 
+use super::frame::MirrorFrame;
 use super::presenter::MirrorPresenter;
-use saute_mirror::frame::{MirrorFrame, MirrorOptions};
+use saute_mirror::options::MirrorOptions;
 use saute_mirror::rig::Rig;
 
 /// Cooks up to a time and draws what the rig's device shows.

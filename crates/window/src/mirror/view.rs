@@ -3,9 +3,9 @@
 use super::aim::Aim;
 use super::pattern::Pattern;
 use super::presenter::MirrorCallback;
+use crate::mirror::frame::MirrorFrame;
 use egui::{Color32, Key, Sense, Ui};
 use glam::DVec2;
-use saute_mirror::frame::MirrorFrame;
 use saute_mirror::rig::Rig;
 use saute_mirror::rig_file;
 use saute_mirror::settings::MirrorSettings;

@@ -6,20 +6,10 @@ use glam::{DMat3, DVec2};
 use saute_scene::input::{MirrorLook, SceneInput};
 use saute_scene::quality::Quality;
 
-use crate::rig::Rig;
-use crate::stereo::{Stereo, anaglyph};
-use crate::warp::Warp;
-
-/// Options of the mirror's picture.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct MirrorOptions {
-    /// Stereo mode.
-    pub stereo: Stereo,
-    /// From eye to eye [m].
-    pub eye_distance: f64,
-    /// True if the virtual pan is drawn.
-    pub pan_shown: bool,
-}
+use saute_mirror::options::MirrorOptions;
+use saute_mirror::rig::Rig;
+use saute_mirror::stereo::{Stereo, anaglyph};
+use saute_mirror::warp::Warp;
 
 /// Input of the mirror's renderers.
 #[derive(Clone, Debug)]
