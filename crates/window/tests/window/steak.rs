@@ -9,7 +9,7 @@ use saute_kitchen::{Command, Place};
 use saute_picture::View;
 use saute_window::{SauteApp, Start};
 
-use crate::harness::{WINDOW, click, cook, drag, save, steps, window};
+use crate::harness::{WINDOW, click, cook, drag, press, save, steps, window};
 
 #[test]
 fn a_first_cook_by_buttons_alone() {
@@ -288,4 +288,21 @@ fn settings_are_remembered() {
     assert!(again.settings().fahrenheit && again.settings().view == View::Temperature && again.session().speed == 5.0);
     let broken = SauteApp::start(&egui::Context::default(), None, Some("{ not json".into()), Start::default());
     assert!(broken.is_ok(), "broken settings are left aside");
+}
+
+#[test]
+fn an_order_that_comes_while_the_hand_still_turns_the_steak_is_carried_out_after_it() {
+    let mut harness = window(vec2(1280.0, 720.0));
+    press(&mut harness, Key::A);
+    cook(&mut harness, 2.0);
+    harness.key_press(Key::F);
+    harness.step();
+    harness.key_press(Key::O);
+    harness.step();
+    let kitchen = &harness.state().session().kitchen;
+    assert!(kitchen.busy() && kitchen.pieces()[0].in_pan(), "it is still being turned");
+    cook(&mut harness, 6.0);
+    let piece = &harness.state().session().kitchen.pieces()[0];
+    assert!(piece.upside_down() && matches!(piece.place, Place::Rest(_)));
+    assert!(harness.state().session().kitchen.blocked().is_empty());
 }
