@@ -7,7 +7,8 @@ use saute_food::{BuildError, FoodModel, MeshSize, OutlineKind, PieceSpec, Rules}
 use serde::{Deserialize, Serialize};
 
 use crate::bytes::{FoodKey, Models};
-use crate::data::library::{Library, LibraryError};
+use crate::data::library::Library;
+use crate::data::library_error::LibraryError;
 use crate::data::room::Room;
 use crate::dynamics::{Gesture, Hand, PanShape, Pose, Task, World};
 use crate::hands::command::{Command, Refused};

@@ -49,7 +49,8 @@ pub mod reduced;
 pub mod tick;
 
 pub use data::input_error::{InputError, InputText};
-pub use data::library::{Library, LibraryError};
+pub use data::library::Library;
+pub use data::library_error::LibraryError;
 pub use data::loading::OwnFiles;
 pub use hands::command::{Command, Refused, RestOn};
 pub use kitchen::{Kitchen, PieceOrder};

@@ -3,12 +3,10 @@
 use std::ops::Range;
 
 use crate::action::Action;
-use crate::check::recipe_check::Check;
 use crate::condition::Condition;
 use saute_kitchen::data::library::Library;
 use saute_kitchen::kitchen::{Kitchen, PieceOrder, SetupError};
 use saute_kitchen::piece::piece_state::Piece;
-use saute_kitchen::{InputError, InputText};
 
 /// A checked recipe in SI units.
 #[derive(Clone, Debug, PartialEq)]
@@ -116,27 +114,6 @@ pub struct Target {
 }
 
 impl Recipe {
-    /// Parses and checks a recipe. `file` is its name in messages.
-    ///
-    /// # Errors
-    ///
-    /// Returns file, line, key and remedy of the first mistake.
-    ///
-    /// ```
-    /// use saute_kitchen::Library;
-    /// use saute_recipe::Recipe;
-    ///
-    /// let text = "[[step]]\nhob_w = 9000\n[[step]]\nend = true";
-    /// let error = Recipe::parse(text, "hot.toml", &Library::embedded()?).expect_err("the hob has 3500 W");
-    /// assert_eq!((error.file.as_str(), error.line), ("hot.toml", 2));
-    /// assert_eq!(error.message, "hob_w = 9000 is out of range");
-    /// assert!(error.remedy.contains("0 to 3500"), "{}", error.remedy);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn parse(text: &str, file: &str, library: &Library) -> Result<Self, InputError> {
-        Check { input: InputText { text, file }, library }.recipe()
-    }
-
     /// Returns a kitchen with the recipe's pan and foods, at time 0.
     pub fn kitchen(&self, library: &Library) -> Result<Kitchen, SetupError> {
         let mut kitchen = Kitchen::new(library, &self.pan_kind, self.pan_temperature)?;

@@ -9,7 +9,8 @@ use serde::Deserialize;
 
 use crate::bytes::hash_of;
 use crate::data::data_file::DataFile;
-use crate::data::library::{Library, LibraryError};
+use crate::data::library::Library;
+use crate::data::library_error::LibraryError;
 use crate::data::room::Room;
 use crate::data::shelf::{Shelved, shipped_files};
 use crate::pan::hob::HobDescription;

@@ -3,7 +3,7 @@
 use toml::de::{DeTable, DeValue};
 
 use crate::data::echo::shortened;
-use crate::data::library::{LibraryError, line_of};
+use crate::data::library_error::{LibraryError, line_of};
 use crate::data::number_text::number_text;
 
 /// A data file: its name in messages and its text.

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::data::echo::shortened;
-use crate::data::library::LibraryError;
+use crate::data::library_error::LibraryError;
 
 /// One thing that is wrong with a file.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]

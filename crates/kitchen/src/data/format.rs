@@ -15,7 +15,7 @@ use crate::data::data_file::DataFile;
 use crate::data::echo::shortened;
 use crate::data::finding::Finding;
 use crate::data::format_page::FormatPage;
-use crate::data::library::{LibraryError, line_of};
+use crate::data::library_error::{LibraryError, line_of};
 use crate::data::schema_walk::SchemaWalk;
 
 /// A data file's format.

@@ -3,7 +3,7 @@
 use toml::Spanned;
 
 use crate::data::echo::shortened;
-use crate::data::library::line_of;
+use crate::data::library_error::line_of;
 use crate::data::number_text::number_text;
 
 /// A file that cannot be used: where, what is wrong, and what to write instead.

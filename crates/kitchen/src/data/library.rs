@@ -16,22 +16,11 @@ use crate::data::goals::GoalDescription;
 use crate::data::loading::{Loading, OwnFiles};
 use crate::data::room::Room;
 use crate::data::shelf::data_files;
+use crate::data::library_error::LibraryError;
 use crate::liquids::fond::FondData;
 use crate::liquids::oil::OilDescription;
 use crate::pan::hob::HobDescription;
 use crate::pan::pan_description::PanDescription;
-
-/// A data file that cannot be used.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("{file}:{line}: {message}")]
-pub struct LibraryError {
-    /// Which file.
-    pub file: String,
-    /// Line, from 1.
-    pub line: usize,
-    /// What is wrong and what to write instead.
-    pub message: String,
-}
 
 /// The scale that every summary reports and that is chosen unless another is named.
 pub const DEFAULT_SCALE: &str = "paper-2013";
@@ -228,10 +217,6 @@ impl Library {
     }
 }
 
-/// Line number, from 1, of a byte offset.
-pub fn line_of(text: &str, offset: usize) -> usize {
-    1 + text.as_bytes()[..offset.min(text.len())].iter().filter(|&&b| b == b'\n').count()
-}
 
 /// The surface file that a food's text names, where it names one.
 pub fn surface_file(text: &str) -> Option<String> {

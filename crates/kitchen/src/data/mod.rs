@@ -11,6 +11,7 @@ mod format_page;
 pub mod goals;
 pub mod input_error;
 pub mod library;
+pub mod library_error;
 pub mod loading;
 mod number_text;
 mod relations;

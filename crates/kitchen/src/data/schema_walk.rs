@@ -5,7 +5,7 @@ use toml::Spanned;
 use toml::de::{DeArray, DeFloat, DeInteger, DeTable, DeValue};
 
 use crate::data::finding::Finding;
-use crate::data::library::line_of;
+use crate::data::library_error::line_of;
 use crate::data::number_text::number_text;
 use crate::data::schema_text::{self, Kind};
 

@@ -8,7 +8,6 @@
 use saute_food::change::changes::arrhenius;
 use saute_food::sourced_table;
 use saute_food::table::Table;
-use saute_heat::Located;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -18,7 +17,6 @@ use crate::liquids::oil::SolidsChange;
 use crate::liquids::solids_rates::SolidsRates;
 use crate::liquids::water_film::{WaterFilm, WaterModel};
 use crate::pan::bed::Bed;
-use crate::pan::pan_model::PanState;
 
 sourced_table! {
     /// Juice that food sheds.
@@ -251,21 +249,5 @@ impl Fond {
         *browned = mass - (mass - *browned) / (1.0 + brown * dt);
         *charred = mass - (mass - *charred) / (1.0 + char * *browned / mass * dt);
         self.share[node] = (mass / model.full).min(1.0) * *browned / mass;
-    }
-}
-
-impl PanState {
-    /// Fond at a place on the pan's mesh.
-    pub fn fond(&self, at: &Located) -> FondReading {
-        let fond = &self.liquids.fond;
-        let mean = |field: &[f64]| (0..3).map(|k| at.weights[k] * field[at.nodes[k] as usize]).sum::<f64>();
-        let mass = mean(&fond.dried.mass);
-        let extent = |field: &[f64]| if mass > 0.0 { mean(field) / mass } else { 0.0 };
-        FondReading {
-            mass_kg_m2: mass,
-            browning: extent(&fond.dried.browned),
-            charring: extent(&fond.dried.charred),
-            share: mean(&fond.share),
-        }
     }
 }

@@ -2,6 +2,7 @@
 
 pub mod bed;
 pub mod cloth;
+pub(crate) mod fond_seen;
 pub(crate) mod food_load;
 pub mod heat_tint;
 pub mod hob;

@@ -6,7 +6,7 @@
 
 use saute_food::water::air_film::radiation_coefficient;
 
-use crate::data::room::ContactGap;
+use crate::piece::contact_gap::ContactGap;
 use crate::pan::pan_description::RidgesData;
 use crate::piece::contact::{FaceContact, PatchGap};
 

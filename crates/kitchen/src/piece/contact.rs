@@ -14,7 +14,7 @@
 use saute_food::ZERO_C;
 use saute_food::water::latent_heat;
 
-use crate::data::room::ContactGap;
+use crate::piece::contact_gap::ContactGap;
 
 /// Boiling point of juice in the gap [K].
 const BOILING: f64 = ZERO_C + 100.0;

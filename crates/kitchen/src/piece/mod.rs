@@ -4,6 +4,7 @@ pub mod board;
 pub mod carry_over;
 pub mod contact;
 mod contact_2013;
+pub mod contact_gap;
 pub(crate) mod food_contact;
 pub mod layout;
 pub(crate) mod medium;

@@ -7,10 +7,34 @@ use crate::check::sequence_check::Sequence;
 use crate::file::recipe_file::{FoodEntry, MOST_PIECES, MeshName, PanEntry, Preset, RecipeFile};
 use crate::file::step_file::{StepEntry, StepKeys};
 use crate::recipe::{ALL, Group, Recipe, Step, Target, Trigger};
-use saute_kitchen::data::library::{Library, line_of};
+use saute_kitchen::data::library::Library;
+use saute_kitchen::data::library_error::line_of;
 use saute_kitchen::kelvin;
 use saute_kitchen::kitchen::PieceOrder;
 use saute_kitchen::{InputError, InputText};
+
+impl Recipe {
+    /// Parses and checks a recipe. `file` is its name in messages.
+    ///
+    /// # Errors
+    ///
+    /// Returns file, line, key and remedy of the first mistake.
+    ///
+    /// ```
+    /// use saute_kitchen::Library;
+    /// use saute_recipe::Recipe;
+    ///
+    /// let text = "[[step]]\nhob_w = 9000\n[[step]]\nend = true";
+    /// let error = Recipe::parse(text, "hot.toml", &Library::embedded()?).expect_err("the hob has 3500 W");
+    /// assert_eq!((error.file.as_str(), error.line), ("hot.toml", 2));
+    /// assert_eq!(error.message, "hob_w = 9000 is out of range");
+    /// assert!(error.remedy.contains("0 to 3500"), "{}", error.remedy);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn parse(text: &str, file: &str, library: &Library) -> Result<Self, InputError> {
+        Check { input: InputText { text, file }, library }.recipe()
+    }
+}
 
 /// A recipe's text and the library with the foods and pans that it can name.
 pub(crate) struct Check<'a> {

@@ -5,7 +5,8 @@ use saute_food::change::doneness::{Class, Measure};
 
 use crate::data::data_file::DataFile;
 use crate::data::format::Format;
-use crate::data::library::{DEFAULT_SCALE, DonenessFile, LibraryError};
+use crate::data::library::{DEFAULT_SCALE, DonenessFile};
+use crate::data::library_error::LibraryError;
 
 /// Classes of [`DEFAULT_SCALE`]: the summary's `section_pct` has these keys.
 const DEFAULT_CLASSES: [&str; 4] = ["raw", "rare", "medium", "well-done"];

@@ -5,7 +5,7 @@ use saute_food::{FoodDescription, Form};
 
 use crate::data::data_file::DataFile;
 use crate::data::format::Format;
-use crate::data::library::LibraryError;
+use crate::data::library_error::LibraryError;
 
 /// Largest deviation of a sum of mass fractions from 1 [-] (chosen: the rounding of food tables).
 const FRACTIONS_OFF: f64 = 0.005;

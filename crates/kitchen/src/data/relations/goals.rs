@@ -3,7 +3,7 @@
 use crate::data::data_file::DataFile;
 use crate::data::format::Format;
 use crate::data::goals::{Counted, GoalDescription, GoalsFile};
-use crate::data::library::LibraryError;
+use crate::data::library_error::LibraryError;
 
 /// Scales, classes and kinetics are checked against the library, once all files are read.
 impl Format for GoalsFile {

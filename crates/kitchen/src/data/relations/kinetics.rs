@@ -4,7 +4,7 @@ use saute_food::Kinetics;
 
 use crate::data::data_file::DataFile;
 use crate::data::format::Format;
-use crate::data::library::LibraryError;
+use crate::data::library_error::LibraryError;
 
 /// Largest contraction of a length that complete changes may add up to [-] (chosen: tissue does not shrink by half).
 const MOST_CONTRACTION: f64 = 0.5;

@@ -12,7 +12,7 @@ use saute_food::components::Components;
 use crate::data::at_home::KitchenAtHome;
 use crate::data::data_file::DataFile;
 use crate::data::format::Format;
-use crate::data::library::LibraryError;
+use crate::data::library_error::LibraryError;
 use crate::data::room::Room;
 use crate::liquids::fond::FondData;
 use crate::pan::hob::HobDescription;

@@ -2,7 +2,7 @@
 
 use crate::data::data_file::DataFile;
 use crate::data::format::Format;
-use crate::data::library::LibraryError;
+use crate::data::library_error::LibraryError;
 use crate::pan::heat_tint::HeatTint;
 use crate::pan::pan_description::{CoatingDescription, PanDescription};
 
