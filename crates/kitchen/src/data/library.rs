@@ -13,10 +13,10 @@ use serde::Deserialize;
 use crate::data::at_home::KitchenAtHome;
 use crate::data::data_file::DataFile;
 use crate::data::goals::GoalDescription;
+use crate::data::library_error::LibraryError;
 use crate::data::loading::{Loading, OwnFiles};
 use crate::data::room::Room;
 use crate::data::shelf::data_files;
-use crate::data::library_error::LibraryError;
 use crate::liquids::fond::FondData;
 use crate::liquids::oil::OilDescription;
 use crate::pan::hob::HobDescription;
@@ -216,7 +216,6 @@ impl Library {
         data_files()
     }
 }
-
 
 /// The surface file that a food's text names, where it names one.
 pub fn surface_file(text: &str) -> Option<String> {

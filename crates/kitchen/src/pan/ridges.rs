@@ -6,9 +6,9 @@
 
 use saute_food::water::air_film::radiation_coefficient;
 
-use crate::piece::contact_gap::ContactGap;
 use crate::pan::pan_description::RidgesData;
 use crate::piece::contact::{FaceContact, PatchGap};
+use crate::piece::contact_gap::ContactGap;
 
 /// Normalisation 1 / (2 mean of sin¹⁰ over all directions) [-], with which the faces of a mesh together pass the flow
 /// along the grooves.

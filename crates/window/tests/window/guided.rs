@@ -32,7 +32,7 @@ recipe = "medium"
 goal = "study-2013"
 trials = 1
 speed = 5
-max_s = 12
+max_s = 25
 feedback = true
 [[phase]]
 title = "Stove"
@@ -100,7 +100,7 @@ fn a_whole_study_is_gone_through_and_its_rows_are_on_the_disk() {
     click(&mut harness, "Begin");
     assert_eq!(harness.state().session().speed, 5.0);
     locks_hold(&mut harness);
-    cook(&mut harness, 12.5);
+    cook(&mut harness, 25.5);
     assert_eq!(stage(&harness), Stage::CookForReal { phase: 1 }, "its time is over");
     assert_eq!(rows(&folder).last().map(|row| row.kind), Some(RowKind::Trial), "is on the disk at once");
     save(&mut harness, "study-real");
@@ -201,7 +201,7 @@ fn a_study_that_was_closed_goes_on_after_its_last_row_and_another_protocol_is_re
     assert_eq!(stage(&harness), Stage::Trial { phase: 0, trial: 1 });
     drop(harness);
     let library = Library::embedded().expect("embedded data");
-    let other = PROTOCOL.replace("max_s = 12", "max_s = 20");
+    let other = PROTOCOL.replace("max_s = 25", "max_s = 20");
     let protocol = Arc::new(Protocol::parse(&other, "tiny.toml", &library).expect("parses"));
     let refused = StudyStart::in_folder(protocol, "P01".parse().expect("a code"), &folder).expect_err("is refused");
     assert!(refused.contains("the protocol was changed"), "{refused}");
@@ -289,6 +289,6 @@ fn lessons_and_studies_fit_a_phone_and_speak_japanese() {
     click(&mut harness, "I agree and begin");
     click(&mut harness, "Begin");
     save(&mut harness, "study-blind-phone");
-    cook(&mut harness, 12.5);
+    cook(&mut harness, 25.5);
     save(&mut harness, "study-real-phone");
 }

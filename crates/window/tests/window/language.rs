@@ -77,7 +77,9 @@ fn used(sections: &BTreeSet<String>) -> BTreeSet<String> {
         }
     }
     let mut all = String::new();
-    sources(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src"), &mut all);
+    for crate_of in ["session", "window", "words"] {
+        sources(&Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(crate_of).join("src"), &mut all);
+    }
     let is_key = |s: &&str| {
         let letters =
             |t: &str| !t.is_empty() && t.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_');
