@@ -133,11 +133,23 @@ fn a_recipe_plays_and_a_command_takes_over() {
 }
 
 #[test]
-fn a_refused_command_says_why() {
+fn a_refused_command_says_why_and_one_that_comes_while_the_hand_is_busy_is_carried_out_after_it() {
     let mut harness = window(vec2(1280.0, 720.0));
     harness.key_press(Key::F);
     steps(&mut harness, 2);
     harness.get_by_label_contains("is not in the pan");
+    press(&mut harness, Key::A);
+    cook(&mut harness, 2.0);
+    harness.key_press(Key::F);
+    harness.step();
+    harness.key_press(Key::O);
+    harness.step();
+    let kitchen = &harness.state().session().kitchen;
+    assert!(kitchen.busy() && kitchen.pieces()[0].in_pan(), "it is still being turned");
+    cook(&mut harness, 6.0);
+    let piece = &harness.state().session().kitchen.pieces()[0];
+    assert!(piece.upside_down() && matches!(piece.place, Place::Rest(_)));
+    assert!(harness.state().session().kitchen.blocked().is_empty());
 }
 
 #[test]
@@ -288,21 +300,4 @@ fn settings_are_remembered() {
     assert!(again.settings().fahrenheit && again.settings().view == View::Temperature && again.session().speed == 5.0);
     let broken = SauteApp::start(&egui::Context::default(), None, Some("{ not json".into()), Start::default());
     assert!(broken.is_ok(), "broken settings are left aside");
-}
-
-#[test]
-fn an_order_that_comes_while_the_hand_still_turns_the_steak_is_carried_out_after_it() {
-    let mut harness = window(vec2(1280.0, 720.0));
-    press(&mut harness, Key::A);
-    cook(&mut harness, 2.0);
-    harness.key_press(Key::F);
-    harness.step();
-    harness.key_press(Key::O);
-    harness.step();
-    let kitchen = &harness.state().session().kitchen;
-    assert!(kitchen.busy() && kitchen.pieces()[0].in_pan(), "it is still being turned");
-    cook(&mut harness, 6.0);
-    let piece = &harness.state().session().kitchen.pieces()[0];
-    assert!(piece.upside_down() && matches!(piece.place, Place::Rest(_)));
-    assert!(harness.state().session().kitchen.blocked().is_empty());
 }
