@@ -27,7 +27,7 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts, rect: Rect) {
         for (name, explained, act) in all {
             let text = RichText::new(l.text(name)).size(13.0);
             let button = egui::Button::new(text).fill(theme::of(ui).ground).min_size(vec2(width, rect.height()));
-            if ui.add(button).on_hover_text(explained).clicked() {
+            if ui.add_enabled(!state.forbids(&act), button).on_hover_text(explained).clicked() {
                 acts.push(act);
             }
         }

@@ -140,7 +140,7 @@ fn locks_hold(harness: &mut Harness<'static, SauteApp>) {
     save(harness, "study-blind");
     no_card_stops_time(harness);
     press(harness, Key::N);
-    for locked in ["20×", "Pause", "Step", "Start over", "Undo", "Temperature", "Cut", "Set out"] {
+    for locked in ["20×", "Pause", "Step", "Start over", "Undo", "Temperature", "Cut", "Set out", "Photo"] {
         assert!(harness.get_by_label(locked).accesskit_node().is_disabled(), "{locked} looks as if it could be used");
     }
     assert!(!harness.get_by_label("Steak in").accesskit_node().is_disabled(), "it can be used");
