@@ -35,7 +35,6 @@ is_chosen() { [ ${#CHOSEN[@]} = 0 ] || [[ " ${CHOSEN[*]} " == *" $NUMBER "* ]]; 
 # integration NAME FILTER: the tests of one program of tests.
 integration() { (cd "$COPY" && cargo test --release --workspace --test "$1" -- "$2"); }
 
-
 # fault WHAT FILE FROM TO TESTS...: puts a fault in and runs the tests, which must fail after they were built.
 fault() {
     NUMBER=$((NUMBER + 1))

@@ -80,7 +80,7 @@ pub enum Command {
     /// Collects the results of a class.
     #[command(subcommand)]
     Class(ClassCommand),
-    /// Renders one picture of a recipe at a given time.
+    /// Renders one picture of a recipe at a given time, or at the end of the cook.
     Shot(ShotArgs),
     /// Renders the figures of the 2013 paper with this simulator's foods, each with its numbers.
     Gallery(GalleryArgs),

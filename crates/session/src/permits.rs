@@ -83,9 +83,9 @@ impl Permit {
 pub struct Permits(u32);
 
 impl Default for Permits {
-    /// A cook that nobody leads.
+    /// A cook that nobody leads: everything.
     fn default() -> Self {
-        Self::only(&Permit::ALL)
+        Self(u32::MAX)
     }
 }
 

@@ -1,5 +1,6 @@
 //! The program's window.
 
+mod apply;
 mod desk;
 mod export;
 pub(crate) mod frame;
@@ -196,7 +197,6 @@ impl SauteApp {
             return false;
         }
         let played = self.session.runner.is_some();
-        self.session.permits = self.permits();
         let taken = self.session.command(command);
         let is_taken = taken.is_ok();
         match taken {

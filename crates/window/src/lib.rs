@@ -15,7 +15,6 @@
 
 pub mod act;
 pub mod app;
-mod apply;
 pub mod at_home;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod bench_frame;

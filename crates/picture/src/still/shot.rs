@@ -76,9 +76,7 @@ pub fn cook_to(cook: &mut Cook, at_s: f64) -> Result<(), ShotError> {
 ///
 /// If a step fails.
 pub fn cook_to_end(cook: &mut Cook) -> Result<f64, ShotError> {
-    while cook.stopped().is_none() {
-        cook.advance()?;
-    }
+    advance_to(cook, f64::INFINITY)?;
     Ok(cook.kitchen.time_s())
 }
 

@@ -118,14 +118,5 @@ impl AppAct {
 }
 
 fn needing(needs: &'static [Permit]) -> Traits {
-    Traits {
-        words: Traits::NO_WORDS,
-        subject: Subject::Window,
-        changes_cook: false,
-        waits: false,
-        needs,
-        reads: false,
-        over_cards: false,
-        frames_photo: false,
-    }
+    Traits::plain(Subject::Window, Traits::NO_WORDS, needs)
 }

@@ -112,14 +112,5 @@ fn does(subject: Subject, words: &'static str) -> Traits {
 
 /// What a hand holds or chooses, which changes nothing yet.
 fn holds(subject: Subject, words: &'static str) -> Traits {
-    Traits {
-        words,
-        subject,
-        changes_cook: false,
-        waits: false,
-        needs: &[Permit::Hands],
-        reads: false,
-        over_cards: false,
-        frames_photo: false,
-    }
+    Traits::plain(subject, words, &[Permit::Hands])
 }

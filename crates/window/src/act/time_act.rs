@@ -47,14 +47,5 @@ impl TimeAct {
 }
 
 fn clock(words: &'static str, needs: &'static [Permit]) -> Traits {
-    Traits {
-        words,
-        subject: Subject::Hob,
-        changes_cook: false,
-        waits: false,
-        needs,
-        reads: false,
-        over_cards: false,
-        frames_photo: false,
-    }
+    Traits::plain(Subject::Hob, words, needs)
 }

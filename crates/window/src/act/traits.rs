@@ -2,7 +2,8 @@
 
 use saute_session::permits::Permit;
 
-/// What an act is about, when it is done and what it needs. It has no default: a new act states all of it.
+/// What an act is about, when it is done and what it needs. It has no default: a new act states what it is about and what it needs, and
+/// what else is true of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Traits {
     /// Key of the words for it.
@@ -26,6 +27,20 @@ pub struct Traits {
 impl Traits {
     /// Key of the words for acts that have none of their own.
     pub const NO_WORDS: &str = "waiting.act";
+
+    /// Those of an act of which nothing else is true.
+    pub(super) fn plain(subject: Subject, words: &'static str, needs: &'static [Permit]) -> Self {
+        Self {
+            words,
+            subject,
+            changes_cook: false,
+            waits: false,
+            needs,
+            reads: false,
+            over_cards: false,
+            frames_photo: false,
+        }
+    }
 }
 
 /// What an act is about: the help lists keys by it.

@@ -123,14 +123,5 @@ fn reading(words: &'static str) -> Traits {
 
 /// What a person looks at in a kitchen too.
 fn eye(words: &'static str) -> Traits {
-    Traits {
-        words,
-        subject: Subject::Eye,
-        changes_cook: false,
-        waits: false,
-        needs: &[Permit::Eye],
-        reads: false,
-        over_cards: false,
-        frames_photo: false,
-    }
+    Traits::plain(Subject::Eye, words, &[Permit::Eye])
 }

@@ -1,7 +1,7 @@
 //! A speed that the machine cannot hold gives way to one that it can.
 
 use super::SauteApp;
-use crate::apply::waiting::Waiting;
+use crate::app::apply::waiting::Waiting;
 use crate::frame_meter::FrameMeter;
 use saute_session::SPEEDS;
 

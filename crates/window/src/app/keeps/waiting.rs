@@ -2,7 +2,7 @@
 
 use crate::act::{Act, TimeAct};
 use crate::app::SauteApp;
-use crate::apply::waiting::Waiting;
+use crate::app::apply::waiting::Waiting;
 use saute_kitchen::Command;
 use saute_session::label;
 
