@@ -7,7 +7,7 @@ import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { test } from "node:test";
 
-import { trouble } from "./browser.mjs";
+import { STUCK_MS, trouble } from "./browser.mjs";
 import { draws, kitchen, press, stats, until, visit } from "./cooking.mjs";
 import { clickLabel } from "./labels.mjs";
 
@@ -35,9 +35,9 @@ async function setSlider(page, name, value) {
 const CASES = [["en", "dark", "reduce", "Movement: Reduced"], ["ja", "light", "no-preference", "動き: なめらか"]];
 
 for (const [lang, colorScheme, reducedMotion, motion] of CASES) {
-  test(`axe finds no violation, and motion is as the browser says (${lang}, ${colorScheme})`, { timeout: 240_000 }, async () => {
+  test(`axe finds no violation, and motion is as the browser says (${lang}, ${colorScheme})`, { timeout: STUCK_MS }, async () => {
     const { page, close } = await visit(there.browser, `${there.host.address}?lang=${lang}`, { colorScheme, reducedMotion });
-    await page.waitForFunction(() => document.querySelectorAll("#controls button").length > 20, null, { timeout: 30_000 });
+    await page.waitForFunction(() => document.querySelectorAll("#controls button").length > 20);
     assert.deepEqual(await violations(page), []);
     // With panels and a card open.
     await press(page, "n");
@@ -45,13 +45,13 @@ for (const [lang, colorScheme, reducedMotion, motion] of CASES) {
     assert.deepEqual(await violations(page), []);
     await page.keyboard.press("F2");
     const chosen = page.locator("#controls").getByRole("radio", { name: motion });
-    await chosen.waitFor({ state: "attached", timeout: 30_000 });
+    await chosen.waitFor({ state: "attached" });
     assert.equal(await chosen.getAttribute("aria-checked"), "true");
     await close();
   });
 }
 
-test("a cook by the HTML controls alone, told in words", { timeout: 240_000 }, async () => {
+test("a cook by the HTML controls alone, told in words", { timeout: STUCK_MS }, async () => {
   const { page, seen, close } = await visit(there.browser, there.host.address);
   await setSlider(page, "Hob", 1400);
   await until(page, "the hob is on", (now) => Math.abs(now.hob_w - 1400) < 100);

@@ -22,6 +22,11 @@ export function launch(args = WEBGL2) {
   return chromium.launch({ executablePath, args: [...BARE, ...args] });
 }
 
+/** How long a test waits for what a page does, and for the whole of a test [ms] (chosen: no test may depend on how busy the machine is, so
+ * these only end what is stuck). */
+export const LATE_MS = 300_000;
+export const STUCK_MS = 1_200_000;
+
 /** For tests that look at the picture: a pixel of the canvas for each of the page. Others ask for a quarter of them: the layout is the same. */
 export const SHARP = { deviceScaleFactor: 1 };
 
@@ -31,6 +36,7 @@ export async function watch(browser, address, { prepare = async () => {}, ...opt
   const context = await browser.newContext({ ...usual, ...options });
   // `scripts/durations.toml` has a ceiling for them.
   if (process.env.SAUTE_TALLY) appendFileSync(join(process.env.SAUTE_TALLY, "pages_opened.count"), "1\n");
+  context.setDefaultTimeout(LATE_MS);
   const page = await context.newPage();
   const seen = { requests: [], missing: [], said: [], violations: [], sent: 0 };
   page.on("request", (request) => seen.requests.push(request.url()));
@@ -53,7 +59,7 @@ export async function watch(browser, address, { prepare = async () => {}, ...opt
 /** Waits until the page is in a state: `cooking` or `failed`. */
 export async function reaches(page, state) {
   const settled = () => ["cooking", "failed"].includes(document.documentElement.dataset.state);
-  await page.waitForFunction(settled, null, { timeout: 120_000 });
+  await page.waitForFunction(settled);
   const [found, cover] = await page.evaluate(() => [
     document.documentElement.dataset.state,
     document.getElementById("cover").innerText,

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { resolve } from "node:path";
 import { after, before } from "node:test";
 
-import { launch, reaches, watch } from "./browser.mjs";
+import { LATE_MS, launch, reaches, watch } from "./browser.mjs";
 import { serve } from "./site_server.mjs";
 
 /** A browser and the built page on a server, for all tests of a file. */
@@ -23,8 +23,8 @@ export function kitchen() {
 export const stats = (page) => page.evaluate(() => JSON.parse(window.saute.stats()));
 
 /** Waits until the state fulfils a condition; the last state is in the message if it never does. */
-export async function until(page, what, holds, timeout = 120_000) {
-  const end = Date.now() + timeout;
+export async function until(page, what, holds) {
+  const end = Date.now() + LATE_MS;
   for (let state; ; ) {
     state = await stats(page);
     if (holds(state)) return state;

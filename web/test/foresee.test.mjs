@@ -6,7 +6,7 @@ import { mkdirSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { before, test } from "node:test";
 
-import { reaches, trouble } from "./browser.mjs";
+import { LATE_MS, STUCK_MS, reaches, trouble } from "./browser.mjs";
 import { kitchen, press, stats, until, visit } from "./cooking.mjs";
 import { clickLabel } from "./labels.mjs";
 
@@ -22,8 +22,8 @@ const read = (page) =>
   );
 
 /** Waits until some control says what is looked for; returns what it says. */
-async function says(page, what, timeout = 60_000) {
-  const end = Date.now() + timeout;
+async function says(page, what) {
+  const end = Date.now() + LATE_MS;
   for (;;) {
     const found = (await read(page)).find((text) => what.test(text));
     if (found !== undefined) return found;
@@ -58,7 +58,7 @@ async function learn(page, entry, button) {
   await says(page, button);
 }
 
-test("a forecast appears by the worker, and follows the cook", { timeout: 300_000 }, async () => {
+test("a forecast appears by the worker, and follows the cook", { timeout: STUCK_MS }, async () => {
   const { page, seen, close } = await visit(there.browser, there.host.address);
   for (const key of ["e", "]", "]"]) await press(page, key);
   await until(page, "the pan heats", (now) => now.time_s > 60);
@@ -79,7 +79,7 @@ test("a forecast appears by the worker, and follows the cook", { timeout: 300_00
   await close();
 });
 
-test("a plan is asked for, found and cooked, while the page answers", { timeout: 300_000 }, async () => {
+test("a plan is asked for, found and cooked, while the page answers", { timeout: STUCK_MS }, async () => {
   const { page, seen, close } = await visit(there.browser, there.host.address);
   await learn(page, "Plan my steak", /^Find a plan$/);
   for (const [name, value] of [["thickness", 10], ["length", 30], ["width", 30], ["Flips at most", 1]]) await slide(page, name, value);
@@ -133,7 +133,7 @@ async function heated(page) {
   return `time_s,pan_c\n${[...new Set(rows)].join("\n")}\n`;
 }
 
-test("a log of a thermometer gives my kitchen, and it is there after a reload", { timeout: 300_000 }, async () => {
+test("a log of a thermometer gives my kitchen, and it is there after a reload", { timeout: STUCK_MS }, async () => {
   const { page, seen, close } = await visit(there.browser, there.host.address);
   const log = await heated(page);
   await learn(page, "My kitchen", /^Find my kitchen$/);

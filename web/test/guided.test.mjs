@@ -5,7 +5,7 @@ import { mkdirSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { before, test } from "node:test";
 
-import { reaches, trouble, watch } from "./browser.mjs";
+import { STUCK_MS, reaches, trouble, watch } from "./browser.mjs";
 import { kitchen, press, until } from "./cooking.mjs";
 import { clickLabel } from "./labels.mjs";
 
@@ -23,25 +23,25 @@ async function opened(address) {
 
 /** Waits until a text stands on the panels. */
 const shows = (page, text) =>
-  page.waitForFunction((text) => document.querySelector("#controls")?.textContent.includes(text), text, { timeout: 60_000 });
+  page.waitForFunction((text) => document.querySelector("#controls")?.textContent.includes(text), text);
 
-test("a lesson opens by the address, and locked it is not left", { timeout: 180_000 }, async () => {
+test("a lesson opens by the address, and locked it is not left", { timeout: STUCK_MS }, async () => {
   const { page, seen, close } = await opened(`${there.host.address}?scenario=first-steak&lock=1&student=S01`);
-  await page.waitForFunction(() => document.querySelector("#controls")?.textContent.includes("Begin"), null, { timeout: 60_000 });
+  await page.waitForFunction(() => document.querySelector("#controls")?.textContent.includes("Begin"));
   await page.screenshot({ path: join(PICTURES, "lesson.png") });
   assert.deepEqual(trouble(seen), []);
   await close();
 });
 
-test("a shipped study opens by the address", { timeout: 180_000 }, async () => {
+test("a shipped study opens by the address", { timeout: STUCK_MS }, async () => {
   const { page, seen, close } = await opened(`${there.host.address}?study=2013&participant=P07`);
-  await page.waitForFunction(() => document.querySelector("#controls")?.textContent.includes("agree"), null, { timeout: 60_000 });
+  await page.waitForFunction(() => document.querySelector("#controls")?.textContent.includes("agree"));
   await page.screenshot({ path: join(PICTURES, "study.png") });
   assert.deepEqual(trouble(seen), []);
   await close();
 });
 
-test("a study goes on after a reload where it was, and in one tab only", { timeout: 240_000 }, async () => {
+test("a study goes on after a reload where it was, and in one tab only", { timeout: STUCK_MS }, async () => {
   const address = `${there.host.address}?study=2013&participant=P08`;
   const { page, seen, close } = await opened(address);
   await clickLabel(page, "I agree and begin");

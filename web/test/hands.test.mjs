@@ -4,7 +4,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { trouble } from "./browser.mjs";
+import { STUCK_MS, trouble } from "./browser.mjs";
 import { difference, pixels } from "./canvas.mjs";
 import { draws, kitchen, stats, until, visit } from "./cooking.mjs";
 import { clickLabel } from "./labels.mjs";
@@ -45,7 +45,7 @@ async function pressPad(page, button) {
   }
 }
 
-test("a gamepad cooks and shakes: hob, steak, flip, toss and pause", { timeout: 240_000 }, async () => {
+test("a gamepad cooks and shakes: hob, steak, flip, toss and pause", { timeout: STUCK_MS }, async () => {
   const { page, seen, close } = await visit(there.browser, there.host.address, { prepare: plugIn });
   await pressPad(page, 12);
   await until(page, "the hob is higher", (now) => now.hob_w > 0);
@@ -55,17 +55,17 @@ test("a gamepad cooks and shakes: hob, steak, flip, toss and pause", { timeout: 
   await until(page, "the steak is turned", (now) => now.pieces[0].upside_down);
   await pressPad(page, 2);
   // What was tossed falls into the pan.
-  await page.waitForFunction(() => window.effects.some(({ strongMagnitude }) => strongMagnitude > 0.1), null, { timeout: 30_000 });
+  await page.waitForFunction(() => window.effects.some(({ strongMagnitude }) => strongMagnitude > 0.1));
   await pressPad(page, 9);
   await until(page, "time stands still", (now) => now.paused);
-  await page.waitForFunction(() => window.effects.at(-1).kind === "reset", null, { timeout: 30_000 });
+  await page.waitForFunction(() => window.effects.at(-1).kind === "reset");
   const kinds = await page.evaluate(() => [...new Set(window.effects.map(({ kind }) => kind))].sort());
   assert.deepEqual(kinds, ["dual-rumble", "reset"]);
   assert.deepEqual(trouble(seen), []);
   await close();
 });
 
-test("two fingers bring the eye nearer, and the phone is the pan", { timeout: 240_000 }, async () => {
+test("two fingers bring the eye nearer, and the phone is the pan", { timeout: STUCK_MS }, async () => {
   const options = { viewport: { width: 390, height: 844 }, hasTouch: true };
   const { page, close } = await visit(there.browser, there.host.address, { ...options, prepare: askForSensors });
   const touch = await page.context().newCDPSession(page);

@@ -5,7 +5,7 @@ import { mkdirSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { before, test } from "node:test";
 
-import { reaches, trouble } from "./browser.mjs";
+import { STUCK_MS, reaches, trouble } from "./browser.mjs";
 import { begins, cookUntil, kitchen, press, stats, until, visit } from "./cooking.mjs";
 
 const PICTURES = resolve(process.env.SAUTE_PICTURES ?? "pictures");
@@ -31,7 +31,7 @@ async function goOn(page) {
   return until(page, "the cook is back", (now) => now.offered_s === null && !now.travels);
 }
 
-test("a cook survives a reload, and a second one", { timeout: 240_000 }, async () => {
+test("a cook survives a reload, and a second one", { timeout: STUCK_MS }, async () => {
   const { page, seen, close } = await visit(there.browser, there.host.address);
   let last = await cookUntil(page, 8);
   await press(page, "a");
@@ -51,7 +51,7 @@ test("a cook survives a reload, and a second one", { timeout: 240_000 }, async (
   await close();
 });
 
-test("two tabs keep a cook each", { timeout: 240_000 }, async () => {
+test("two tabs keep a cook each", { timeout: STUCK_MS }, async () => {
   const one = await visit(there.browser, there.host.address);
   const first = await cookUntil(one.page, 6);
   const context = one.page.context();
@@ -80,7 +80,7 @@ test("two tabs keep a cook each", { timeout: 240_000 }, async () => {
   await one.close();
 });
 
-test("a storage that fails is told once, and the cook goes on", { timeout: 240_000 }, async () => {
+test("a storage that fails is told once, and the cook goes on", { timeout: STUCK_MS }, async () => {
   const breakAll = () => {
     IDBFactory.prototype.open = () => {
       throw new DOMException("no access", "SecurityError");

@@ -7,8 +7,8 @@ export async function clickLabel(page, name, key = null) {
     await page.locator("#canvas").focus();
     await page.keyboard.press(key);
   }
-  await control.waitFor({ state: "attached", timeout: 30_000 });
+  await control.waitFor({ state: "attached" });
   // Where the machine is slow a control is still off for a moment after what had it off is over.
-  await page.waitForFunction((element) => !element.disabled, await control.elementHandle(), { timeout: 30_000 });
+  await page.waitForFunction((element) => !element.disabled, await control.elementHandle());
   await control.evaluate((element) => element.click());
 }

@@ -6,7 +6,7 @@ import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { after, before, test } from "node:test";
 
-import { SHARP, WEBGL2, WEBGPU, launch, reaches, trouble, watch } from "./browser.mjs";
+import { SHARP, STUCK_MS, WEBGL2, WEBGPU, launch, reaches, trouble, watch } from "./browser.mjs";
 import { decoded, difference, pixels } from "./canvas.mjs";
 import { serve } from "./site_server.mjs";
 
@@ -35,7 +35,7 @@ async function show(page, pose) {
     const now = JSON.parse(window.saute.stats());
     return now.frames > seen + 2 && now.rests;
   };
-  await page.waitForFunction(isShown, frames, { timeout: 60_000, polling: 50 });
+  await page.waitForFunction(isShown, frames, { polling: 50 });
 }
 
 /** Conditions that are compared in WebGPU, whose shaders are the same: the rest as part of a campaign. */
@@ -48,7 +48,7 @@ const compared = (backend) => {
 };
 
 for (const [backend, args] of [["webgl2", WEBGL2], ["webgpu", WEBGPU]]) {
-  test(`${backend} shows what the window shows`, { timeout: 1_200_000 }, async () => {
+  test(`${backend} shows what the window shows`, { timeout: STUCK_MS }, async () => {
     const browser = await launch(args);
     const wrong = [];
     try {

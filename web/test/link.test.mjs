@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { reaches, trouble, watch } from "./browser.mjs";
+import { STUCK_MS, reaches, trouble, watch } from "./browser.mjs";
 import { cookUntil, kitchen, press, stats, until, visit } from "./cooking.mjs";
 import { clickLabel } from "./labels.mjs";
 
@@ -11,7 +11,7 @@ const there = kitchen();
 
 const LINK = "Copy a link to this cook";
 
-test("a link opens the cook that was copied, and a broken one says why not", { timeout: 240_000 }, async () => {
+test("a link opens the cook that was copied, and a broken one says why not", { timeout: STUCK_MS }, async () => {
   const permissions = ["clipboard-read", "clipboard-write"];
   const { page, seen, close } = await visit(there.browser, there.host.address, { permissions });
   await cookUntil(page, 6);

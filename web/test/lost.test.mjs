@@ -6,7 +6,7 @@ import { mkdirSync, writeFileSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { test } from "node:test";
 
-import { SHARP, WEBGL2, WEBGPU, launch, trouble } from "./browser.mjs";
+import { SHARP, STUCK_MS, WEBGL2, WEBGPU, launch, trouble } from "./browser.mjs";
 import { difference, pixels } from "./canvas.mjs";
 import { press, rests, stats, until, visit } from "./cooking.mjs";
 import { serve } from "./site_server.mjs";
@@ -46,7 +46,7 @@ const LOSSES = [
 ];
 
 for (const [backend, args, lose, known] of LOSSES) {
-  test(`a lost ${backend} comes back with the cook`, { timeout: 240_000 }, async () => {
+  test(`a lost ${backend} comes back with the cook`, { timeout: STUCK_MS }, async () => {
     mkdirSync(PICTURES, { recursive: true });
     const [browser, host] = await Promise.all([launch(args), serve(resolve(process.env.SAUTE_PAGE))]);
     try {
@@ -65,7 +65,7 @@ for (const [backend, args, lose, known] of LOSSES) {
       await lose(browser, page);
       const isDrawn = (frames) =>
         document.getElementById("canvas") !== window.before && JSON.parse(window.saute.stats() || "{}").frames > frames + 1;
-      await page.waitForFunction(isDrawn, before.frames, { timeout: 60_000, polling: 20 });
+      await page.waitForFunction(isDrawn, before.frames, { polling: 20 });
       const away = Date.now() - lost;
       const after = await stats(page);
       const { png, ...again } = await settled(page);

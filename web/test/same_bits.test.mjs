@@ -6,7 +6,7 @@ import { readFileSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { test } from "node:test";
 
-import { trouble } from "./browser.mjs";
+import { STUCK_MS, trouble } from "./browser.mjs";
 import { kitchen, press, until, visit } from "./cooking.mjs";
 import { clickLabel } from "./labels.mjs";
 
@@ -14,7 +14,7 @@ const COOK = join(resolve(process.env.SAUTE_STILLS), "cook.saute");
 
 const there = kitchen();
 
-test("a native cook replays in the page to the same bits, and is saved as the same file", { timeout: 240_000 }, async () => {
+test("a native cook replays in the page to the same bits, and is saved as the same file", { timeout: STUCK_MS }, async () => {
   const { page, seen, close } = await visit(there.browser, there.host.address);
   const [chooser] = await Promise.all([page.waitForEvent("filechooser"), clickLabel(page, "Open a recipe file…", "n")]);
   await chooser.setFiles(COOK);
@@ -41,7 +41,7 @@ test("a native cook replays in the page to the same bits, and is saved as the sa
   await close();
 });
 
-test("a recipe that is dropped on the page is played, and a file that is none is refused", { timeout: 240_000 }, async () => {
+test("a recipe that is dropped on the page is played, and a file that is none is refused", { timeout: STUCK_MS }, async () => {
   const { page, close } = await visit(there.browser, there.host.address);
   const drop = (name, text) =>
     page.evaluate(

@@ -6,7 +6,7 @@ import { mkdirSync, writeFileSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { after, before, test } from "node:test";
 
-import { SHARP, WEBGL2, WEBGPU, launch, reaches, trouble, watch } from "./browser.mjs";
+import { SHARP, STUCK_MS, WEBGL2, WEBGPU, launch, reaches, trouble, watch } from "./browser.mjs";
 import { difference, pixels } from "./canvas.mjs";
 import { press, until } from "./cooking.mjs";
 import { serve } from "./site_server.mjs";
@@ -75,7 +75,7 @@ async function cook(page, backend) {
 }
 
 for (const [backend, args] of [["webgl2", WEBGL2], ["webgpu", WEBGPU]]) {
-  test(`a steak cooks in ${backend}`, { timeout: 1_200_000 }, async () => {
+  test(`a steak cooks in ${backend}`, { timeout: STUCK_MS }, async () => {
     const browser = await launch(args);
     try {
       const visit = await watch(browser, `${host.address}?backend=${backend}`, SHARP);

@@ -32,7 +32,7 @@ async function cooks(address, look = async () => {}, options = {}) {
   const visit = await watch(browser, address, options);
   try {
     await reaches(visit.page, "cooking");
-    await visit.page.waitForFunction(() => JSON.parse(window.saute.stats()).frames > 2, null, { timeout: 120_000 });
+    await visit.page.waitForFunction(() => JSON.parse(window.saute.stats()).frames > 2);
     await look(visit);
   } finally {
     await visit.close();
@@ -133,7 +133,7 @@ test("a frame of another site cooks, and keeps nothing", async () => {
   try {
     const inside = await (await page.waitForSelector("iframe")).contentFrame();
     const cooks = () => window.saute && JSON.parse(window.saute.stats() || "{}").time_s > 6;
-    await inside.waitForFunction(cooks, null, { timeout: 120_000 });
+    await inside.waitForFunction(cooks);
     const { recipe } = await inside.evaluate(() => JSON.parse(window.saute.stats()));
     assert.match(recipe, /medium/i);
     const kept = () =>
@@ -196,7 +196,7 @@ test("the bar shows how far the download is", async () => {
     },
   });
   const share = () => document.getElementById("progress").value;
-  await page.waitForFunction(() => document.getElementById("progress").value > 0.2, null, { timeout: 60_000 });
+  await page.waitForFunction(() => document.getElementById("progress").value > 0.2);
   assert.ok((await page.evaluate(share)) < 1);
   assert.match(await page.locator("#status").innerText(), /^\d+\.\d of \d+\.\d MB$/);
   await page.screenshot({ path: join(PICTURES, "loading.png") });

@@ -16,5 +16,8 @@ export async function serve(folder, { plain = false } = {}) {
     program.stderr.on("data", hear);
     program.on("exit", (code) => reject(new Error(`the server ended with ${code}: ${said}`)));
   });
+  // A test that fails on its way does not end it: then it ends with the tests of the file, which do not wait for it.
+  process.once("exit", () => program.kill());
+  for (const part of [program, program.stdin, program.stdout, program.stderr]) part.unref();
   return { address, end: () => program.kill() };
 }

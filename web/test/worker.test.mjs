@@ -4,7 +4,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { trouble } from "./browser.mjs";
+import { STUCK_MS, trouble } from "./browser.mjs";
 import { draws, kitchen, press, stats, until, visit } from "./cooking.mjs";
 import { clickLabel } from "./labels.mjs";
 
@@ -51,13 +51,13 @@ async function openedAgain(page) {
 
 const OPTIONS = { permissions: ["clipboard-read", "clipboard-write"] };
 
-test("a cook is played by a worker", { timeout: 300_000 }, async () => {
+test("a cook is played by a worker", { timeout: STUCK_MS }, async () => {
   const { page, seen, close } = await visit(there.browser, `${there.host.address}?recipe=medium`, { ...OPTIONS, prepare: noteFrames });
   const end = await cooked(page, 120);
   await longest(page);
   await draws(page, 10);
   const without = await longest(page);
-  const began = page.waitForEvent("worker", { timeout: 30_000 });
+  const began = page.waitForEvent("worker");
   await openedAgain(page);
   await began;
   const arrived = await until(page, "it has arrived", (now) => !now.travels && now.time_s >= end.time_s);
@@ -73,7 +73,7 @@ test("a cook is played by a worker", { timeout: 300_000 }, async () => {
   await close();
 });
 
-test("without workers the page plays the cook itself", { timeout: 300_000 }, async () => {
+test("without workers the page plays the cook itself", { timeout: STUCK_MS }, async () => {
   const prepare = async (page) => {
     await noteFrames(page);
     await page.addInitScript(() => delete window.Worker);

@@ -21,4 +21,9 @@ impl PanHold {
     pub(crate) fn at(pose: Pose) -> Self {
         Self { pose, gesture: None, last_velocity: DVec3::ZERO }
     }
+
+    /// Returns true if a toss has not begun: it waits for the second hand, whose tool would be below the food.
+    pub(crate) fn waits(&self) -> bool {
+        matches!(self.gesture, Some((Gesture::Toss { .. }, 0.0)))
+    }
 }

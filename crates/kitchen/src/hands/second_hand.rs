@@ -24,6 +24,11 @@ pub(crate) struct SecondHand {
 impl SecondHand {
     /// Returns true while a tool is active or a task is waiting.
     pub(crate) fn is_busy(&self) -> bool {
-        self.hand.is_active() || self.current.is_some() || !self.tasks.is_empty()
+        self.hand.is_active() || self.has_order()
+    }
+
+    /// Returns true while a task is being done or is waiting; a tool that a person moves is none.
+    pub(crate) fn has_order(&self) -> bool {
+        self.current.is_some() || !self.tasks.is_empty()
     }
 }

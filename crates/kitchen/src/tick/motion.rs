@@ -84,10 +84,15 @@ impl Kitchen {
         }
     }
 
-    /// Target of the pan in this step: the gesture's present pose, or the pose at which the pan is held.
+    /// Target of the pan in this step: the gesture's present pose, or the pose at which the pan is held. A toss begins once the
+    /// second hand has done its orders: no food flies from under a turner.
     fn pan_target(&mut self) -> PanTarget {
         let standing = PanTarget { pose: self.pan_hold.pose, ..PanTarget::default() };
+        let waits = self.pan_hold.waits() && self.second_hand.has_order();
         let Some((gesture, since)) = &mut self.pan_hold.gesture else { return standing };
+        if waits {
+            return standing;
+        }
         *since += RIGID_S;
         let (gesture, since) = (*gesture, *since);
         if since >= gesture.duration_s() {

@@ -143,6 +143,28 @@ fn a_toss_turns_most_foods_over_and_loses_none() {
     }
 }
 
+/// A toss that is ordered while the turner is below the food begins afterwards: both happen, and nothing flies from the blade.
+#[test]
+fn a_toss_waits_for_the_turner() {
+    for ticks in [1, 8, 15, 25] {
+        let (mut kitchen, ids) = kitchen(&[("beef-patty", 1)]);
+        kitchen.apply(&Command::Put { food: ids[0].clone(), at: [0.0; 2], heap: false }).expect("put");
+        settle(&mut kitchen);
+        let up = kitchen.pieces()[0].up()[2];
+        kitchen.apply(&Command::Flip { food: ids[0].clone() }).expect("flip");
+        (0..ticks).for_each(|_| kitchen.step());
+        kitchen.apply(&Command::Toss { height: 0.25 }).expect("toss");
+        let stands = kitchen.world().motion.pose;
+        while kitchen.hand().is_active() {
+            assert_eq!(kitchen.world().motion.pose, stands, "the pan stands while the turner is in it");
+            kitchen.step();
+        }
+        assert!(kitchen.pieces()[0].up()[2] * up < 0.0, "turned by the turner, {ticks} ticks");
+        settle(&mut kitchen);
+        assert!(kitchen.pieces()[0].in_pan() && kitchen.pieces()[0].up()[2] * up > 0.0, "and by the toss, {ticks} ticks");
+    }
+}
+
 /// Under what is too heavy for a hand the turner fails, says so, and the food stays as it lies.
 #[test]
 fn a_blocked_turner_fails_to_flip() {
