@@ -17,7 +17,7 @@ use crate::hands::second_hand::SecondHand;
 use crate::pan::cloth::Cloth;
 use crate::pan::food_load::FoodLoad;
 use crate::pan::hob::HobDescription;
-use crate::pan::hold::HoldControl;
+use crate::pan::hold::{HoldControl, Holding};
 use crate::pan::pan_model::{PanModel, PanSolver, PanState};
 use crate::piece::food_contact::Touching;
 use crate::piece::layout::{Floor, Footprint};
@@ -338,6 +338,11 @@ impl Kitchen {
     /// Temperature at which the hob holds the pan [K]; none if it gives the power to which it is set.
     pub fn hob_holds(&self) -> Option<f64> {
         self.hold.target()
+    }
+
+    /// Where a hob that holds a temperature stands, as it says itself; none if it gives the power to which it is set.
+    pub fn holding(&self) -> Option<Holding> {
+        self.hold.holding()
     }
 
     /// Mean electrical power that the hob draws [W]: zero while the pan stands on the cloth, reduced near the temperature

@@ -54,6 +54,7 @@ pub use data::library_error::LibraryError;
 pub use data::loading::OwnFiles;
 pub use hands::command::{Command, Refused, RestOn};
 pub use kitchen::{Kitchen, PieceOrder};
+pub use pan::hold::Holding;
 pub use piece::{Piece, Place};
 pub use saute_food as food;
 pub use saute_food::{MeshSize, OutlineKind};

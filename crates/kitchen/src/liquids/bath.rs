@@ -34,6 +34,9 @@ sourced_table! {
         /// Time constant with which a pool of water mixes [s].
         #[schemars(range(min = 1e-3, max = 1e4), example = 3.0)]
         mixing_s: f64,
+        /// Time constant with which a pool of oil mixes [s].
+        #[schemars(range(min = 1e-3, max = 1e4), example = 10.0)]
+        oil_mixing_s: f64,
         /// Coefficient in oil without bubbles [W/(m²·K)].
         #[schemars(range(min = 0.0, max = 1e5), example = 200.0)]
         oil_quiet_w_m2k: f64,
@@ -90,6 +93,11 @@ impl BathModel {
     pub fn oil(&self, vapour: f64) -> f64 {
         let boiling = (1e3 * vapour / self.data.oil_boiling_g_m2s).clamp(0.0, 1.0);
         self.data.oil_quiet_w_m2k + self.data.oil_boiling_w_m2k * boiling
+    }
+
+    /// Time constant with which a pool of oil mixes [s].
+    pub fn oil_mixing_s(&self) -> f64 {
+        self.data.oil_mixing_s
     }
 
     /// Finds the pool among the water at all nodes, mixes it for `dt` [s] and returns it. `least` is the depth from which

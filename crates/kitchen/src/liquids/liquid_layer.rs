@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::data::library::Library;
 use crate::data::room::Room;
+use crate::kelvin;
 use crate::liquids::bath::{BathModel, Pool};
 use crate::liquids::butter::{Butter, ButterModel};
 use crate::liquids::drop_flight::Vessel;
@@ -70,6 +71,23 @@ pub struct Liquids {
     oil_pace: Pace,
     water_pace: Pace,
     ticks: u64,
+}
+
+/// Density of hot oil [kg/m³] (data of the oils at 150 °C), depth from which a layer heated from below turns over [m] (critical
+/// Rayleigh number 1100 under a free surface, oil at 180 °C, 20 K), and from which it does so fully [m] (chosen).
+const OIL_DENSITY: f64 = 830.0;
+const TURNS_OVER_M: f64 = 1.4e-3;
+const POOL_M: f64 = 5e-3;
+/// Pool of water that keeps the floor from getting hotter while it boils [kg] (chosen: it covers a floor of 26 cm by 1.6 mm).
+const KEEPS_COOL_KG: f64 = 0.05;
+/// Temperature from which it counts as boiling [°C] (chosen).
+const POOL_BOILS_C: f64 = 99.5;
+
+impl Liquids {
+    /// Returns true if enough water boils in the pan to keep the floor from getting hotter.
+    pub fn boils(&self) -> bool {
+        self.pool.mass > KEEPS_COOL_KG && self.pool.temperature > kelvin(POOL_BOILS_C)
+    }
 }
 
 /// Adaptive interval between updates of a liquid's flow: every tick while it flows fast, less often when slow.
@@ -347,6 +365,28 @@ impl LiquidModel {
             liquids.pool = self.bath.mix(&mut liquids.water, &self.bed.areas, self.water.puddle_depth(), dt);
         }
         (vapour, heat)
+    }
+
+    /// Mixes a pool of oil for `dt` [s]: each place goes to the mean of the pool. The metal, whose heat capacity with the oil's is
+    /// `capacity` [J/K], has the oil's temperature `t` [K].
+    pub fn mix_oil(&self, liquids: &Liquids, capacity: &[f64], t: &mut [f64], dt: f64) {
+        let rate = dt / self.bath.oil_mixing_s();
+        // Heat that a node gives away while it goes to the mean, per kelvin [J/K].
+        let given = |i: usize| {
+            let depth = liquids.oil.mass[i] * self.bed.per_area[i] / OIL_DENSITY;
+            let mixes = ((depth - TURNS_OVER_M) / (POOL_M - TURNS_OVER_M)).clamp(0.0, 1.0);
+            if mixes > 0.0 { capacity[i] * (1.0 - libm::exp(-mixes * rate)) } else { 0.0 }
+        };
+        let (mut whole, mut heat) = (0.0, 0.0);
+        for (i, t) in t.iter().enumerate() {
+            let share = given(i);
+            whole += share;
+            heat += share * t;
+        }
+        if whole > 0.0 {
+            let mean = heat / whole;
+            t.iter_mut().enumerate().for_each(|(i, t)| *t += given(i) / capacity[i] * (mean - *t));
+        }
     }
 
     /// Depth of water at a place of the pan's mesh [m].

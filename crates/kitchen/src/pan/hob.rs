@@ -109,6 +109,19 @@ impl HobDescription {
         weights(pose.at).iter().map(|w| coupling * w / whole).collect()
     }
 
+    /// Share of the power in each of the first `heated` rings about the middle of a pan that stands in its place [-], by the
+    /// rings' radii [m] and areas; the shares sum to 1.
+    pub(crate) fn shares_of_rings<const N: usize>(
+        &self,
+        radii: &[f64; N],
+        areas: &[f64; N],
+        heated: usize,
+    ) -> [f64; N] {
+        let weight = |i: usize| if i < heated { self.flux(radii[i]) * areas[i] } else { 0.0 };
+        let whole: f64 = (0..N).map(weight).sum();
+        core::array::from_fn(|i| if whole > 0.0 { weight(i) / whole } else { 0.0 })
+    }
+
     /// Flux at a distance from the ring's centre [m], not normalised.
     fn flux(&self, r: f64) -> f64 {
         let coil = self.coil.radius_mm * 1e-3;

@@ -1,9 +1,11 @@
-//! What the hob infers of the pan from its sensor under the glass: it holds a temperature with it and limits the power.
+//! What the hob's electronics do with what they measure: they hold a temperature and limit the power.
 
 use saute_food::sourced_table;
 use serde::{Deserialize, Serialize};
 
 use crate::pan::hob::HobDescription;
+use crate::pan::observed_pan::{Known, ObservedPan};
+use crate::pan::pan_class::PanClass;
 use crate::tick::low_pass::low_pass;
 
 sourced_table! {
@@ -24,49 +26,134 @@ sourced_table! {
         /// Delay of the sensor behind the glass, as a time constant [s].
         #[schemars(range(min = 0.0, max = 600.0), example = 4.0)]
         sensor_delay_s: f64,
-        /// Time between two readings of the sensor, after each of which the power is set anew [s].
-        #[schemars(range(min = 0.1, max = 60.0), example = 2.0)]
+        /// Steps in which it is read [K].
+        #[schemars(range(min = 0.0, max = 20.0), example = 0.5)]
+        sensor_step_k: f64,
+        /// Time between two settings of the power [s].
+        #[schemars(range(min = 0.1, max = 60.0), example = 1.0)]
         period_s: f64,
-        /// Power at which the floor is on average as hot as above the sensor [W]. With more power the ring, away from the
-        /// sensor, is hotter; with less the rim is colder.
-        #[schemars(range(min = 0.0, max = 1e4), example = 500.0)]
-        even_w: f64,
-        /// How much hotter the floor is on average than above the sensor, per watt above that power [K/W].
-        #[schemars(range(min = 0.0, max = 10.0), example = 0.03)]
-        ring_k_w: f64,
-        /// How much colder it may be at most, with little power [K].
-        #[schemars(range(min = 0.0, max = 200.0), example = 15.0)]
-        rim_k: f64,
-        /// Time constant with which that difference follows the power [s].
-        #[schemars(range(min = 0.1, max = 600.0), example = 20.0)]
-        ring_delay_s: f64,
-        /// Power per kelvin below the held temperature [W/K].
-        #[schemars(range(min = 0.1, max = 1e4), example = 40.0)]
-        gain_w_k: f64,
-        /// Time after which a lasting difference has doubled that power [s].
-        #[schemars(range(min = 1.0, max = 1e5), example = 60.0)]
-        reset_s: f64,
+        /// By how much the coil reads the heated ring too hot at 200 K above the room, and evenly less below [K].
+        #[schemars(range(min = -20.0, max = 20.0), example = 3.0)]
+        coil_error_k: f64,
+        /// Time constant with which what the coil measures corrects what is inferred [s].
+        #[schemars(range(min = 0.2, max = 600.0), example = 2.0)]
+        correction_s: f64,
+        /// Heat capacity and conductance of the class of pan that is named to the hob, over those of the pan [-].
+        #[schemars(range(min = 0.2, max = 5.0), example = 1.0)]
+        class_share: f64,
+        /// Loss of one face of the pan to the air that the electronics assume [W/(m²·K)].
+        #[schemars(range(min = 0.0, max = 200.0), example = 12.0)]
+        air_w_m2k: f64,
+        /// Time in which they make up for what is missing [s].
+        #[schemars(range(min = 1.0, max = 600.0), example = 8.0)]
+        settle_s: f64,
+        /// By how much the hottest place may be hotter than the temperature to hold [K].
+        #[schemars(range(min = 5.0, max = 300.0), example = 45.0)]
+        hottest_k: f64,
+        /// Heat capacities of a load between which it counts more and more as a liquid, whose temperature is to be held [J/K].
+        #[schemars(inner(range(min = 1.0, max = 1e6)), extend("examples" = [[800.0, 1500.0]]))]
+        liquid_j_k: [f64; 2],
+        /// Conductance from floor to a liquid that they assume [W/(m²·K)].
+        #[schemars(range(min = 10.0, max = 1e5), example = 1200.0)]
+        liquid_w_m2k: f64,
+        /// By how much the floor is made hotter below water that is not to boil and below oil, over what they are hotter than the
+        /// room [-].
+        #[schemars(inner(range(min = 0.0, max = 1.0)), extend("examples" = [[0.05, 0.02]]))]
+        liquid_over_share: [f64; 2],
     }
 }
 
-/// The electronics that hold a pan at a temperature: a proportional–integral controller of the floor's mean
-/// temperature, which it infers from the sensor under the middle of the glass and from the power that it gave.
+/// By how much the floor must warm until the load's heat capacity counts as learnt [K], and the time without warming after which
+/// it begins anew [s] (chosen: the floor below a steak that was put in or turned recovers by less).
+const LEARNT_K: f64 = 30.0;
+const STILL_S: f64 = 20.0;
+/// By how much a floor may cool until it no longer counts as held [K] (chosen: a steak that is put in costs less).
+const LOST_K: f64 = 50.0;
+/// How near a floor is that counts as held [K] (chosen: what the dial promises).
+const REACHED_K: f64 = 5.0;
+/// Temperature to hold that water cannot have [K] (chosen: a hob does not tell 99 °C from boiling).
+const BOILING_K: f64 = saute_food::ZERO_C + 98.0;
+/// Floor above which water does not last [K], load that counts as none [W], and the time after which the pan then holds no liquid
+/// [s] (chosen: what boils takes kilowatts, and hot oil gives off more).
+const BOILED_K: f64 = saute_food::ZERO_C + 105.0;
+const DRY_W: f64 = 25.0;
+const DRY_S: f64 = 45.0;
+
+/// The electronics that hold a pan at a temperature.
+///
+/// P = (what leaves the floor + load + C (target − floor)/settle) / efficiency, no more than takes the hottest ring to its
+/// bound; all of it inferred by an observer, so that nothing is saved up while the power is at either end of its range.
 #[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Serialize)]
 pub struct HoldControl {
     /// Temperature to hold [K]; none if the hob gives the power at which it is set.
     target: Option<f64>,
-    /// Temperature of the sensor now and at the last reading [K]; none before the first tick.
-    sensor: Option<[f64; 2]>,
-    /// Time since the last reading [s].
+    /// Temperature of the sensor [K]; none before the first tick.
+    sensor: Option<f64>,
+    /// The pan as it is inferred; none while no pan is detected.
+    pan: Option<ObservedPan>,
+    /// What is learnt of the load.
+    learnt: Learnt,
+    /// Where it stands.
+    holding: Holding,
+    /// Time since the power was set [s].
     since_s: f64,
-    /// Power as the ring's heat shows it, a low-pass of the power [W].
-    ring: f64,
-    /// Power for a lasting difference [W].
-    integral: f64,
     /// Power now [W].
     power: f64,
     /// Part of the power that the temperature limit withholds [-].
     withheld: f64,
+}
+
+/// Where a hob that holds a temperature stands.
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq, Serialize)]
+pub enum Holding {
+    /// The pan is not as hot yet.
+    #[default]
+    Warms,
+    /// The pan is as hot as it is held.
+    Reached,
+    /// Water boils in the pan, which gets hotter only without it.
+    Boils,
+}
+
+/// Heat capacity of the load, learnt while the pan warms.
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Serialize)]
+struct Learnt {
+    /// Floor at which it began to warm, and the hottest since then [K].
+    warmed: [f64; 2],
+    /// Heat into the load since it began [J].
+    heat: f64,
+    /// Time for which it has not become hotter [s].
+    still_s: f64,
+    /// Heat capacity [J/K].
+    capacity: f64,
+    /// Time for which the load has taken and given nothing [s].
+    idle_s: f64,
+}
+
+impl Learnt {
+    /// Share to which the load counts as a liquid [-].
+    fn liquid_share(&self, hold: &Hold) -> f64 {
+        let [least, whole] = hold.liquid_j_k;
+        ((self.capacity - least) / (whole - least)).clamp(0.0, 1.0)
+    }
+
+    /// Learns for `dt` [s] from the floor [K] and the load [W].
+    fn follow(&mut self, floor: f64, load_w: f64, dt: f64) {
+        let [from, top] = self.warmed;
+        self.still_s = if floor > top { 0.0 } else { self.still_s + dt };
+        self.heat += load_w * dt;
+        self.warmed[1] = floor.max(top);
+        if self.still_s > STILL_S {
+            (self.warmed, self.heat, self.still_s) = ([floor; 2], 0.0, 0.0);
+        } else if top - from > LEARNT_K {
+            self.capacity = (self.heat / (top - from)).max(0.0);
+        }
+        let is_idle = floor > BOILED_K && load_w.abs() < DRY_W;
+        self.idle_s = if is_idle { self.idle_s + dt } else { 0.0 };
+        if self.idle_s > DRY_S {
+            self.capacity = 0.0;
+        }
+    }
 }
 
 /// What the electronics meet in one tick.
@@ -74,16 +161,37 @@ pub struct HoldControl {
 pub(crate) struct HoldLoad<'a> {
     /// The hob.
     pub hob: &'a HobDescription,
+    /// Class of the pan on it.
+    pub class: &'a PanClass,
     /// Largest power to use [W].
     pub largest: f64,
     /// Power that the hob gives now [W].
     pub given: f64,
     /// Temperature of the glass above the sensor [K].
     pub glass: f64,
+    /// Mean temperature of the heated ring; none if the hob detects no pan [K].
+    pub ring: Option<f64>,
+    /// True if water boils in the pan.
+    pub boils: bool,
     /// Temperature of the room [K].
     pub room: f64,
-    /// True if the hob detects a pan.
-    pub detected: bool,
+}
+
+impl HoldLoad<'_> {
+    /// What is known with a load of which a `liquid` share counts as a liquid [-].
+    fn known(&self, ring: f64, liquid: f64) -> Known<'_> {
+        let hold = &self.hob.hold;
+        Known {
+            class: self.class,
+            glass: &self.hob.glass,
+            air_w_m2k: hold.air_w_m2k,
+            room: self.room,
+            ring: ring + hold.coil_error_k * (ring - self.room) / 200.0,
+            heat_w: self.hob.coil.efficiency * self.given,
+            liquid_w_m2k: liquid * hold.liquid_w_m2k,
+            correction_s: hold.correction_s,
+        }
+    }
 }
 
 impl HoldControl {
@@ -92,12 +200,16 @@ impl HoldControl {
         self.target
     }
 
-    /// Sets the temperature to hold [K], or none. A new temperature keeps what the control has learnt.
+    /// Sets the temperature to hold [K], or none. What is inferred of the pan stays.
     pub(crate) fn set(&mut self, target: Option<f64>) {
-        *self = match (self.target, target) {
-            (Some(_), Some(_)) => Self { target, ..*self },
-            _ => Self { target, integral: 0.0, power: 0.0, ..*self },
-        };
+        let power = if self.target.is_some() && target.is_some() { self.power } else { 0.0 };
+        let holding = if self.target == target { self.holding } else { Holding::Warms };
+        *self = Self { target, power, holding, ..*self };
+    }
+
+    /// Where it stands; none if it holds no temperature.
+    pub(crate) fn holding(&self) -> Option<Holding> {
+        self.target.map(|_| self.holding)
     }
 
     /// Share of the power that the temperature limit leaves [-].
@@ -110,69 +222,66 @@ impl HoldControl {
         if self.target.is_some() { self.power } else { set }
     }
 
-    /// Advances the sensor by a tick of `dt` [s] and sets the power after each reading. Without a pan there is no power and
-    /// the integral waits.
+    /// Advances what is measured and inferred by a tick of `dt` [s], and sets the power after each period. Without a pan
+    /// there is no power.
     pub(crate) fn advance(&mut self, load: &HoldLoad, dt: f64) {
         let hold = &load.hob.hold;
-        let [before, last] = self.sensor.unwrap_or([load.glass; 2]);
-        let mut now = before;
-        low_pass(&mut now, load.glass, hold.sensor_delay_s, dt);
+        let sensor = self.sensor.get_or_insert(load.glass);
+        low_pass(sensor, load.glass, hold.sensor_delay_s, dt);
+        let Some(ring) = load.ring else {
+            (self.pan, self.learnt, self.power, self.withheld) = (None, Learnt::default(), 0.0, 0.0);
+            return;
+        };
+        let known = load.known(ring, self.learnt.liquid_share(hold));
+        let read = stepped(*sensor, hold.sensor_step_k);
+        let pan = self.pan.get_or_insert_with(|| ObservedPan::first_seen(known.ring, read));
+        pan.advance(&known, dt);
         self.since_s += dt;
-        low_pass(&mut self.ring, load.given, hold.ring_delay_s, dt);
-        let reads = self.since_s >= hold.period_s - 0.5 * dt;
-        if let Some(target) = self.target.filter(|_| reads) {
-            self.read(load, target, [now, last]);
-        }
-        if reads {
-            self.withheld = load.hob.withheld(self.floor(load, [now, last]));
+        if self.since_s >= hold.period_s - 0.5 * dt {
+            self.set_power(load, &known);
             self.since_s = 0.0;
         }
-        self.sensor = Some([now, if reads { now } else { last }]);
-        if !load.detected {
-            self.power = 0.0;
-        }
     }
 
-    /// Mean temperature of the floor, inferred from the power, the sensor and its last reading [K].
-    fn floor(&self, load: &HoldLoad, [sensor, last]: [f64; 2]) -> f64 {
-        let hold = &load.hob.hold;
-        let rate = (sensor - last) / hold.period_s;
-        let over_middle = (hold.ring_k_w * (self.ring - hold.even_w)).max(-hold.rim_k);
-        load.hob.pan_above_sensor(sensor, rate, load.room) + over_middle
+    fn set_power(&mut self, load: &HoldLoad, known: &Known) {
+        let Some(pan) = self.pan else { return };
+        let (hold, class) = (&load.hob.hold, load.class);
+        let floor = pan.floor(class);
+        self.withheld = load.hob.withheld(floor);
+        self.learnt.follow(floor, pan.load_w, self.since_s);
+        let Some(target) = self.target else { return };
+        let aim = self.aim(load, target);
+        let missing = aim - floor;
+        self.holding = match self.holding {
+            _ if load.boils && target > BOILING_K => Holding::Boils,
+            Holding::Reached if missing < LOST_K => Holding::Reached,
+            _ if missing < REACHED_K => Holding::Reached,
+            _ => Holding::Warms,
+        };
+        let wanted = pan.kept_by(known) + class.floor_capacity * missing / hold.settle_s;
+        let bound = pan.hottest_within(known, target + hold.hottest_k, 0.5 * hold.settle_s);
+        self.power = (wanted.min(bound) / load.hob.coil.efficiency).clamp(0.0, load.largest);
     }
 
-    /// Sets the power after a reading of the sensor, given with the reading before [K].
-    fn read(&mut self, load: &HoldLoad, target: f64, [sensor, last]: [f64; 2]) {
+    /// Temperature that the floor is to have [K]: that of the dial, and below a liquid more, by which it makes up for what the
+    /// liquid loses to the air.
+    fn aim(&self, load: &HoldLoad, target: f64) -> f64 {
         let hold = &load.hob.hold;
-        let missing = target - self.floor(load, [sensor, last]);
-        let proportional = hold.gain_w_k * missing;
-        let integral = self.integral + proportional * hold.period_s / hold.reset_s;
-        let wanted = proportional + integral;
-        // At either end of the range the integral rests, or the pan would overshoot.
-        if load.detected && (0.0..=load.largest).contains(&wanted) {
-            self.integral = integral;
-        }
-        self.power = (proportional + self.integral).clamp(0.0, load.largest);
+        let [water, oil] = hold.liquid_over_share;
+        let over = if target < BOILING_K { water } else { oil } * (target - load.room).max(0.0);
+        target + over * self.learnt.liquid_share(hold)
     }
 }
 
-impl HobDescription {
-    /// Temperature of the pan above the sensor, inferred from the sensor [K] and the rate at which it rises [K/s]. In
-    /// steady state the glass is colder than the pan by what it loses downwards; while it warms, it and the sensor lag.
-    pub(crate) fn pan_above_sensor(&self, sensor: f64, rate: f64, room: f64) -> f64 {
-        let glass = &self.glass;
-        let offset = glass.loss_w_m2k / glass.gap_conductance_w_m2k * (sensor - room);
-        sensor + offset + self.lag() * rate
-    }
+/// A reading in steps [K].
+fn stepped(value: f64, step: f64) -> f64 {
+    if step > 0.0 { libm::round(value / step) * step } else { value }
+}
 
+impl HobDescription {
     /// Part of the power that the temperature limit withholds from a floor at `floor` [K]; it grows evenly to all of it at
     /// the limit [-].
     fn withheld(&self, floor: f64) -> f64 {
         (1.0 - (self.control.limit_c - crate::celsius(floor)) / self.control.resume_k).clamp(0.0, 1.0)
-    }
-
-    /// Time by which the sensor lags behind the pan [s].
-    fn lag(&self) -> f64 {
-        self.glass.areal_capacity_j_m2k / self.glass.gap_conductance_w_m2k + self.hold.sensor_delay_s
     }
 }

@@ -9,6 +9,8 @@ pub mod hob;
 pub mod hold;
 pub mod lid;
 pub(crate) mod near_pan;
+pub(crate) mod observed_pan;
+pub(crate) mod pan_class;
 pub mod pan_description;
 pub mod pan_model;
 pub mod ridges;

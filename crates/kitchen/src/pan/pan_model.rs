@@ -16,6 +16,7 @@ use crate::pan::bed::Bed;
 use crate::pan::cloth::Cloth;
 use crate::pan::hob::{HobDescription, PanPose};
 use crate::pan::lid::Lid;
+use crate::pan::pan_class::PanClass;
 use crate::pan::pan_description::PanDescription;
 use crate::pan::ridges::Ridges;
 use crate::tick::event::EventLog;
@@ -42,6 +43,8 @@ pub struct PanModel {
     pub ridges: Option<Ridges>,
     /// Model of the liquids on it.
     pub liquids: LiquidModel,
+    /// The class of pan that is named to the hob.
+    pub(crate) class: PanClass,
     pub(crate) capacity: Vec<f64>,
     graph: Graph,
     conduction: Conduction,
@@ -188,6 +191,7 @@ impl PanModel {
             steepest: areas.iter().map(|a| a * (STEEPEST_AIR_LOSS + hob.glass.gap_conductance_w_m2k)).collect(),
             floor_area: areas[..floor_nodes].iter().sum(),
             locator: Locator::new(&section),
+            class: PanClass::of(description, hob),
             description: description.clone(),
             ridges,
             floor_nodes,
@@ -235,6 +239,13 @@ impl PanModel {
     pub fn floor_temperature(&self, state: &PanState) -> f64 {
         let sum: f64 = state.temperature[..self.floor_nodes].iter().zip(&self.section.areas).map(|(t, a)| t * a).sum();
         sum / self.floor_area
+    }
+
+    /// Mean temperature of the metal as the hob's coil meets it, by the shares of its power; none off the ring [K].
+    pub(crate) fn heated_temperature(&self, state: &PanState) -> Option<f64> {
+        let whole: f64 = state.ring_shares.iter().sum();
+        let sum: f64 = state.temperature.iter().zip(&state.ring_shares).map(|(t, share)| t * share).sum();
+        (whole > 0.0).then(|| sum / whole)
     }
 
     /// Heat stored above 0 °C in metal, liquids and lid [J].
@@ -310,6 +321,9 @@ impl PanModel {
         solver.capacity.extend(self.capacity.iter().zip(&liquids.oil.capacity).map(|(metal, oil)| metal + oil));
         for _ in 0..steps as usize {
             self.step(state, solver, load, cloth, dt / steps, &mut total);
+        }
+        if load.rules == Rules::Full {
+            self.liquids.mix_oil(&state.liquids, &solver.capacity, &mut state.temperature, dt);
         }
         self.finish(state, solver, load, events, dt, &mut total);
         state.peak.iter_mut().zip(&state.temperature).for_each(|(peak, t)| *peak = peak.max(*t));

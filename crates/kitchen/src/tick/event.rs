@@ -24,11 +24,15 @@ pub enum EventKind {
     SteamReleased,
     /// A food is halved on the board; amount: its mass [kg].
     Halved,
+    /// The hob says that the pan is as hot as it is to be held; amount: that temperature [K].
+    DialReached,
+    /// Water boils in a pan that is to be held hotter; amount: that temperature [K].
+    BoilsBelowDial,
 }
 
 impl EventKind {
     /// All kinds in declaration order.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 10] = [
         Self::Spatter,
         Self::Pop,
         Self::SmokeBegins,
@@ -37,16 +41,24 @@ impl EventKind {
         Self::WaterInHotOil,
         Self::SteamReleased,
         Self::Halved,
+        Self::DialReached,
+        Self::BoilsBelowDial,
     ];
 
     /// Returns true if the amounts are masses, which add up; temperatures do not.
     pub fn is_additive(self) -> bool {
-        !matches!(self, Self::SmokeBegins | Self::FlashPoint | Self::Fire)
+        let of_temperature = Self::SmokeBegins == self || Self::DialReached == self || Self::BoilsBelowDial == self;
+        !of_temperature && !self.is_fire_hazard()
     }
 
-    /// Returns true if the event is a fire hazard; summaries warn of it.
+    /// Returns true if the event is a fire hazard.
     pub fn is_fire_hazard(self) -> bool {
         matches!(self, Self::FlashPoint | Self::Fire)
+    }
+
+    /// Returns true if summaries warn of it.
+    pub fn warns(self) -> bool {
+        self.is_fire_hazard() || self == Self::BoilsBelowDial
     }
 
     /// Returns advice for the cook, or `None` if the event is harmless.
@@ -56,7 +68,8 @@ impl EventKind {
             Self::FlashPoint => Some("the oil passed its flash point: turn the hob off and take the pan off it"),
             Self::Fire => Some("the oil burned: take the pan off the hob and put the lid on, never water"),
             Self::WaterInHotOil => Some("water went into hot oil: it spatters and can burn you"),
-            Self::Spatter | Self::Pop | Self::SteamReleased | Self::Halved => None,
+            Self::BoilsBelowDial => Some("water boils in the pan: it gets as hot as it is set only without it"),
+            Self::Spatter | Self::Pop | Self::SteamReleased | Self::Halved | Self::DialReached => None,
         }
     }
 }

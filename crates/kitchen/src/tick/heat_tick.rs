@@ -15,10 +15,11 @@ use crate::hands::command::RestOn;
 use crate::kitchen::{Fixed, Kitchen};
 use crate::liquids::water_film::WATER_SPECIFIC_HEAT;
 use crate::pan::hob::PanPose;
-use crate::pan::hold::HoldLoad;
+use crate::pan::hold::{HoldLoad, Holding};
 use crate::pan::pan_model::{LEVEL, PanLoad, PanState};
 use crate::piece::food_contact::{self, Touching};
 use crate::piece::piece_state::{Piece, Place, Under};
+use crate::tick::event::{Event, EventKind};
 use crate::tick::lapse::Lapse;
 use crate::tick::low_pass::low_pass;
 use crate::{TICK_S, kelvin};
@@ -96,16 +97,34 @@ impl Kitchen {
 
     /// Advances the electronics that hold the pan at a temperature.
     fn hold_pan_temperature(&mut self, fixed: &Fixed, lapse: Lapse) {
+        let detected = self.cloth.is_none() && fixed.hob.detects(&self.pan.pose);
         let load = HoldLoad {
             hob: &fixed.hob,
+            class: &fixed.pan.class,
             largest: self.hob_w,
             given: self.hob_drawn_w(),
             // The sensor sits in the centre of the coil; node 0 lies above it.
             glass: self.pan.glass[0],
+            ring: if detected { fixed.pan.heated_temperature(&self.pan) } else { None },
+            boils: self.pan.liquids.boils(),
             room: fixed.room.temperature(),
-            detected: self.cloth.is_none() && fixed.hob.detects(&self.pan.pose),
         };
+        let before = self.hold.holding();
         self.hold.advance(&load, lapse.s());
+        if self.hold.holding() != before {
+            self.tell_of_hold();
+        }
+    }
+
+    /// The hob says where it stands.
+    fn tell_of_hold(&mut self) {
+        let kind = match self.hold.holding() {
+            Some(Holding::Reached) => EventKind::DialReached,
+            Some(Holding::Boils) => EventKind::BoilsBelowDial,
+            Some(Holding::Warms) | None => return,
+        };
+        let amount = self.hold.target().unwrap_or_default();
+        self.events.push(Event { time_s: self.clock.tick_start_s(), kind, at: [0.0; 3], amount });
     }
 
     fn lift_off_cloth(&mut self, lapse: Lapse) {

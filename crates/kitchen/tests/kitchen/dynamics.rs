@@ -161,7 +161,10 @@ fn a_toss_waits_for_the_turner() {
         }
         assert!(kitchen.pieces()[0].up()[2] * up < 0.0, "turned by the turner, {ticks} ticks");
         settle(&mut kitchen);
-        assert!(kitchen.pieces()[0].in_pan() && kitchen.pieces()[0].up()[2] * up > 0.0, "and by the toss, {ticks} ticks");
+        assert!(
+            kitchen.pieces()[0].in_pan() && kitchen.pieces()[0].up()[2] * up > 0.0,
+            "and by the toss, {ticks} ticks"
+        );
     }
 }
 

@@ -1,9 +1,8 @@
 //! Promise: the hob does what hobs do: low settings are switched, a lifted pan or one off its ring gets nothing, an
 //! overheated one is limited; and the rules of 2013 are there for comparison, labelled.
 
-use saute_kitchen::advice::NoPower;
 use saute_kitchen::food::Rules;
-use saute_kitchen::{Command, Kitchen, MeshSize, OutlineKind, PieceOrder, celsius, kelvin};
+use saute_kitchen::{Command, Kitchen, celsius, kelvin};
 use saute_recipe::{Cook, Recipe};
 
 use crate::stove::{library, run};
@@ -96,98 +95,4 @@ fn the_rules_of_2013_are_followed_and_labelled() {
     assert!(old.kitchen.energy().imbalance.abs() < 1e-6 * old.kitchen.energy().hob);
     let stages = &old.kitchen.pieces()[0].state.browning;
     assert!(stages.iter().all(|b| [0.0, 0.25, 0.5, 0.75, 1.0].contains(b)));
-}
-
-fn hold(kitchen: &mut Kitchen, celsius: f64) {
-    kitchen.apply(&Command::HobHold { temperature: kelvin(celsius), power: 2000.0 }).expect("holds");
-}
-
-/// Differences of the floor's mean from 180 °C over so many seconds, the lowest and the highest [K].
-fn range(kitchen: &mut Kitchen, seconds: usize) -> [f64; 2] {
-    let mut range = [f64::MAX, f64::MIN];
-    for _ in 0..seconds {
-        run(kitchen, 1.0);
-        let difference = celsius(kitchen.pan_temperature()) - 180.0;
-        range = [range[0].min(difference), range[1].max(difference)];
-    }
-    range
-}
-
-/// T1–T3 of the validation keep a heavy pan at a temperature: a cold steak costs it little, and for a short time.
-#[test]
-fn a_hob_holds_a_heavy_pan_at_a_temperature_with_a_steak_in_it() {
-    let library = library();
-    let mut kitchen = Kitchen::new(&library, "cast-iron-26", kelvin(180.0)).expect("pan");
-    let steak = PieceOrder {
-        id: "steak".into(),
-        kind: "beef-lean".into(),
-        size: [0.12, 0.08, 0.02],
-        temperature: kelvin(5.0),
-        seed: 1,
-        coarseness: 2.5,
-        rules: Rules::Full,
-        mesh: MeshSize::Default,
-        outline: OutlineKind::Plain,
-    };
-    kitchen.add(&library, &steak).expect("food");
-    hold(&mut kitchen, 180.0);
-    assert_eq!(kitchen.hob_holds(), Some(kelvin(180.0)));
-    run(&mut kitchen, 120.0);
-    kitchen.apply(&Command::Put { food: "steak".into(), at: [0.0, 0.0], heap: false }).expect("put");
-    for turn in 0..2 {
-        let (first, then) = (range(&mut kitchen, 120), range(&mut kitchen, 180));
-        assert!(first[0] > -20.0 && first[1] < 20.0, "side {turn}: {first:?} K");
-        assert!(then[0] > -10.0 && then[1] < 10.0, "side {turn}: {then:?} K");
-        kitchen.apply(&Command::Flip { food: "steak".into() }).expect("flip");
-    }
-    let energy = kitchen.energy();
-    assert!(energy.imbalance.abs() < 1e-6 * energy.hob, "{energy:?}");
-    // A plain power ends it.
-    kitchen.apply(&Command::Hob(700.0)).expect("power");
-    assert_eq!((kitchen.hob_holds(), kitchen.hob_drawn_w().round()), (None, 700.0));
-}
-
-#[test]
-fn a_hob_that_holds_a_pan_is_off_above_its_temperature_and_on_below() {
-    let mut kitchen = empty_pan(230.0, 0.0);
-    run(&mut kitchen, 60.0);
-    hold(&mut kitchen, 100.0);
-    run(&mut kitchen, 20.0);
-    let c = celsius(kitchen.pan_temperature());
-    assert!(c > 115.0, "{c} °C");
-    assert_eq!((kitchen.energy().hob, kitchen.hob_drawn_w()), (0.0, 0.0));
-    assert_eq!(NoPower::of(&kitchen), None, "as hot as it is held");
-    hold(&mut kitchen, 230.0);
-    run(&mut kitchen, 30.0);
-    assert!(kitchen.energy().hob > 10_000.0, "{} J", kitchen.energy().hob);
-}
-
-#[test]
-fn a_hob_that_holds_a_pan_gives_nothing_to_a_lifted_one_and_goes_on_when_it_is_back() {
-    let mut kitchen = empty_pan(150.0, 0.0);
-    hold(&mut kitchen, 200.0);
-    run(&mut kitchen, 30.0);
-    kitchen.apply(&Command::MovePan { at: [0.0, 0.0], lift: 0.05 }).expect("moves");
-    run(&mut kitchen, 2.0);
-    let lifted = kitchen.energy().hob;
-    run(&mut kitchen, 60.0);
-    assert_eq!((kitchen.energy().hob, kitchen.hob_drawn_w()), (lifted, 0.0));
-    assert_eq!(NoPower::of(&kitchen), Some(NoPower::Lifted));
-    kitchen.apply(&Command::MovePan { at: [0.0, 0.0], lift: 0.0 }).expect("moves");
-    run(&mut kitchen, 180.0);
-    assert!(kitchen.energy().hob > lifted);
-    let energy = kitchen.energy();
-    assert!(energy.imbalance.abs() < 1e-6 * energy.hob, "{energy:?}");
-    let c = celsius(kitchen.pan_temperature());
-    assert!((170.0..230.0).contains(&c), "no power was saved up for it: {c} °C");
-}
-
-#[test]
-fn a_hob_holds_only_temperatures_and_powers_of_its_range() {
-    let mut kitchen = empty_pan(20.0, 0.0);
-    for (celsius, power) in [(49.0, 2000.0), (231.0, 2000.0), (f64::NAN, 2000.0), (180.0, 9000.0), (180.0, f64::NAN)] {
-        let refused = kitchen.apply(&Command::HobHold { temperature: kelvin(celsius), power });
-        assert!(refused.is_err(), "{celsius} °C, {power} W");
-    }
-    assert_eq!((kitchen.hob_holds(), kitchen.hob_w()), (None, 0.0));
 }

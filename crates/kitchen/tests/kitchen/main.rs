@@ -12,6 +12,7 @@ mod frying;
 mod goals;
 mod heat_tint;
 mod hob;
+mod hold;
 mod inside_colour;
 mod kitchen;
 mod liquids;

@@ -347,7 +347,7 @@ impl Summary {
         let pieces = kitchen.pieces().iter().zip(masses_at_start).enumerate();
         let foods: Vec<FoodSummary> =
             pieces.map(|(i, (p, m))| FoodSummary { group: group_of(i), ..FoodSummary::new(p, *m, scales) }).collect();
-        let dangers = kitchen.events().tallies().filter(|t| t.kind.is_fire_hazard()).filter_map(|t| t.kind.advice());
+        let dangers = kitchen.events().tallies().filter(|t| t.kind.warns()).filter_map(|t| t.kind.advice());
         let dangers = dangers.map(str::to_owned);
         let blocked = kitchen.blocked().into_iter();
         let blocked =

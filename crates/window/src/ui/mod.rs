@@ -1,5 +1,6 @@
 //! Theme, layout and the scene's part of the window.
 
+pub mod bell;
 pub mod fingers;
 pub mod glance;
 pub mod interface_size;

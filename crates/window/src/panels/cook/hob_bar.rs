@@ -3,12 +3,13 @@
 use egui::{RichText, Ui};
 use saute_kitchen::advice::Advice;
 use saute_kitchen::doneness::core_class;
-use saute_kitchen::{Place, celsius};
+use saute_kitchen::{EventKind, Holding, Place, celsius};
 
 use crate::act::{Act, Acts, CookAct, TimeAct};
 use crate::panels::cook::act_button::{button, pressed, why_off};
 use crate::panels::cook::{hob_slider, pour, status, time_strip};
 use crate::panels::window_state::WindowState;
+use crate::ui::bell::{self, Bell};
 use crate::ui::theme;
 use saute_session::SPEEDS;
 use saute_words::clock::clock;
@@ -16,6 +17,10 @@ use saute_words::clock::clock;
 /// Height of a control for a mouse, and space at the sides of its text [points].
 const DESK: f32 = 36.0;
 const DESK_PADDING: f32 = 8.0;
+
+/// Size of the bell of a pan that is as hot as it is held [points], and how long it rings [simulated s] (chosen).
+const BELL: f32 = 20.0;
+const RINGS_S: f64 = 10.0;
 
 /// Size of the strip of time [points].
 const STRIP: egui::Vec2 = egui::vec2(470.0, 18.0);
@@ -103,6 +108,11 @@ fn hold(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
         }
     });
     shown.response.on_hover_text(hint);
+    if kitchen.holding() == Some(Holding::Reached) {
+        let since = kitchen.time_s() - kitchen.events().tally(EventKind::DialReached).last_s;
+        let moves = !state.settings.moves_less();
+        bell::show(ui, &Bell { size: BELL, spoken: l.text("hob.hold_reached"), rings: since < RINGS_S, moves });
+    }
 }
 
 fn hands(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {

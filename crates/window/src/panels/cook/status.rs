@@ -1,8 +1,8 @@
 //! A line of words under the controls: what is in the pan, why the hob gives no power, and how far the recipe is.
 
 use egui::{Label, RichText, Ui, vec2};
-use saute_kitchen::Kitchen;
 use saute_kitchen::advice::NoPower;
+use saute_kitchen::{EventKind, Holding, Kitchen};
 
 use crate::act::{Act, Acts, CookAct};
 use crate::input::pouring::{danger, in_the_pan};
@@ -18,6 +18,10 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let kitchen = &state.session.kitchen;
     if let Some(key) = no_power(kitchen) {
         said(ui, RichText::new(l.text(key)).color(theme::of(ui).accent).strong());
+    }
+    if kitchen.holding() == Some(Holding::Boils) {
+        let text = EventKind::BoilsBelowDial.advice().unwrap_or_default();
+        said(ui, RichText::new(l.called("event", text)).color(theme::of(ui).accent).strong());
     }
     if let Some(text) = danger(kitchen, l) {
         said(ui, RichText::new(text).color(theme::of(ui).accent).strong());

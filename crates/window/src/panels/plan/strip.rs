@@ -1,6 +1,6 @@
 //! The strip over the scene in a cook that follows a plan: the next step with its time, its cue and a bell, and what it gave in the end.
 
-use egui::{Align2, Area, Color32, Id, Pos2, Rect, RichText, Stroke, Ui, pos2, vec2};
+use egui::{Align2, Area, Id, RichText, Stroke, Ui, pos2, vec2};
 use saute_plan::goal::Outcome;
 use saute_plan::schedule::Deed;
 use saute_plan::schedule::follow::{Followed, LATE_S, Left};
@@ -9,6 +9,7 @@ use saute_plan::schedule::voice::Keeping;
 use crate::act::{Act, Acts, AppAct, Card, LearnAct, TimeAct};
 use crate::panels::window_state::WindowState;
 use crate::plan::PlanAct;
+use crate::ui::bell::{self, Bell};
 use crate::ui::layout::{GAP, Layout};
 use crate::ui::{fingers, theme};
 use saute_session::plan::live::{Guidance, Live, READY_S};
@@ -21,11 +22,9 @@ const WIDTH: f32 = 600.0;
 const HEIGHT: f32 = 148.0;
 /// Its height where the buttons stand on a line of their own [points].
 const NARROW_HEIGHT: f32 = 192.0;
-/// Swings of the bell, and how far it turns [Hz, rad] (chosen).
-const SWINGS_HZ: f64 = 2.5;
-const SWING: f32 = 0.35;
-/// Height of a button [points].
+/// Height of a button, and of the bell [points].
 const BUTTON: f32 = 34.0;
+const BELL: f32 = 28.0;
 
 /// Shows the strip where a cook follows a plan; returns the layout for messages, which stand below it.
 pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, layout: &Layout) -> Layout {
@@ -60,7 +59,9 @@ fn next(state: &WindowState, live: &Live, guidance: &Guidance, ui: &mut Ui, acts
     let due_in_s = guidance.due_in_s().unwrap_or_default();
     let deeds = cue_words::deeds(&guidance.next, l);
     ui.horizontal(|ui| {
-        bell(state, ui, due_in_s <= 0.0);
+        let rings = due_in_s <= 0.0;
+        let spoken = state.settings.language.text(if rings { "plan.bell_rings" } else { "plan.bell_waits" });
+        bell::show(ui, &Bell { size: BELL, spoken, rings, moves: !state.settings.moves_less() });
         ui.label(RichText::new(&deeds).size(18.0).strong());
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| countdown(state, guidance, ui));
     });
@@ -193,33 +194,4 @@ fn verdict(state: &WindowState, live: &Live, gave: &Outcome, ui: &mut Ui, acts: 
         }
         leave(state, ui, acts);
     });
-}
-
-/// A bell, which swings while a step is due; it stands still where nothing is to move.
-fn bell(state: &WindowState, ui: &mut Ui, rings: bool) {
-    let (rect, response) = ui.allocate_exact_size(vec2(28.0, 28.0), egui::Sense::hover());
-    let l = state.settings.language;
-    let spoken = l.text(if rings { "plan.bell_rings" } else { "plan.bell_waits" });
-    response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Image, true, spoken));
-    let palette = theme::of(ui);
-    let ink = if rings { palette.accent } else { palette.quiet };
-    let swings = rings && !state.settings.moves_less();
-    let angle = if swings {
-        ui.ctx().request_repaint();
-        SWING * (std::f64::consts::TAU * SWINGS_HZ * ui.input(|i| i.time)).sin() as f32
-    } else {
-        0.0
-    };
-    paint_bell(ui, rect, ink, angle);
-}
-
-fn paint_bell(ui: &Ui, rect: Rect, ink: Color32, angle: f32) {
-    let top = rect.center_top() + vec2(0.0, 3.0);
-    let turned = |x: f32, y: f32| top + egui::emath::Rot2::from_angle(angle) * vec2(x, y);
-    let side = [(2.0, 1.0), (6.0, 5.0), (7.0, 13.0), (10.0, 18.0)];
-    let right = side.iter().map(|(x, y)| turned(*x, *y));
-    let left = side.iter().rev().map(|(x, y)| turned(-*x, *y));
-    let outline: Vec<Pos2> = right.chain(left).collect();
-    ui.painter().add(egui::Shape::convex_polygon(outline, ink, Stroke::NONE));
-    ui.painter().circle_filled(turned(0.0, 20.5), 2.8, ink);
 }
