@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use saute_food::sourced_table;
 
 use crate::pan::hold::Hold;
+use crate::pan::overheat::Overheat;
 
 sourced_table! {
     /// Coil of an induction hob.
@@ -81,6 +82,8 @@ pub struct HobDescription {
     pub control: Control,
     /// Glass.
     pub glass: Glass,
+    /// Inferring that a pan overheats.
+    pub overheat: Overheat,
     /// Holding a pan at a temperature.
     pub hold: Hold,
 }

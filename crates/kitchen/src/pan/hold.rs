@@ -5,8 +5,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::pan::hob::HobDescription;
 use crate::pan::observed_pan::{Known, ObservedPan};
+use crate::pan::overheat::OverheatLimit;
 use crate::pan::pan_class::PanClass;
-use crate::tick::low_pass::low_pass;
 
 sourced_table! {
     /// How the hob holds a pan at a temperature.
@@ -65,7 +65,7 @@ sourced_table! {
 
 /// By how much the floor must warm until the load's heat capacity counts as learnt [K], and the time without warming after which
 /// it begins anew [s] (chosen: the floor below a steak that was put in or turned recovers by less).
-const LEARNT_K: f64 = 30.0;
+const LEARNT_K: f64 = 20.0;
 const STILL_S: f64 = 20.0;
 /// By how much a floor may cool until it no longer counts as held [K] (chosen: a steak that is put in costs less).
 const LOST_K: f64 = 50.0;
@@ -87,8 +87,8 @@ const DRY_S: f64 = 45.0;
 pub struct HoldControl {
     /// Temperature to hold [K]; none if the hob gives the power at which it is set.
     target: Option<f64>,
-    /// Temperature of the sensor [K]; none before the first tick.
-    sensor: Option<f64>,
+    /// The sensor, and what it tells of a pan that gets a set power.
+    limit: OverheatLimit,
     /// The pan as it is inferred; none while no pan is detected.
     pan: Option<ObservedPan>,
     /// What is learnt of the load.
@@ -226,14 +226,18 @@ impl HoldControl {
     /// there is no power.
     pub(crate) fn advance(&mut self, load: &HoldLoad, dt: f64) {
         let hold = &load.hob.hold;
-        let sensor = self.sensor.get_or_insert(load.glass);
-        low_pass(sensor, load.glass, hold.sensor_delay_s, dt);
+        self.limit.advance(load.hob, (load.glass, load.given, load.room), dt);
+        if self.target.is_none()
+            && let Some(floor) = self.limit.floor
+        {
+            self.withheld = load.hob.withheld(floor);
+        }
         let Some(ring) = load.ring else {
-            (self.pan, self.learnt, self.power, self.withheld) = (None, Learnt::default(), 0.0, 0.0);
+            (self.pan, self.learnt, self.power) = (None, Learnt::default(), 0.0);
             return;
         };
         let known = load.known(ring, self.learnt.liquid_share(hold));
-        let read = stepped(*sensor, hold.sensor_step_k);
+        let read = stepped(self.limit.sensor().unwrap_or(load.glass), hold.sensor_step_k);
         let pan = self.pan.get_or_insert_with(|| ObservedPan::first_seen(known.ring, read));
         pan.advance(&known, dt);
         self.since_s += dt;
@@ -247,9 +251,9 @@ impl HoldControl {
         let Some(pan) = self.pan else { return };
         let (hold, class) = (&load.hob.hold, load.class);
         let floor = pan.floor(class);
-        self.withheld = load.hob.withheld(floor);
         self.learnt.follow(floor, pan.load_w, self.since_s);
         let Some(target) = self.target else { return };
+        self.withheld = load.hob.withheld(floor);
         let aim = self.aim(load, target);
         let missing = aim - floor;
         self.holding = match self.holding {
