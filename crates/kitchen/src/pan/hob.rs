@@ -122,7 +122,8 @@ impl HobDescription {
     ) -> [f64; N] {
         let weight = |i: usize| if i < heated { self.flux(radii[i]) * areas[i] } else { 0.0 };
         let whole: f64 = (0..N).map(weight).sum();
-        core::array::from_fn(|i| if whole > 0.0 { weight(i) / whole } else { 0.0 })
+        // A coil smaller than the first ring heats that.
+        core::array::from_fn(|i| if whole > 0.0 { weight(i) / whole } else { f64::from(u8::from(i == 0)) })
     }
 
     /// Flux at a distance from the ring's centre [m], not normalised.

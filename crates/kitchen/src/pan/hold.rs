@@ -134,7 +134,7 @@ impl Learnt {
     /// Share to which the load counts as a liquid [-].
     fn liquid_share(&self, hold: &Hold) -> f64 {
         let [least, whole] = hold.liquid_j_k;
-        ((self.capacity - least) / (whole - least)).clamp(0.0, 1.0)
+        ((self.capacity - least) / (whole - least).max(1.0)).clamp(0.0, 1.0)
     }
 
     /// Learns for `dt` [s] from the floor [K] and the load [W].

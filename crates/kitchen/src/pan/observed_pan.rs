@@ -100,8 +100,8 @@ impl ObservedPan {
     fn warm_glass(&mut self, known: &Known, dt: f64) {
         let glass = known.glass;
         for (t, ring) in self.glass.iter_mut().zip(&self.rings) {
-            let gained = glass.gap_conductance_w_m2k * (ring - *t) - glass.loss_w_m2k * (*t - known.room);
-            *t += gained * dt / glass.areal_capacity_j_m2k;
+            let (stored, gap, loss) = (glass.areal_capacity_j_m2k / dt, glass.gap_conductance_w_m2k, glass.loss_w_m2k);
+            *t = (stored * *t + gap * ring + loss * known.room) / (stored + gap + loss);
         }
     }
 

@@ -135,7 +135,8 @@ fn a_kitchen_restored_at_any_instant_goes_on_as_the_one_that_never_stopped() {
         }
     }
     println!("of {} instants: gesture, tool, lid, cloth, halved at {seen:?}", count("SAUTE_RANDOM_INSTANTS", 20));
-    assert!(count("SAUTE_RANDOM_INSTANTS", 20) < DEEDS || seen.iter().all(|seen| *seen > 0), "{seen:?}");
+    // Twenty draws may miss one of them; hundreds, as in the campaign, do not.
+    assert!(count("SAUTE_RANDOM_INSTANTS", 20) < 10 * DEEDS || seen.iter().all(|seen| *seen > 0), "{seen:?}");
 }
 
 /// Without the models of the kitchen that was stored they are built again, the halved ones too.
