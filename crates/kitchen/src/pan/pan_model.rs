@@ -307,7 +307,9 @@ impl PanModel {
         events: &mut EventLog,
         dt: f64,
     ) -> PanExchange {
-        let limit = 0.8 * self.conduction.stable_step_with(&self.capacity, &self.steepest);
+        let glass = &load.hob.glass;
+        let of_glass = 0.5 * glass.areal_capacity_j_m2k / (glass.gap_conductance_w_m2k + glass.loss_w_m2k);
+        let limit = (0.8 * self.conduction.stable_step_with(&self.capacity, &self.steepest)).min(of_glass);
         let steps = libm::ceil(dt / limit).clamp(1.0, 1000.0);
         state.limited = if load.rules == Rules::Paper2013 { limited_2013(state, load) } else { load.limited };
         let mut total = PanExchange::default();
