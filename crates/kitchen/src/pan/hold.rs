@@ -118,8 +118,8 @@ pub enum Holding {
 /// Heat capacity of the load, learnt while the pan warms.
 #[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Serialize)]
 struct Learnt {
-    /// Floor at which it began to warm, and the hottest since then [K].
-    warmed: [f64; 2],
+    /// Floor at which it began to warm, and the hottest since then [K]; none before the first reading.
+    warmed: Option<[f64; 2]>,
     /// Heat into the load since it began [J].
     heat: f64,
     /// Time for which it has not become hotter [s].
@@ -139,12 +139,12 @@ impl Learnt {
 
     /// Learns for `dt` [s] from the floor [K] and the load [W].
     fn follow(&mut self, floor: f64, load_w: f64, dt: f64) {
-        let [from, top] = self.warmed;
+        let [from, top] = self.warmed.unwrap_or([floor; 2]);
         self.still_s = if floor > top { 0.0 } else { self.still_s + dt };
         self.heat += load_w * dt;
-        self.warmed[1] = floor.max(top);
+        self.warmed = Some([from, floor.max(top)]);
         if self.still_s > STILL_S {
-            (self.warmed, self.heat, self.still_s) = ([floor; 2], 0.0, 0.0);
+            (self.warmed, self.heat, self.still_s) = (Some([floor; 2]), 0.0, 0.0);
         } else if top - from > LEARNT_K {
             self.capacity = (self.heat / (top - from)).max(0.0);
         }
@@ -171,7 +171,7 @@ pub(crate) struct HoldLoad<'a> {
     pub glass: f64,
     /// Mean temperature of the heated ring; none if the hob detects no pan [K].
     pub ring: Option<f64>,
-    /// True if water boils in the pan.
+    /// True if water boils in the pan: for what the hob says, never for what it gives.
     pub boils: bool,
     /// Temperature of the room [K].
     pub room: f64,
@@ -254,8 +254,7 @@ impl HoldControl {
         self.learnt.follow(floor, pan.load_w, self.since_s);
         let Some(target) = self.target else { return };
         self.withheld = load.hob.withheld(floor);
-        let aim = self.aim(load, target);
-        let missing = aim - floor;
+        let missing = self.aim(load, target) - floor;
         self.holding = match self.holding {
             _ if load.boils && target > BOILING_K => Holding::Boils,
             Holding::Reached if missing < LOST_K => Holding::Reached,
