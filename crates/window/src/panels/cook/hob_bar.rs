@@ -110,7 +110,7 @@ fn hold(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     shown.response.on_hover_text(hint);
     if kitchen.holding() == Some(Holding::Reached) {
         let since = kitchen.time_s() - kitchen.events().tally(EventKind::DialReached).last_s;
-        let moves = !state.settings.moves_less();
+        let moves = !state.settings.moves_less() && !state.session.paused;
         bell::show(ui, &Bell { size: BELL, spoken: l.text("hob.hold_reached"), rings: since < RINGS_S, moves });
     }
 }
