@@ -73,9 +73,8 @@ pub struct Liquids {
     ticks: u64,
 }
 
-/// Density of hot oil [kg/m³] (data of the oils at 150 °C), depth from which a layer heated from below turns over [m] (critical
-/// Rayleigh number 1100 under a free surface, oil at 180 °C, 20 K), and from which it does so fully [m] (chosen).
-const OIL_DENSITY: f64 = 830.0;
+/// Depth from which a layer of oil that is heated from below turns over [m] (critical Rayleigh number 1100 under a free surface, oil
+/// at 180 °C, 20 K), and from which it does so fully [m] (chosen).
 const TURNS_OVER_M: f64 = 1.4e-3;
 const POOL_M: f64 = 5e-3;
 /// Pool of water that keeps the floor from getting hotter while it boils [kg] (chosen: it covers a floor of 26 cm by 1.6 mm).
@@ -373,8 +372,7 @@ impl LiquidModel {
         let rate = dt / self.bath.oil_mixing_s();
         // Heat that a node gives away while it goes to the mean, per kelvin [J/K].
         let given = |i: usize| {
-            let depth = liquids.oil.mass[i] * self.bed.per_area[i] / OIL_DENSITY;
-            let mixes = ((depth - TURNS_OVER_M) / (POOL_M - TURNS_OVER_M)).clamp(0.0, 1.0);
+            let mixes = ((liquids.film[i] - TURNS_OVER_M) / (POOL_M - TURNS_OVER_M)).clamp(0.0, 1.0);
             if mixes > 0.0 { capacity[i] * (1.0 - libm::exp(-mixes * rate)) } else { 0.0 }
         };
         let (mut whole, mut heat) = (0.0, 0.0);

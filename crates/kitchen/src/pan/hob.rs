@@ -109,21 +109,11 @@ impl HobDescription {
         let whole: f64 = weights([0.0; 2]).iter().sum();
         let height = pose.lift / (self.control.lift_limit_mm * 1e-3);
         let coupling = if self.detects(pose) { 1.0 - height * (1.0 - self.control.coupling_at_limit) } else { 0.0 };
+        if whole == 0.0 {
+            // A coil that lies between two rings of nodes heats the node in the middle.
+            return (0..points.len()).map(|i| if i == 0 { coupling } else { 0.0 }).collect();
+        }
         weights(pose.at).iter().map(|w| coupling * w / whole).collect()
-    }
-
-    /// Share of the power in each of the first `heated` rings about the middle of a pan that stands in its place [-], by the
-    /// rings' radii [m] and areas; the shares sum to 1.
-    pub(crate) fn shares_of_rings<const N: usize>(
-        &self,
-        radii: &[f64; N],
-        areas: &[f64; N],
-        heated: usize,
-    ) -> [f64; N] {
-        let weight = |i: usize| if i < heated { self.flux(radii[i]) * areas[i] } else { 0.0 };
-        let whole: f64 = (0..N).map(weight).sum();
-        // A coil smaller than the first ring heats that.
-        core::array::from_fn(|i| if whole > 0.0 { weight(i) / whole } else { f64::from(u8::from(i == 0)) })
     }
 
     /// Flux at a distance from the ring's centre [m], not normalised.
@@ -182,5 +172,13 @@ mod tests {
         assert_eq!(total(PanPose { at: [0.1, 0.0], lift: 0.0 }), 0.0);
         let beside = total(PanPose { at: [0.06, 0.0], lift: 0.0 });
         assert!(beside < 0.9, "{beside}");
+    }
+
+    #[test]
+    fn a_coil_that_lies_between_two_rings_of_nodes_heats_the_middle() {
+        let mut hob = hob();
+        hob.coil.radius_mm = 10.0;
+        let shares = hob.ring_shares(&[[0.0; 2], [0.02, 0.0]], &[1.0, 1.0], &PanPose::default());
+        assert_eq!(shares, [1.0, 0.0]);
     }
 }

@@ -2,9 +2,8 @@
 
 use core::f64::consts::PI;
 
-use crate::pan::hob::HobDescription;
+use crate::pan::hob::{HobDescription, PanPose};
 use crate::pan::pan_description::PanDescription;
-use crate::pan::ridges::Ridges;
 
 /// Rings of the floor, and of floor and wall together [-] (chosen: 12 and 13 mm wide; the heated ring is 50 mm wide).
 pub(crate) const FLOOR: usize = 8;
@@ -31,26 +30,25 @@ impl PanClass {
     /// The class of a pan on a hob whose numbers are those of the pan times `hold.class_share`.
     pub(crate) fn of(pan: &PanDescription, hob: &HobDescription) -> Self {
         let radius = 1e-3 * pan.floor.radius_mm;
-        let rise = 1e-3 * libm::hypot(pan.wall.height_mm, pan.wall.rim_radius_mm - pan.floor.radius_mm);
         let edge = |i: usize| match i.checked_sub(FLOOR) {
             None => radius * i as f64 / FLOOR as f64,
-            Some(of_wall) => radius + rise * of_wall as f64 / (RINGS - FLOOR) as f64,
+            Some(of_wall) => radius + pan.rise() * of_wall as f64 / (RINGS - FLOOR) as f64,
         };
         let middle = |i: usize| 0.5 * (edge(i) + edge(i + 1));
-        let thickness = |i: usize| 1e-3 * if i < FLOOR { pan.floor.thickness_mm } else { pan.wall.thickness_mm };
-        let on_top = pan.ridges.as_ref().map_or(0.0, |ridges| Ridges::of(ridges).spread_out());
-        let storing = |i: usize| thickness(i) + if i < FLOOR { on_top } else { 0.0 };
         let (metal, share) = (&pan.metal, hob.hold.class_share);
         let areas: [f64; RINGS] = core::array::from_fn(|i| PI * (edge(i + 1) * edge(i + 1) - edge(i) * edge(i)));
         let volume_heat = share * metal.density_kg_m3 * metal.specific_heat_j_kgk;
-        let capacity: [f64; RINGS] = core::array::from_fn(|i| areas[i] * storing(i) * volume_heat);
+        let capacity: [f64; RINGS] = core::array::from_fn(|i| areas[i] * pan.storing(i < FLOOR) * volume_heat);
         let link = |i: usize| {
-            let sheet = 0.5 * (thickness(i) + thickness(i + 1)) * metal.conductivity_w_mk;
+            let thickness = 0.5 * (pan.conducting(i < FLOOR) + pan.conducting(i + 1 < FLOOR));
+            let sheet = thickness * metal.conductivity_w_mk;
             share * sheet * 2.0 * PI * edge(i + 1) / (middle(i + 1) - middle(i))
         };
+        let on_floor: [[f64; 2]; FLOOR] = core::array::from_fn(|i| [middle(i), 0.0]);
+        let shares = hob.ring_shares(&on_floor, &areas[..FLOOR], &PanPose::default());
         Self {
             links: core::array::from_fn(|i| if i + 1 < RINGS { link(i) } else { 0.0 }),
-            shares: hob.shares_of_rings(&core::array::from_fn(middle), &areas, FLOOR),
+            shares: core::array::from_fn(|i| shares.get(i).copied().unwrap_or(0.0)),
             floor_capacity: capacity[..FLOOR].iter().sum(),
             floor_area: areas[..FLOOR].iter().sum(),
             areas,

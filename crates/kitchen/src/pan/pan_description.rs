@@ -114,6 +114,18 @@ pub struct PanDescription {
     pub coating_w_m2k: Option<f64>,
 }
 
+impl PanDescription {
+    /// Length of the wall from the floor to the rim, along its slope [m].
+    pub(crate) fn rise(&self) -> f64 {
+        libm::hypot(self.wall.height_mm, self.wall.rim_radius_mm - self.floor.radius_mm) * 1e-3
+    }
+
+    /// Thickness of the metal that conducts along floor or wall [m].
+    pub(crate) fn conducting(&self, is_floor: bool) -> f64 {
+        1e-3 * if is_floor { self.floor.thickness_mm } else { self.wall.thickness_mm }
+    }
+}
+
 /// A coating that any pan can have.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]

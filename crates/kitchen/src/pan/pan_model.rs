@@ -158,24 +158,14 @@ impl PanModel {
     ) -> Result<Self, MeshError> {
         let floor = description.floor.radius_mm * 1e-3;
         let step = floor / (floor_rings as f64 - 0.5);
-        let rise =
-            libm::hypot(description.wall.height_mm, description.wall.rim_radius_mm - description.floor.radius_mm)
-                * 1e-3;
-        let wall_rings = libm::round(rise / step).max(1.0) as usize;
+        let wall_rings = libm::round(description.rise() / step).max(1.0) as usize;
         let radii: Vec<f64> = (0..floor_rings + wall_rings).map(|i| i as f64 * step).collect();
         let section = Section::rings(&radii, step)?;
         let floor_nodes = section.points.iter().filter(|p| libm::hypot(p[0], p[1]) < floor).count();
-        let thickness = |i: usize| {
-            1e-3 * if i < floor_nodes { description.floor.thickness_mm } else { description.wall.thickness_mm }
-        };
+        let thickness = |i: usize| description.conducting(i < floor_nodes);
         let metal = &description.metal;
         let areas = &section.areas;
-        let ridges = description.ridges.as_ref().map(Ridges::of);
-        // Ridges store heat but do not conduct along the floor.
-        let storing = |i: usize| {
-            let on_top = ridges.filter(|_| i < floor_nodes).map_or(0.0, |r| r.spread_out());
-            thickness(i) + on_top
-        };
+        let storing = |i: usize| description.storing(i < floor_nodes);
         let capacity =
             (0..areas.len()).map(|i| areas[i] * storing(i) * metal.density_kg_m3 * metal.specific_heat_j_kgk).collect();
         let mut graph =
@@ -192,8 +182,8 @@ impl PanModel {
             floor_area: areas[..floor_nodes].iter().sum(),
             locator: Locator::new(&section),
             class: PanClass::of(description, hob),
+            ridges: description.ridges.as_ref().map(Ridges::of),
             description: description.clone(),
-            ridges,
             floor_nodes,
             capacity,
             graph,

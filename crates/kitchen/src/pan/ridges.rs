@@ -6,7 +6,7 @@
 
 use saute_food::water::air_film::radiation_coefficient;
 
-use crate::pan::pan_description::RidgesData;
+use crate::pan::pan_description::{PanDescription, RidgesData};
 use crate::piece::contact::{FaceContact, PatchGap};
 use crate::piece::contact_gap::ContactGap;
 
@@ -82,5 +82,13 @@ impl Ridges {
         let along = ALONG * squared * squared / (open * open);
         let over = thickness / open + slope * self.pitch > self.height;
         if over { along.max(1.0) } else { along }
+    }
+}
+
+impl PanDescription {
+    /// Thickness of the metal that stores heat in floor or wall [m]: ridges store heat but do not conduct along the floor.
+    pub(crate) fn storing(&self, is_floor: bool) -> f64 {
+        let ridges = self.ridges.as_ref().filter(|_| is_floor);
+        self.conducting(is_floor) + ridges.map_or(0.0, |ridges| Ridges::of(ridges).spread_out())
     }
 }

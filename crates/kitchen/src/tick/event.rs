@@ -47,8 +47,7 @@ impl EventKind {
 
     /// Returns true if the amounts are masses, which add up; temperatures do not.
     pub fn is_additive(self) -> bool {
-        let of_temperature = Self::SmokeBegins == self || Self::DialReached == self || Self::BoilsBelowDial == self;
-        !of_temperature && !self.is_fire_hazard()
+        !matches!(self, Self::SmokeBegins | Self::FlashPoint | Self::Fire | Self::DialReached | Self::BoilsBelowDial)
     }
 
     /// Returns true if the event is a fire hazard.

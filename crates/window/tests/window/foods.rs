@@ -165,6 +165,23 @@ fn the_rules_of_2013_are_labelled_at_all_times() {
     assert!(window(WIDE).query_by_label("rules of 2013").is_none());
 }
 
+/// From a cold pan: a bell once the dial is reached; where water boils that it is reached only without it.
+fn the_hob_says_where_it_stands(harness: &mut Harness<'static, SauteApp>) {
+    const REACHED: &str = "the pan is as hot as it is held";
+    let command = |h: &mut Harness<'static, SauteApp>, c| h.state_mut().session_mut().command(&c).expect("is done");
+    command(harness, Command::HobHold { temperature: saute_kitchen::kelvin(180.0), power: 2000.0 });
+    cook(harness, 20.0);
+    assert!(harness.query_by_label(REACHED).is_none(), "the pan is not hot yet");
+    cook(harness, 160.0);
+    harness.get_by_label(REACHED);
+    save(harness, "dial-reached");
+    command(harness, Command::Water(0.3));
+    cook(harness, 90.0);
+    assert!(harness.query_by_label(REACHED).is_none());
+    harness.get_by_label("water boils in the pan: it gets as hot as it is set only without it");
+    save(harness, "boils-below-dial");
+}
+
 #[test]
 fn the_hob_says_why_it_gives_no_power() {
     let mut harness = window(WIDE);
@@ -181,6 +198,8 @@ fn the_hob_says_why_it_gives_no_power() {
     command(&mut harness, Command::MovePan { at: [0.0; 2], lift: 0.0 });
     command(&mut harness, Command::Cool { for_s: 3.0 });
     harness.get_by_label("No power: the pan is on the cloth");
+    cook(&mut harness, 3.0);
+    the_hob_says_where_it_stands(&mut harness);
     let empty = "[pan]\ninitial_c = 290\n[[step]]\nhob_w = 3500\n[[step]]\nafter_s = 900\nend = true\n";
     let mut hot = playing(WIDE, empty, 0.0);
     let drawn = |h: &Harness<'static, SauteApp>| h.state().session().kitchen.hob_drawn_w();
