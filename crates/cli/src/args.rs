@@ -21,7 +21,7 @@ use crate::sweep::SweepArgs;
 #[derive(Debug, Parser)]
 #[command(name = "saute", version, after_help = EXIT_CODES)]
 pub struct Args {
-    /// Folder with your own foods/, pans/, recipes/, kinetics/, coatings/ or oils/, doneness.toml, goals.toml or kitchen-at-home.toml. Its files are added to
+    /// Folder with your own foods/, pans/, hobs/, recipes/, kinetics/, coatings/ or oils/, doneness.toml, goals.toml or kitchen-at-home.toml. Its files are added to
     /// the shipped ones; a file of the same name replaces the shipped one.
     #[arg(long, global = true, value_name = "DIR")]
     pub data: Option<PathBuf>,
@@ -267,6 +267,8 @@ pub enum Listed {
     Foods,
     /// Pans, for the `kind` of the pan.
     Pans,
+    /// Hobs, for the `kind` of the hob.
+    Hobs,
     /// Recipes that `saute cook` knows by id.
     Recipes,
     /// Scales of doneness, for `--doneness`.

@@ -345,9 +345,13 @@ impl Kitchen {
         self.hold.holding()
     }
 
-    /// Mean electrical power that the hob draws [W]: zero while the pan stands on the cloth, reduced near the temperature
-    /// limit and while the pan is lifted or off the ring. By the rules of 2013 the limit switches it off.
+    /// Mean power that the hob draws from mains or gas pipe [W]. One that detects pans draws none while the pan stands on the
+    /// cloth, less near the temperature limit and while the pan is lifted or off the ring; by the rules of 2013 the limit
+    /// switches it off. Other stoves draw what they are set to, unless their limit keeps them off.
     pub fn hob_drawn_w(&self) -> f64 {
+        if self.fixed.hob.electronics().is_none() {
+            return if self.pan.limited { 0.0 } else { self.hob_w };
+        }
         let off = self.cloth.is_some() || (self.pan.limited && self.rules() == Rules::Paper2013);
         if off { 0.0 } else { self.hob_power() * self.pan.ring_shares.iter().sum::<f64>() }
     }

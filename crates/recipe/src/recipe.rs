@@ -1,9 +1,11 @@
 //! A checked recipe in SI units.
 
+use std::borrow::Cow;
 use std::ops::Range;
 
 use crate::action::Action;
 use crate::condition::Condition;
+use saute_kitchen::LibraryError;
 use saute_kitchen::data::library::Library;
 use saute_kitchen::kitchen::{Kitchen, PieceOrder, SetupError};
 use saute_kitchen::piece::piece_state::Piece;
@@ -17,6 +19,8 @@ pub struct Recipe {
     pub max_s: f64,
     /// Id of the pan.
     pub pan_kind: String,
+    /// Id of the hob; none for that of the kitchen at home.
+    pub hob_kind: Option<String>,
     /// Initial temperature of the pan [K].
     pub pan_temperature: f64,
     /// Foods; the pieces of a group follow each other.
@@ -114,8 +118,18 @@ pub struct Target {
 }
 
 impl Recipe {
+    /// Returns the library with the recipe's hob.
+    ///
+    /// # Errors
+    ///
+    /// If there is no such hob.
+    pub fn library<'a>(&self, library: &'a Library) -> Result<Cow<'a, Library>, LibraryError> {
+        self.hob_kind.as_ref().map_or(Ok(Cow::Borrowed(library)), |kind| library.on_hob(kind))
+    }
+
     /// Returns a kitchen with the recipe's pan and foods, at time 0.
     pub fn kitchen(&self, library: &Library) -> Result<Kitchen, SetupError> {
+        let library = &*self.library(library)?;
         let mut kitchen = Kitchen::new(library, &self.pan_kind, self.pan_temperature)?;
         for food in &self.foods {
             kitchen.add(library, food)?;

@@ -1,6 +1,7 @@
 //! The chosen food and pan, and the orders that follow from it.
 
 use saute_kitchen::food::{FoodDescription, Form, Rules};
+use saute_kitchen::pan::hob::HobDescription;
 use saute_kitchen::{InputError, Library, MeshSize, OutlineKind, PieceOrder, kelvin};
 use saute_recipe::Recipe;
 use saute_recipe::session::{SetOutFood, set_out};
@@ -15,10 +16,20 @@ pub struct SteakChoice {
     pub size_mm: Vec<f64>,
     /// Start temperature [°C].
     pub initial_c: f64,
+    /// Id of the hob; none for that of the kitchen at home.
+    #[serde(default)]
+    pub hob: Option<String>,
     /// Id of the pan.
     pub pan: String,
     /// Temperature to which the pan is preheated [°C]; room temperature starts cold.
     pub preheat_c: f64,
+}
+
+impl SteakChoice {
+    /// The chosen hob; that of the kitchen at home where none is chosen, or it is not there any more.
+    pub fn hob<'a>(&self, library: &'a Library) -> &'a HobDescription {
+        self.hob.as_ref().and_then(|id| library.hobs.get(id)).unwrap_or(&library.hob)
+    }
 }
 
 impl Default for SteakChoice {
@@ -27,6 +38,7 @@ impl Default for SteakChoice {
             kind: "beef-lean".into(),
             size_mm: vec![120.0, 80.0, 25.0],
             initial_c: 5.0,
+            hob: None,
             pan: "carbon-steel-26".into(),
             preheat_c: 20.0,
         }
@@ -57,7 +69,7 @@ pub(super) fn as_recipe(library: &Library, choice: &SteakChoice) -> Result<Recip
         seed: 1,
         count: None,
     };
-    let text = set_out(&noun(library, &choice.kind), &choice.pan, choice.preheat_c, &[food]);
+    let text = set_out(&noun(library, &choice.kind), choice.hob.as_deref(), &choice.pan, choice.preheat_c, &[food]);
     Recipe::parse(&text, SET_OUT, library)
 }
 

@@ -48,7 +48,7 @@ impl SetOut {
 
     /// Pan and one food of the library.
     pub(crate) fn food(title: &str, pan: (&str, f64), food: &SetOutFood) -> Self {
-        Self::Text(set_out(title, pan.0, pan.1, std::slice::from_ref(food)))
+        Self::Text(set_out(title, None, pan.0, pan.1, std::slice::from_ref(food)))
     }
 
     /// The recipe whose pan and food are set out.

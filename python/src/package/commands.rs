@@ -60,7 +60,7 @@ impl PyKitchen {
     /// Lets the hob hold the pan at a temperature [°C], with at most a power [W]; its largest by default.
     #[pyo3(signature = (c, w = None))]
     fn hob_hold(&mut self, c: f64, w: Option<f64>) -> PyResult<()> {
-        let power = w.unwrap_or(self.state.hob().coil.largest_w);
+        let power = w.unwrap_or(self.state.hob().largest_w());
         self.apply(&Command::HobHold { temperature: kelvin(c), power })
     }
 

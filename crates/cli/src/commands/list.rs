@@ -109,6 +109,7 @@ pub fn run(args: &ListArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
     let entries = match args.what {
         Listed::Foods => foods(&data.library),
         Listed::Pans => pans(&data.library),
+        Listed::Hobs => hobs(&data.library),
         Listed::Recipes => recipes(data)?,
         Listed::Scales => {
             data.scales(DEFAULT_SCALE)?;
@@ -136,6 +137,10 @@ fn foods(library: &Library) -> Vec<Entry> {
 
 fn pans(library: &Library) -> Vec<Entry> {
     library.pans.iter().map(|(id, p)| Entry::new(id, &p.name)).collect()
+}
+
+fn hobs(library: &Library) -> Vec<Entry> {
+    library.hobs.iter().map(|(id, hob)| Entry::new(id, &hob.name)).collect()
 }
 
 /// Lists the recipes. One that is broken, or needs a broken file, is named on stderr and left out.

@@ -4,6 +4,7 @@ use std::path::Path;
 use std::time::Duration;
 
 use saute_kitchen::Library;
+use saute_kitchen::data::at_home::KitchenAtHome;
 use saute_plan::fit::found::{Estimate, Found};
 use saute_recipe::Recipe;
 use serde::Serialize;
@@ -26,6 +27,9 @@ pub struct Answer {
     hob_factor: f64,
     /// Factor on the contact conductance of the shipped data [-].
     contact_factor: f64,
+    /// The kitchen that was found.
+    #[serde(skip)]
+    at_home: KitchenAtHome,
     /// Wall time [s].
     wall_s: f64,
 }
@@ -35,10 +39,11 @@ impl Answer {
         let at_home = found.at_home(library, "");
         Self {
             found: *found,
-            program_hob_efficiency: library.hob.coil.efficiency,
+            program_hob_efficiency: library.hob.efficiency(),
             recipe_thickness_mm: recipe.foods.first().map_or(0.0, |food| 1e3 * food.size[2]),
             hob_factor: at_home.hob_factor,
             contact_factor: at_home.contact_factor,
+            at_home,
             wall_s: wall.as_secs_f64(),
         }
     }
@@ -69,19 +74,17 @@ impl Answer {
     pub fn data_file(&self, log: Option<&Path>) -> String {
         let Found { hob_efficiency: hob, contact, thickness_mm, misfit, samples, .. } = self.found;
         let log = log.and_then(Path::file_name).map_or("weight or class".into(), |name| name.to_string_lossy());
-        let log: String = log.chars().filter(|c| !c.is_control() && !['"', '\\'].contains(c)).collect();
+        let source = format!("fitted to {samples} values of {log}; misfit {misfit:.2}");
+        let at_home = KitchenAtHome { source, ..self.at_home.clone() };
         format!(
-            "# Found by saute fit. 90 % intervals: efficiency of the hob {:.3}–{:.3}, contact {:.2}–{:.2}, thickness of that food {:.1}–{:.1} mm.\n\
-             hob_factor = {:.4}\ncontact_factor = {:.4}\n\
-             source = \"fitted to {samples} values of {log}; misfit {misfit:.2}\"\nconfidence = \"medium\"\n",
+            "# Found by saute fit. 90 % intervals: efficiency of the hob {:.3}–{:.3}, contact {:.2}–{:.2}, thickness of that food {:.1}–{:.1} mm.\n{}",
             hob.low,
             hob.high,
             contact.low,
             contact.high,
             thickness_mm.low,
             thickness_mm.high,
-            self.hob_factor,
-            self.contact_factor
+            at_home.to_file()
         )
     }
 }

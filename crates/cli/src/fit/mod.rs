@@ -80,6 +80,7 @@ const PARTS: u64 = 10;
 /// Fits a kitchen, prints what was found and writes it as a data file.
 pub fn run(args: &FitArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
     let recipe = recipe_source::load(&args.recipe, data)?;
+    let data = &data.on_hob(recipe.hob_kind.as_deref())?;
     let observed = log::observed(args, data)?;
     let file = args.out.as_deref().map(prepare).transpose()?;
     let (found, wall) = fitted(recipe.clone(), data, &observed).map_err(|error| of_fit(&error, args))?;

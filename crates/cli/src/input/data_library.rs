@@ -1,5 +1,6 @@
 //! The library: the shipped foods, pans and recipes with the files of the `--data` folder.
 
+use std::borrow::Cow;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
@@ -12,7 +13,7 @@ use crate::input::{surface_file, text_file};
 use crate::output::stderr;
 
 /// Folders that are read in the `--data` folder.
-const FOLDERS: [&str; 6] = ["foods", "pans", "recipes", "kinetics", "coatings", "oils"];
+const FOLDERS: [&str; 7] = ["foods", "pans", "hobs", "recipes", "kinetics", "coatings", "oils"];
 
 /// The file of the scales of doneness.
 const SCALES: &str = "doneness.toml";
@@ -20,7 +21,7 @@ const SCALES: &str = "doneness.toml";
 const FILES: [&str; 3] = [SCALES, "goals.toml", "kitchen-at-home.toml"];
 
 /// The library, with the list of the files that come from the `--data` folder.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct DataLibrary {
     /// Foods, pans, recipes and scales.
     pub library: Library,
@@ -29,7 +30,7 @@ pub struct DataLibrary {
 }
 
 /// The user's files: the `--data` folder and the names in it, as `foods/mine.toml`.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 struct Own {
     dir: PathBuf,
     names: BTreeSet<String>,
@@ -96,6 +97,16 @@ impl Found {
 }
 
 impl DataLibrary {
+    /// Returns the same with another hob; as it is for none.
+    pub fn on_hob(&self, id: Option<&str>) -> Result<Cow<'_, Self>, CliError> {
+        let Some(id) = id else { return Ok(Cow::Borrowed(self)) };
+        let library = self.library.on_hob(id).map_err(|_| {
+            let remedy = format!("use one of: {}", Library::names(&self.library.hobs));
+            CliError::place(format!("--hob-kind {id}"), self.library.absence("hobs", id, "is not a hob"), remedy)
+        })?;
+        Ok(Cow::Owned(Self { library: library.into_owned(), ..self.clone() }))
+    }
+
     /// Reads the shipped files and the ones in `dir`, which take precedence. Broken files are named on stderr and set aside.
     pub fn open(dir: Option<&Path>) -> Result<Self, CliError> {
         let mut found = dir.map_or_else(|| Ok(Found::default()), read_folders)?;
@@ -135,7 +146,7 @@ impl DataLibrary {
 pub const MEND: &str = "correct that file, or remove it from the --data folder to use the shipped one";
 
 fn read_folders(dir: &Path) -> Result<Found, CliError> {
-    let remedy = "name a folder with foods/, pans/, recipes/, kinetics/, coatings/ or oils/ that contain .toml files, or with doneness.toml, goals.toml or kitchen-at-home.toml";
+    let remedy = "name a folder with foods/, pans/, hobs/, recipes/, kinetics/, coatings/ or oils/ that contain .toml files, or with doneness.toml, goals.toml or kitchen-at-home.toml";
     if !dir.is_dir() {
         let message = if dir.exists() { "--data is not a folder" } else { "--data does not exist" };
         return Err(CliError::place(dir.display(), message, remedy));

@@ -29,6 +29,7 @@ const PARTS: u64 = 60;
 
 /// Searches a schedule, prints it, and writes its recipe and its card.
 pub fn run(args: &PlanArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
+    let data = &data.on_hob(args.hob_kind.as_deref())?;
     let order = options::order(args, data)?;
     let prepare =
         |option, path: Option<&Path>, example| path.map(|p| OutFile::prepare_as(option, p, example)).transpose();

@@ -26,6 +26,9 @@ pub struct PlanArgs {
     /// Number of pieces [default: one].
     #[arg(long, value_name = "N")]
     pub count: Option<u32>,
+    /// Hob, see `saute list hobs` [default: that of the kitchen at home].
+    #[arg(long, value_name = "HOB")]
+    pub hob_kind: Option<String>,
     /// Pan, see `saute list pans`.
     #[arg(long, value_name = "PAN", default_value = "carbon-steel-26")]
     pub pan: String,
@@ -80,6 +83,7 @@ pub fn order(args: &PlanArgs, data: &DataLibrary) -> Result<Order, CliError> {
         size_mm,
         initial_c: args.initial_c,
         count: args.count,
+        hob: args.hob_kind.clone(),
         pan: args.pan.clone(),
         hob_w: powers(args, library)?,
         most_flips: args.max_flips,
@@ -101,10 +105,9 @@ fn food<'a>(id: &str, library: &'a Library) -> Result<&'a FoodDescription, CliEr
 
 /// Returns the powers of the hob, ascending, without 0.
 fn powers(args: &PlanArgs, library: &Library) -> Result<Vec<f64>, CliError> {
-    let coil = &library.hob.coil;
-    let given = if args.hob.is_empty() { &coil.settings_w } else { &args.hob };
+    let given = if args.hob.is_empty() { library.hob.settings_w() } else { &args.hob };
     for power in given {
-        ranged("--hob", *power, [0.0, coil.largest_w], "W")?;
+        ranged("--hob", *power, [0.0, library.hob.largest_w()], "W")?;
     }
     let mut powers: Vec<f64> = given.iter().copied().filter(|w| *w > 0.0).collect();
     powers.sort_by(f64::total_cmp);

@@ -4,6 +4,7 @@ use super::{
     Advice, BROWN, BROWN_BOTH, BROWNS_AT_C, FORECAST_HIGH_K, FRYING_W, GENTLE_W, Goal, HALF_WAY, HOT_C, HOT_TO_FRY_C,
     SMOKE_SEEN_MG_S, TOO_COLD_C, TOO_HOT_C, TURNS_S, WARM_ENOUGH_C, WET_BELOW_C,
 };
+use crate::pan::hob::HobDescription;
 use crate::{Kitchen, Piece, Place, celsius};
 
 /// Readings from which advice is derived.
@@ -60,7 +61,7 @@ impl Situation {
             hottest_c: celsius(kitchen.hottest_temperature()),
             pan_is_used: kitchen.pieces().iter().any(Piece::in_pan),
             hob_w: kitchen.hob_w(),
-            heating_w: heating_w(&kitchen.hob().coil.settings_w),
+            heating_w: heating_w(kitchen.hob()),
             smoke_mg_s: kitchen.pan_state().smoke_mg_s(),
             underside_c: celsius(piece.face(true)),
             browning: [browning(up), browning(up.map(|u| -u))],
@@ -187,9 +188,14 @@ impl Goal {
     }
 }
 
-/// The setting of a hob in the middle of its dial [W]: it heats a pan in a few minutes.
-fn heating_w(settings: &[f64]) -> f64 {
-    settings.get(settings.len() / 2).copied().unwrap_or(0.0)
+/// Heat into the pan that heats it in a few minutes [W] (chosen: the middle of an induction hob's dial).
+const HEATING_W: f64 = 950.0;
+
+/// The setting of a hob that gives about that heat [W].
+fn heating_w(hob: &HobDescription) -> f64 {
+    let off = |w: &f64| libm::fabs(hob.efficiency() * w - HEATING_W);
+    let settings = hob.settings_w().iter().copied().filter(|w| *w > 0.0);
+    settings.min_by(|a, b| off(a).total_cmp(&off(b))).unwrap_or(0.0)
 }
 
 #[cfg(test)]

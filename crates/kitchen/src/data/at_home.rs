@@ -1,4 +1,4 @@
-//! What a kitchen at home has otherwise than the hob's and the room's data: two factors that a fit finds.
+//! What a kitchen at home has otherwise than the hob's and the room's data: another hob, and two factors that a fit finds.
 
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -18,11 +18,18 @@ use crate::pan::hob::HobDescription;
 /// The file of what a kitchen at home has otherwise.
 pub(crate) const AT_HOME_FILE: &str = "kitchen-at-home.toml";
 
-/// `data/kitchen-at-home.toml`: factors on the program's kitchen.
+/// The hob on which is cooked unless another is named.
+pub const DEFAULT_HOB: &str = "induction";
+
+/// `data/kitchen-at-home.toml`: the hob, and factors on the program's kitchen.
 #[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(title = "saute kitchen-at-home")]
 pub struct KitchenAtHome {
+    /// Id of the hob that is cooked on; see `saute list hobs`.
+    #[serde(default = "default_hob")]
+    #[schemars(example = &"gas")]
+    pub hob: String,
     /// Factor on the hob's efficiency [-]; the efficiency is 1 at most.
     #[schemars(range(min = 0.3, max = 1.5), example = 0.93)]
     pub hob_factor: f64,
@@ -37,10 +44,14 @@ pub struct KitchenAtHome {
     pub confidence: Confidence,
 }
 
+fn default_hob() -> String {
+    DEFAULT_HOB.to_owned()
+}
+
 impl Default for KitchenAtHome {
     fn default() -> Self {
         let source = "the program's kitchen".to_owned();
-        Self { hob_factor: 1.0, contact_factor: 1.0, source, confidence: Confidence::High }
+        Self { hob: default_hob(), hob_factor: 1.0, contact_factor: 1.0, source, confidence: Confidence::High }
     }
 }
 
@@ -53,8 +64,9 @@ impl KitchenAtHome {
             Confidence::Medium => "medium",
             Confidence::Low => "low",
         };
+        let hob = if self.hob == DEFAULT_HOB { String::new() } else { format!("hob = \"{}\"\n", self.hob) };
         format!(
-            "hob_factor = {:.4}\ncontact_factor = {:.4}\nsource = \"{source}\"\nconfidence = \"{confidence}\"\n",
+            "{hob}hob_factor = {:.4}\ncontact_factor = {:.4}\nsource = \"{source}\"\nconfidence = \"{confidence}\"\n",
             self.hob_factor, self.contact_factor
         )
     }
@@ -64,7 +76,7 @@ impl KitchenAtHome {
     /// The conductance of a gap that is not filled by the layer of steam is proportional to 1/gap and to that of the
     /// asperities; both get the factor. The layer of steam stays, as it follows from the load.
     pub fn set_in(&self, hob: &mut HobDescription, room: &mut Room) {
-        hob.coil.efficiency = (self.hob_factor * hob.coil.efficiency).min(1.0);
+        hob.scale_efficiency(self.hob_factor);
         room.contact.gap_mm /= self.contact_factor;
         room.contact.settling_gap_mm /= self.contact_factor;
         room.contact.asperity_w_m2k *= self.contact_factor;
@@ -75,6 +87,34 @@ impl Library {
     /// Returns the text of the file that states the kitchen at home; none of the program's own.
     pub fn home(&self) -> Option<&str> {
         self.home.as_deref()
+    }
+
+    /// Sets hob and room as they are in a kitchen at home, else says why its hob cannot be used.
+    pub(crate) fn settle(&mut self, at_home: &KitchenAtHome) -> Result<(), String> {
+        let id = &at_home.hob;
+        let Some(hob) = self.hobs.get(id) else {
+            let why = self.absence("hobs", id, "is not a hob");
+            return Err(format!("hob = \"{id}\" {why}; there are: {}", Self::names(&self.hobs)));
+        };
+        let (mut hob, mut room) = (hob.clone(), (*self.typical).clone());
+        at_home.set_in(&mut hob, &mut room);
+        (self.hob, self.room) = (hob, room);
+        Ok(())
+    }
+
+    /// Returns the library with another hob, all else as it is at home; a factor on the hob's efficiency was found on the hob
+    /// before and is left there.
+    ///
+    /// # Errors
+    ///
+    /// If there is no such hob.
+    pub fn on_hob(&self, id: &str) -> Result<Cow<'_, Self>, LibraryError> {
+        if self.at_home.hob == id {
+            return Ok(Cow::Borrowed(self));
+        }
+        let there = KitchenAtHome { hob: id.to_owned(), hob_factor: 1.0, ..self.at_home.clone() };
+        let is_own = there == KitchenAtHome { source: there.source.clone(), ..KitchenAtHome::default() };
+        if is_own { self.in_kitchen(None) } else { self.in_kitchen(Some(&there.to_file())) }
     }
 
     /// Returns the library of another kitchen at home, by the text of the file that states it; of the program's own for none.
@@ -88,10 +128,10 @@ impl Library {
         }
         let shipped = shipped_files().get(AT_HOME_FILE).map_or("", String::as_str);
         let text = home.unwrap_or(shipped);
-        let at_home = KitchenAtHome::shelf().read(&DataFile { name: AT_HOME_FILE, text })?;
+        let file = DataFile { name: AT_HOME_FILE, text };
+        let at_home = KitchenAtHome::shelf().read(&file)?;
         let mut library = self.clone();
-        (library.hob, library.room) = (*self.typical).clone();
-        at_home.set_in(&mut library.hob, &mut library.room);
+        library.settle(&at_home).map_err(|cause| file.error("hob", cause))?;
         (library.at_home, library.home) = (at_home, home.map(Arc::from));
         library.hashes.insert(AT_HOME_FILE.to_owned(), text_hash(text));
         Ok(Cow::Owned(library))
@@ -111,7 +151,13 @@ mod tests {
 
     fn fitted() -> KitchenAtHome {
         let source = "fitted to \"steak\".csv".to_owned();
-        KitchenAtHome { hob_factor: 0.9, contact_factor: 1.2, source, confidence: Confidence::Medium }
+        KitchenAtHome {
+            hob_factor: 0.9,
+            contact_factor: 1.2,
+            source,
+            confidence: Confidence::Medium,
+            ..Default::default()
+        }
     }
 
     #[test]
@@ -121,14 +167,29 @@ mod tests {
         let there = typical.in_kitchen(Some(&text)).expect("a kitchen").into_owned();
         let loaded = Library::with(&[(AT_HOME_FILE.to_owned(), text.clone())]).expect("a library");
         assert_eq!((there.home(), loaded.home()), (Some(text.as_str()), Some(text.as_str())));
-        assert_eq!(there.hob.coil.efficiency, loaded.hob.coil.efficiency);
+        assert_eq!(there.hob.efficiency(), loaded.hob.efficiency());
         assert_eq!(there.room.contact.gap_mm, loaded.room.contact.gap_mm);
         assert_eq!(there.pan_hash("carbon-steel-26"), loaded.pan_hash("carbon-steel-26"));
-        assert!(there.hob.coil.efficiency < typical.hob.coil.efficiency);
+        assert!(there.hob.efficiency() < typical.hob.efficiency());
         let back = there.in_kitchen(None).expect("a kitchen");
         assert_eq!(back.pan_hash("carbon-steel-26"), typical.pan_hash("carbon-steel-26"));
-        assert_eq!(back.hob.coil.efficiency, typical.hob.coil.efficiency);
+        assert_eq!(back.hob.efficiency(), typical.hob.efficiency());
         assert!(matches!(back.in_kitchen(None), Ok(Cow::Borrowed(_))));
+    }
+
+    #[test]
+    fn a_library_goes_to_another_hob_and_back() {
+        let typical = Library::embedded().expect("embedded data");
+        let gas = typical.on_hob("gas").expect("a gas burner");
+        assert!(gas.hob.flame.is_some() && gas.hob.electronics().is_none());
+        assert_ne!(gas.pan_hash("carbon-steel-26"), typical.pan_hash("carbon-steel-26"));
+        assert_eq!(gas.on_hob(DEFAULT_HOB).expect("the program's own").home(), None);
+        let fitted = typical.in_kitchen(Some(&fitted().to_file())).expect("a kitchen");
+        let both = fitted.on_hob("gas").expect("a gas burner");
+        assert_eq!(both.hob.efficiency(), typical.hobs["gas"].efficiency(), "the factor was the other hob's");
+        assert_eq!(both.room.contact.gap_mm, fitted.room.contact.gap_mm, "that of the contact stays");
+        let error = typical.on_hob("campfire").expect_err("no such hob").to_string();
+        assert!(error.contains("there are: gas, induction, iron-plate, radiant"), "{error}");
     }
 
     #[test]

@@ -9,8 +9,7 @@ use crate::bytes::hash_of;
 use crate::data::library::Library;
 
 /// Files that every kitchen is built from.
-const OF_EVERY_KITCHEN: [&str; 5] =
-    ["components.toml", "fond.toml", "hobs/induction.toml", "kitchen-at-home.toml", "kitchen.toml"];
+const OF_EVERY_KITCHEN: [&str; 4] = ["components.toml", "fond.toml", "kitchen-at-home.toml", "kitchen.toml"];
 
 /// Returns the hash of every data file by path; that of a food with a surface includes the surface.
 pub(crate) fn file_hashes(
@@ -38,8 +37,10 @@ impl Library {
             let id = path.strip_prefix("coatings/").and_then(|file| file.strip_suffix(".toml"));
             id.is_some_and(|id| pan.ends_with(id))
         };
+        let hob = format!("hobs/{}.toml", self.at_home.hob);
         self.hash_where(|path| {
-            OF_EVERY_KITCHEN.contains(&path) || path.starts_with("oils/") || of_pan(path) || of_coating(path)
+            let of_every = path == hob || OF_EVERY_KITCHEN.contains(&path) || path.starts_with("oils/");
+            of_every || of_pan(path) || of_coating(path)
         })
     }
 

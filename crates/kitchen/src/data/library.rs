@@ -59,14 +59,16 @@ pub struct Library {
     pub components: Components,
     /// The room.
     pub room: Room,
-    /// The hob.
+    /// Hobs by id, as their files describe them.
+    pub hobs: BTreeMap<String, HobDescription>,
+    /// The hob that is cooked on, as it is at home.
     pub hob: HobDescription,
     /// What a kitchen at home has otherwise; hob and room contain it already.
     pub at_home: KitchenAtHome,
     /// The text of the file that states it, unless it is the program's own.
     pub(crate) home: Option<Arc<str>>,
-    /// Hob and room without it.
-    pub(crate) typical: Arc<(HobDescription, Room)>,
+    /// The room without it.
+    pub(crate) typical: Arc<Room>,
     /// What juice leaves on the pan.
     pub fond: FondData,
     /// Entries that are not in the tables because a file of the user's is broken, by path: the cause.

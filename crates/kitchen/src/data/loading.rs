@@ -6,7 +6,7 @@ use std::sync::Arc;
 use saute_food::{FoodDescription, Scale};
 use saute_heat::Soup;
 
-use crate::data::at_home::{AT_HOME_FILE, KitchenAtHome};
+use crate::data::at_home::{AT_HOME_FILE, DEFAULT_HOB, KitchenAtHome};
 use crate::data::data_file::DataFile;
 use crate::data::data_hash::file_hashes;
 use crate::data::goals::{GoalDescription, GoalsFile};
@@ -61,7 +61,8 @@ impl<'a> Loading<'a> {
     pub(crate) fn library(mut self) -> Result<(Library, Vec<LibraryError>), LibraryError> {
         let bare = self.folder("pans/")?;
         let coatings = self.folder("coatings/")?;
-        let (room, hob): (Room, HobDescription) = (self.parse("kitchen.toml")?, self.parse("hobs/induction.toml")?);
+        let room: Room = self.parse("kitchen.toml")?;
+        let hobs: BTreeMap<String, HobDescription> = self.folder("hobs/")?;
         let mut library = Library {
             foods: self.folder("foods/")?,
             kinetics: self.folder("kinetics/")?,
@@ -71,9 +72,10 @@ impl<'a> Loading<'a> {
             scales: self.scales()?,
             goals: self.goals()?,
             components: self.parse("components.toml")?,
-            typical: Arc::new((hob.clone(), room.clone())),
+            typical: Arc::new(room.clone()),
             room,
-            hob,
+            hob: self.any_hob(&hobs)?,
+            hobs,
             at_home: KitchenAtHome::default(),
             home: None,
             fond: self.parse(FOND_FILE)?,
@@ -177,7 +179,12 @@ impl<'a> Loading<'a> {
         };
         match read {
             Ok(Some(at_home)) => {
-                at_home.set_in(&mut library.hob, &mut library.room);
+                if let Err(cause) = library.settle(&at_home) {
+                    let error = self.file(AT_HOME_FILE).error("hob", cause);
+                    self.fault(AT_HOME_FILE, error)?;
+                    self.set_pans_aside(library);
+                    return Ok(());
+                }
                 library.at_home = at_home;
                 let text = self.files.get(AT_HOME_FILE).filter(|text| shipped_files().get(AT_HOME_FILE) != Some(text));
                 library.home = text.map(|text| Arc::from(text.as_str()));
@@ -186,11 +193,25 @@ impl<'a> Loading<'a> {
             Ok(None) => {}
             Err(error) => self.fault(AT_HOME_FILE, error)?,
         }
+        self.set_pans_aside(library);
+        Ok(())
+    }
+
+    /// Sets all pans aside because of the file of the kitchen at home.
+    fn set_pans_aside(&mut self, library: &mut Library) {
         let cause = format!("the file {AT_HOME_FILE} in the --data folder is broken");
         for id in std::mem::take(&mut library.pans).into_keys() {
             self.set_aside.entry(format!("pans/{id}.toml")).or_insert_with(|| cause.clone());
         }
-        Ok(())
+    }
+
+    /// Returns the program's hob, on which is cooked unless the kitchen at home names another.
+    fn any_hob(&self, hobs: &BTreeMap<String, HobDescription>) -> Result<HobDescription, LibraryError> {
+        let path = format!("hobs/{DEFAULT_HOB}.toml");
+        match hobs.get(DEFAULT_HOB) {
+            Some(hob) => Ok(hob.clone()),
+            None => HobDescription::shelf().read(&DataFile { name: &path, text: &shipped_files()[&path] }),
+        }
     }
 
     /// Sets aside a butter of the user's that does not melt; without it no pan can be filled. An oil that is set aside may be

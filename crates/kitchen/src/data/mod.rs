@@ -13,7 +13,7 @@ pub mod input_error;
 pub mod library;
 pub mod library_error;
 pub mod loading;
-mod number_text;
+pub mod number_text;
 mod relations;
 pub mod room;
 mod schema_text;

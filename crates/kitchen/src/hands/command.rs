@@ -225,6 +225,9 @@ pub enum Refused {
         /// Highest temperature [°C].
         highest_c: i64,
     },
+    /// A stove without a sensor cannot hold a temperature.
+    #[error("this stove has no sensor and holds no temperature: set a power, or cook on the induction hob")]
+    NoSensor,
     /// Unknown oil.
     #[error("there is no oil \"{kind}\"; there are: {known}")]
     NoSuchOil {

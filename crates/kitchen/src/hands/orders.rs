@@ -120,16 +120,19 @@ impl Kitchen {
     }
 
     fn set_hob(&mut self, power: f64, hold: Option<f64>) -> Result<(), Refused> {
-        let largest = self.fixed.hob.coil.largest_w;
+        let hob = &self.fixed.hob;
+        let largest = hob.largest_w();
         if !(0.0..=largest).contains(&power) {
             return Err(Refused::Power { largest_w: largest as i64 });
         }
-        let Hold { lowest_c, highest_c, .. } = self.fixed.hob.hold;
-        if hold.is_some_and(|t| !(kelvin(lowest_c)..=kelvin(highest_c)).contains(&t)) {
-            return Err(Refused::HoldTemperature { lowest_c: lowest_c as i64, highest_c: highest_c as i64 });
+        if let Some(temperature) = hold {
+            let Hold { lowest_c, highest_c, .. } = hob.hold().ok_or(Refused::NoSensor)?;
+            if !(kelvin(*lowest_c)..=kelvin(*highest_c)).contains(&temperature) {
+                return Err(Refused::HoldTemperature { lowest_c: *lowest_c as i64, highest_c: *highest_c as i64 });
+            }
         }
+        self.hob_w = hob.nearest_w(power);
         self.hold.set(hold);
-        self.hob_w = power;
         Ok(())
     }
 

@@ -1,74 +1,15 @@
-//! The induction hob: a ring-shaped heat source and the glass between it and the pan.
+//! A hob as its file describes it: its heater, what lies below the pan and, on an induction hob, its electronics.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use saute_food::sourced_table;
-
+use crate::pan::heater::disc::disc_shares;
+use crate::pan::heater::{Coil, Control, Element, Flame, Grate, Heater, Plate};
 use crate::pan::hold::Hold;
 use crate::pan::overheat::Overheat;
+use crate::pan::under::Under;
 
-sourced_table! {
-    /// Coil of an induction hob.
-    Coil {
-        /// Electrical power to pan metal [-].
-        #[schemars(range(min = 0.0, max = 1.0), example = 0.87)]
-        efficiency: f64,
-        /// Radius beyond which no heat is made [mm].
-        #[schemars(range(min = 10.0, max = 500.0), example = 90.0)]
-        radius_mm: f64,
-        /// Radius of the strongest heating over the coil radius [-].
-        #[schemars(range(min = 0.01, max = 10.0), example = 0.575)]
-        ring_over_radius: f64,
-        /// Largest power that may be set [W].
-        #[schemars(range(min = 1.0, max = 1e5), example = 3500.0)]
-        largest_w: f64,
-        /// Settings on the dial [W].
-        #[schemars(inner(range(min = 0.0, max = 1e5)), extend("examples" = [[0.0, 400.0, 1100.0, 2000.0]]))]
-        settings_w: Vec<f64>,
-    }
-}
-
-sourced_table! {
-    /// What the hob's electronics do.
-    Control {
-        /// Settings below this are switched on and off [W].
-        #[schemars(range(min = 0.0, max = 1e5), example = 500.0)]
-        duty_below_w: f64,
-        /// Period of that [s].
-        #[schemars(range(min = 0.01, max = 600.0), example = 2.0)]
-        duty_period_s: f64,
-        /// Mean temperature of the floor, as the electronics infer it, at which the power is off [°C].
-        #[schemars(range(min = 0.0, max = 1000.0), example = 250.0)]
-        limit_c: f64,
-        /// Range below it over which the power falls to nothing [K].
-        #[schemars(range(min = 0.1, max = 500.0), example = 15.0)]
-        resume_k: f64,
-        /// A pan that stands higher than this is not detected [mm].
-        #[schemars(range(min = 0.1, max = 500.0), example = 15.0)]
-        lift_limit_mm: f64,
-        /// Share of the power that reaches a pan at that height; it falls evenly up to there [-].
-        #[schemars(range(min = 0.0, max = 1.0), example = 0.4)]
-        coupling_at_limit: f64,
-    }
-}
-
-sourced_table! {
-    /// Glass of the hob.
-    Glass {
-        /// Conductance between pan and glass [W/(m²·K)].
-        #[schemars(range(min = 0.1, max = 1e6), example = 200.0)]
-        gap_conductance_w_m2k: f64,
-        /// Heat capacity [J/(m²·K)].
-        #[schemars(range(min = 1.0, max = 1e6), example = 8000.0)]
-        areal_capacity_j_m2k: f64,
-        /// Loss to the inside of the hob [W/(m²·K)].
-        #[schemars(range(min = 0.0, max = 1e5), example = 10.0)]
-        loss_w_m2k: f64,
-    }
-}
-
-/// A hob as its file describes it.
+/// A hob as its file describes it: one of coil, flame, element and plate, with what belongs to it.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(title = "saute hob")]
@@ -76,16 +17,39 @@ pub struct HobDescription {
     /// Name for people.
     #[schemars(example = &"Induction hob")]
     pub name: String,
+    /// Coil of an induction hob; needs control, overheat and hold.
+    pub coil: Option<Coil>,
+    /// Flame of a gas burner; needs a grate.
+    pub flame: Option<Flame>,
+    /// Grate over a flame.
+    pub grate: Option<Grate>,
+    /// Radiant element behind glass-ceramic.
+    pub element: Option<Element>,
+    /// Iron plate.
+    pub plate: Option<Plate>,
+    /// Electronics of an induction hob.
+    pub control: Option<Control>,
+    /// What lies below the pan.
+    pub under: Under,
+    /// Inferring that a pan on an induction hob overheats.
+    pub overheat: Option<Overheat>,
+    /// Holding a pan on an induction hob at a temperature.
+    pub hold: Option<Hold>,
+}
+
+/// The electronics of an induction hob.
+#[derive(Clone, Copy, Debug)]
+pub struct Electronics<'a> {
     /// Coil.
-    pub coil: Coil,
-    /// Electronics.
-    pub control: Control,
-    /// Glass.
-    pub glass: Glass,
+    pub coil: &'a Coil,
+    /// What they do.
+    pub control: &'a Control,
     /// Inferring that a pan overheats.
-    pub overheat: Overheat,
+    pub overheat: &'a Overheat,
     /// Holding a pan at a temperature.
-    pub hold: Hold,
+    pub hold: &'a Hold,
+    /// Glass between pan and sensor.
+    pub glass: &'a Under,
 }
 
 /// Place of a pan over its ring.
@@ -98,17 +62,107 @@ pub struct PanPose {
 }
 
 impl HobDescription {
-    /// Share of the set power in each node of a pan's floor [-]. The shares sum to 1 on the ring, to less off it, and to 0
-    /// if the pan is too far away to be detected.
-    ///
-    /// Flux q(r) ∝ (r/r_c)² exp(1 − (r/r_c)²) inside the coil radius, 0 outside.
+    /// What makes its heat. A file that was checked has exactly one; without any, nothing is heated.
+    pub fn heater(&self) -> Option<Heater<'_>> {
+        let coil = self.coil.as_ref().map(Heater::Coil);
+        let flame = || self.flame.as_ref().map(Heater::Flame);
+        let element = || self.element.as_ref().map(Heater::Element);
+        coil.or_else(flame).or_else(element).or_else(|| self.plate.as_ref().map(Heater::Plate))
+    }
+
+    /// The electronics of an induction hob; none of any other stove, which has no sensor.
+    pub fn electronics(&self) -> Option<Electronics<'_>> {
+        Some(Electronics {
+            coil: self.coil.as_ref()?,
+            control: self.control.as_ref()?,
+            overheat: self.overheat.as_ref()?,
+            hold: self.hold.as_ref()?,
+            glass: &self.under,
+        })
+    }
+
+    /// How it holds a pan at a temperature; none if it has no sensor.
+    pub fn hold(&self) -> Option<&Hold> {
+        self.electronics().map(|electronics| electronics.hold)
+    }
+
+    /// Largest power that may be set [W].
+    pub fn largest_w(&self) -> f64 {
+        self.heater().map_or(0.0, |heater| match heater {
+            Heater::Coil(coil) => coil.largest_w,
+            Heater::Flame(flame) => flame.largest_w,
+            Heater::Element(element) => element.largest_w,
+            Heater::Plate(plate) => plate.largest_w(),
+        })
+    }
+
+    /// Settings on its dial [W].
+    pub fn settings_w(&self) -> &[f64] {
+        self.heater().map_or(&[], |heater| match heater {
+            Heater::Coil(coil) => &coil.settings_w,
+            Heater::Flame(flame) => &flame.settings_w,
+            Heater::Element(element) => &element.settings_w,
+            Heater::Plate(plate) => &plate.settings_w,
+        })
+    }
+
+    /// Power that a dial set to `w` gives [W]: a plate has steps, and no flame is smaller than the smallest.
+    pub fn nearest_w(&self, w: f64) -> f64 {
+        match self.heater() {
+            Some(Heater::Flame(flame)) => flame.nearest_w(w),
+            Some(Heater::Plate(plate)) => plate.nearest_w(w),
+            Some(Heater::Coil(_) | Heater::Element(_)) | None => w,
+        }
+    }
+
+    /// Share of the power that reaches a cold pan or leaves upwards [-].
+    pub fn efficiency(&self) -> f64 {
+        self.heater().map_or(0.0, |heater| match heater {
+            Heater::Coil(coil) => coil.efficiency,
+            Heater::Flame(flame) => flame.floor_share + flame.wall_share,
+            Heater::Element(element) => element.efficiency,
+            Heater::Plate(plate) => plate.efficiency,
+        })
+    }
+
+    /// Multiplies that share by a factor, up to 1.
+    pub fn scale_efficiency(&mut self, factor: f64) {
+        let scaled = |share: f64| (factor * share).min(1.0);
+        if let Some(coil) = &mut self.coil {
+            coil.efficiency = scaled(coil.efficiency);
+        }
+        if let Some(flame) = &mut self.flame {
+            (flame.floor_share, flame.wall_share) = (scaled(flame.floor_share), scaled(flame.wall_share));
+        }
+        if let Some(element) = &mut self.element {
+            element.efficiency = scaled(element.efficiency);
+        }
+        if let Some(plate) = &mut self.plate {
+            plate.efficiency = scaled(plate.efficiency);
+        }
+    }
+
+    /// Share of the set power in each node of a pan's floor [-]. The shares of a coil sum to 1 on the ring, to less off it,
+    /// and to 0 if the pan is too far away to be detected; those of other heaters are what lies over them.
     pub fn ring_shares(&self, points: &[[f64; 2]], areas: &[f64], pose: &PanPose) -> Vec<f64> {
+        match self.heater() {
+            Some(Heater::Coil(coil)) => self.coil_shares(coil, points, areas, pose),
+            Some(Heater::Flame(flame)) => {
+                let coupling = flame.coupling(pose.lift);
+                flame.shares(points, areas, pose.at).into_iter().map(|share| coupling * share).collect()
+            }
+            Some(Heater::Element(element)) => disc_shares(1e-3 * element.radius_mm, points, areas, pose.at),
+            Some(Heater::Plate(plate)) => disc_shares(1e-3 * plate.radius_mm, points, areas, pose.at),
+            None => vec![0.0; points.len()],
+        }
+    }
+
+    fn coil_shares(&self, coil: &Coil, points: &[[f64; 2]], areas: &[f64], pose: &PanPose) -> Vec<f64> {
         let weights = |at: [f64; 2]| -> Vec<f64> {
-            points.iter().zip(areas).map(|(p, a)| self.flux(libm::hypot(p[0] + at[0], p[1] + at[1])) * a).collect()
+            points.iter().zip(areas).map(|(p, a)| coil.flux(libm::hypot(p[0] + at[0], p[1] + at[1])) * a).collect()
         };
         let whole: f64 = weights([0.0; 2]).iter().sum();
-        let height = pose.lift / (self.control.lift_limit_mm * 1e-3);
-        let coupling = if self.detects(pose) { 1.0 - height * (1.0 - self.control.coupling_at_limit) } else { 0.0 };
+        let coupling = self.control.as_ref().map_or(0.0, |control| coil.coupling(control, pose));
         if whole == 0.0 {
             // A coil that lies between two rings of nodes heats the node in the middle.
             return (0..points.len()).map(|i| if i == 0 { coupling } else { 0.0 }).collect();
@@ -116,23 +170,36 @@ impl HobDescription {
         weights(pose.at).iter().map(|w| coupling * w / whole).collect()
     }
 
-    /// Flux at a distance from the ring's centre [m], not normalised.
-    fn flux(&self, r: f64) -> f64 {
-        let coil = self.coil.radius_mm * 1e-3;
-        let peak = coil * self.coil.ring_over_radius;
-        let s = (r / peak) * (r / peak);
-        if r <= coil { s * libm::exp(1.0 - s) } else { 0.0 }
-    }
-
-    /// Returns true if the hob detects a pan at a place.
+    /// Returns true if the hob gives power to a pan at a place: one that detects pans does not where there is none.
     pub fn detects(&self, pose: &PanPose) -> bool {
-        pose.lift <= self.control.lift_limit_mm * 1e-3
-            && libm::hypot(pose.at[0], pose.at[1]) <= self.coil.radius_mm * 1e-3
+        self.electronics().is_none_or(|electronics| electronics.coil.detects(electronics.control, pose))
     }
 
-    /// Mean power over a tick from `time` to `time + dt` [W]; low settings are pulse-width modulated.
+    /// Largest conductance from below to a place of a pan [W/(m²·K)]; limits the stable step.
+    pub(crate) fn steepest_w_m2k(&self) -> f64 {
+        let heater = match self.heater() {
+            Some(Heater::Flame(flame)) => self.grate.as_ref().map_or(0.0, |grate| flame.steepest_w_m2k(grate)),
+            Some(Heater::Element(element)) => element.steepest_w_m2k(),
+            Some(Heater::Plate(plate)) => plate.gap_conductance_w_m2k,
+            Some(Heater::Coil(_)) | None => 0.0,
+        };
+        heater + self.under.gap_conductance_w_m2k
+    }
+
+    /// Longest stable step of what lies below the pan [s].
+    pub(crate) fn under_step_s(&self) -> f64 {
+        let under = &self.under;
+        let glow = self.element.as_ref().map_or(0.0, Element::steepest_w_m2k);
+        0.5 * under.areal_capacity_j_m2k / (under.gap_conductance_w_m2k + under.loss_w_m2k + glow)
+    }
+
+    /// Mean power over a tick from `time` to `time + dt` [W]; a coil's low settings and an element are switched on and off.
     pub fn switched(&self, power: f64, time: f64, dt: f64) -> f64 {
-        let Control { duty_below_w: full, duty_period_s: period, .. } = self.control;
+        let (full, period) = match (&self.control, &self.element) {
+            (Some(control), _) => (control.duty_below_w, control.duty_period_s),
+            (None, Some(element)) => (element.largest_w, element.period_s),
+            (None, None) => return power,
+        };
         if power <= 0.0 || power >= full {
             return power;
         }
@@ -177,7 +244,7 @@ mod tests {
     #[test]
     fn a_coil_that_lies_between_two_rings_of_nodes_heats_the_middle() {
         let mut hob = hob();
-        hob.coil.radius_mm = 10.0;
+        hob.coil.as_mut().expect("a coil").radius_mm = 10.0;
         let shares = hob.ring_shares(&[[0.0; 2], [0.02, 0.0]], &[1.0, 1.0], &PanPose::default());
         assert_eq!(shares, [1.0, 0.0]);
     }

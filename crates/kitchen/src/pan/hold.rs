@@ -3,7 +3,8 @@
 use saute_food::sourced_table;
 use serde::{Deserialize, Serialize};
 
-use crate::pan::hob::HobDescription;
+use crate::pan::heater::Control;
+use crate::pan::hob::Electronics;
 use crate::pan::observed_pan::{Known, ObservedPan};
 use crate::pan::overheat::OverheatLimit;
 use crate::pan::pan_class::PanClass;
@@ -159,9 +160,9 @@ impl Learnt {
 /// What the electronics meet in one tick.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct HoldLoad<'a> {
-    /// The hob.
-    pub hob: &'a HobDescription,
-    /// Class of the pan on it.
+    /// The electronics.
+    pub hob: Electronics<'a>,
+    /// Class of the pan on the hob.
     pub class: &'a PanClass,
     /// Largest power to use [W].
     pub largest: f64,
@@ -180,10 +181,10 @@ pub(crate) struct HoldLoad<'a> {
 impl HoldLoad<'_> {
     /// What is known with a load of which a `liquid` share counts as a liquid [-].
     fn known(&self, ring: f64, liquid: f64) -> Known<'_> {
-        let hold = &self.hob.hold;
+        let hold = self.hob.hold;
         Known {
             class: self.class,
-            glass: &self.hob.glass,
+            glass: self.hob.glass,
             air_w_m2k: hold.air_w_m2k,
             room: self.room,
             ring: ring + hold.coil_error_k * (ring - self.room) / 200.0,
@@ -225,12 +226,12 @@ impl HoldControl {
     /// Advances what is measured and inferred by a tick of `dt` [s], and sets the power after each period. Without a pan
     /// there is no power.
     pub(crate) fn advance(&mut self, load: &HoldLoad, dt: f64) {
-        let hold = &load.hob.hold;
-        self.limit.advance(load.hob, (load.glass, load.given, load.room), dt);
+        let hold = load.hob.hold;
+        self.limit.advance(&load.hob, (load.glass, load.given, load.room), dt);
         if self.target.is_none()
             && let Some(floor) = self.limit.floor
         {
-            self.withheld = load.hob.withheld(floor);
+            self.withheld = load.hob.control.withheld(floor);
         }
         let Some(ring) = load.ring else {
             (self.pan, self.learnt, self.power) = (None, Learnt::default(), 0.0);
@@ -249,11 +250,11 @@ impl HoldControl {
 
     fn set_power(&mut self, load: &HoldLoad, known: &Known) {
         let Some(pan) = self.pan else { return };
-        let (hold, class) = (&load.hob.hold, load.class);
+        let (hold, class) = (load.hob.hold, load.class);
         let floor = pan.floor(class);
         self.learnt.follow(floor, pan.load_w, self.since_s);
         let Some(target) = self.target else { return };
-        self.withheld = load.hob.withheld(floor);
+        self.withheld = load.hob.control.withheld(floor);
         let missing = self.aim(load, target) - floor;
         self.holding = match self.holding {
             _ if load.boils && target > BOILING_K => Holding::Boils,
@@ -269,7 +270,7 @@ impl HoldControl {
     /// Temperature that the floor is to have [K]: that of the dial, and below a liquid more, by which it makes up for what the
     /// liquid loses to the air.
     fn aim(&self, load: &HoldLoad, target: f64) -> f64 {
-        let hold = &load.hob.hold;
+        let hold = load.hob.hold;
         let [water, oil] = hold.liquid_over_share;
         let over = if target < BOILING_K { water } else { oil } * (target - load.room).max(0.0);
         target + over * self.learnt.liquid_share(hold)
@@ -281,10 +282,10 @@ fn stepped(value: f64, step: f64) -> f64 {
     if step > 0.0 { libm::round(value / step) * step } else { value }
 }
 
-impl HobDescription {
+impl Control {
     /// Part of the power that the temperature limit withholds from a floor at `floor` [K]; it grows evenly to all of it at
     /// the limit [-].
     fn withheld(&self, floor: f64) -> f64 {
-        (1.0 - (self.control.limit_c - crate::celsius(floor)) / self.control.resume_k).clamp(0.0, 1.0)
+        (1.0 - (self.limit_c - crate::celsius(floor)) / self.resume_k).clamp(0.0, 1.0)
     }
 }

@@ -5,6 +5,7 @@ pub mod cloth;
 pub(crate) mod fond_seen;
 pub(crate) mod food_load;
 pub mod heat_tint;
+pub mod heater;
 pub mod hob;
 pub mod hold;
 pub mod lid;
@@ -15,5 +16,6 @@ pub(crate) mod pan_class;
 pub mod pan_description;
 pub mod pan_model;
 pub mod ridges;
+pub mod under;
 
 pub use pan_model::{LEVEL, PanExchange, PanLoad, PanModel, PanSolver, PanState};

@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::pan::hob::Glass;
 use crate::pan::pan_class::{FLOOR, PanClass, RINGS};
+use crate::pan::under::Under;
 
 /// The pan as the electronics see it: an observer of the class that they were told.
 ///
@@ -26,7 +26,7 @@ pub(crate) struct Known<'a> {
     /// Class of the pan.
     pub(crate) class: &'a PanClass,
     /// Their own glass.
-    pub(crate) glass: &'a Glass,
+    pub(crate) glass: &'a Under,
     /// Loss of one face of the pan to the air that they assume [W/(m²·K)].
     pub(crate) air_w_m2k: f64,
     /// Temperature of the room [K].

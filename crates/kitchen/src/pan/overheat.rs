@@ -3,7 +3,7 @@
 use saute_food::sourced_table;
 use serde::{Deserialize, Serialize};
 
-use crate::pan::hob::HobDescription;
+use crate::pan::hob::Electronics;
 use crate::tick::low_pass::low_pass;
 
 sourced_table! {
@@ -43,8 +43,8 @@ pub(crate) struct OverheatLimit {
 
 impl OverheatLimit {
     /// Advances the sensor by a tick of `dt` [s], below glass at `glass` [K] with a power of `given` [W].
-    pub(crate) fn advance(&mut self, hob: &HobDescription, (glass, given, room): (f64, f64, f64), dt: f64) {
-        let limit = &hob.overheat;
+    pub(crate) fn advance(&mut self, hob: &Electronics, (glass, given, room): (f64, f64, f64), dt: f64) {
+        let limit = hob.overheat;
         let [before, last] = self.sensor.unwrap_or([glass; 2]);
         let mut now = before;
         low_pass(&mut now, glass, hob.hold.sensor_delay_s, dt);
@@ -66,11 +66,11 @@ impl OverheatLimit {
     }
 }
 
-impl HobDescription {
+impl Electronics<'_> {
     /// Temperature of the pan above the sensor, inferred from the sensor [K] and the rate at which it rises [K/s]. In
     /// steady state the glass is colder than the pan by what it loses downwards; while it warms, it and the sensor lag.
     fn pan_above_sensor(&self, sensor: f64, rate: f64, room: f64) -> f64 {
-        let glass = &self.glass;
+        let glass = self.glass;
         let offset = glass.loss_w_m2k / glass.gap_conductance_w_m2k * (sensor - room);
         sensor + offset + self.lag() * rate
     }

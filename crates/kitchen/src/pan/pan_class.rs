@@ -35,7 +35,7 @@ impl PanClass {
             Some(of_wall) => radius + pan.rise() * of_wall as f64 / (RINGS - FLOOR) as f64,
         };
         let middle = |i: usize| 0.5 * (edge(i) + edge(i + 1));
-        let (metal, share) = (&pan.metal, hob.hold.class_share);
+        let (metal, share) = (&pan.metal, hob.hold().map_or(1.0, |hold| hold.class_share));
         let areas: [f64; RINGS] = core::array::from_fn(|i| PI * (edge(i + 1) * edge(i + 1) - edge(i) * edge(i)));
         let volume_heat = share * metal.density_kg_m3 * metal.specific_heat_j_kgk;
         let capacity: [f64; RINGS] = core::array::from_fn(|i| areas[i] * pan.storing(i < FLOOR) * volume_heat);

@@ -14,11 +14,13 @@ use crate::liquids::liquid_layer::{LiquidModel, LiquidSolver, Liquids, PanSurrou
 use crate::liquids::water_film::Vapour;
 use crate::pan::bed::Bed;
 use crate::pan::cloth::Cloth;
+use crate::pan::heater::{Coil, Given, Heater, Meets};
 use crate::pan::hob::{HobDescription, PanPose};
 use crate::pan::lid::Lid;
 use crate::pan::pan_class::PanClass;
 use crate::pan::pan_description::PanDescription;
 use crate::pan::ridges::Ridges;
+use crate::pan::under::lifted;
 use crate::tick::event::EventLog;
 
 /// Rings of nodes on the floor [-] (chosen: 8 mm apart; the heated ring is 50 mm wide).
@@ -48,6 +50,8 @@ pub struct PanModel {
     pub(crate) capacity: Vec<f64>,
     graph: Graph,
     conduction: Conduction,
+    /// Shares of a flame's heat to the wall at its nodes; none without a flame.
+    licked: Vec<f64>,
     /// Upper bound of the conductance to air and glass at each node [W/K]; limits the stable step.
     steepest: Vec<f64>,
 }
@@ -59,8 +63,10 @@ pub struct PanState {
     pub temperature: Vec<f64>,
     /// Highest temperature of the metal so far at each node [K].
     pub peak: Vec<f64>,
-    /// Temperature of the hob's glass under each floor node [K].
+    /// Temperature of what lies under each floor node: the hob's glass, a burner's tray, the rim around a plate [K].
     pub glass: Vec<f64>,
+    /// Temperature of what a stove without a coil heats: grate, element or plate [K].
+    pub heater: f64,
     /// Oil, water and butter in the pan.
     pub liquids: Liquids,
     /// The lid, while it is on.
@@ -69,7 +75,7 @@ pub struct PanState {
     pub pose: PanPose,
     /// Share of the hob's power in each floor node [-].
     pub ring_shares: Vec<f64>,
-    /// True while the hob's temperature limit reduces the power.
+    /// True while a temperature limit of the hob reduces the power or switches it off.
     pub limited: bool,
     /// Steam that rises from foods and liquids, averaged [kg/s].
     pub steam: f64,
@@ -81,6 +87,10 @@ pub struct PanState {
 #[derive(Clone, Debug, Default)]
 pub struct PanSolver {
     heat: Vec<f64>,
+    /// Heat of an element into the glass under each floor node [J].
+    into_glass: Vec<f64>,
+    /// Metal of a pan that stands elsewhere [K], and the heat that it would get [J].
+    away: [Vec<f64>; 2],
     /// Heat capacity of metal and oil at each node [J/K].
     capacity: Vec<f64>,
     liquids: LiquidSolver,
@@ -116,8 +126,8 @@ pub struct PanLoad<'a> {
 /// Gravity in the frame of a level pan at rest [m/s²].
 pub const LEVEL: [f64; 3] = [0.0, 0.0, -saute_food::GRAVITY];
 
-/// Thermal conductivity of warm air under a lifted pan [W/(m·K)] (standard tables, 100 °C).
-const AIR_CONDUCTIVITY: f64 = 0.031;
+/// Distance of a pan that stands elsewhere [m] (chosen: nothing of a stove reaches there).
+const AWAY: f64 = 1e3;
 /// Upper bound of convection and radiation from both faces of a wall [W/(m²·K)] (chosen: a very hot wall); limits the
 /// stable step.
 const STEEPEST_AIR_LOSS: f64 = 100.0;
@@ -178,7 +188,8 @@ impl PanModel {
         let bed = Bed::new(&section, description);
         Ok(Self {
             liquids: liquids(bed, floor_nodes),
-            steepest: areas.iter().map(|a| a * (STEEPEST_AIR_LOSS + hob.glass.gap_conductance_w_m2k)).collect(),
+            steepest: areas.iter().map(|a| a * (STEEPEST_AIR_LOSS + hob.steepest_w_m2k())).collect(),
+            licked: licked(hob, &section, floor_nodes, floor),
             floor_area: areas[..floor_nodes].iter().sum(),
             locator: Locator::new(&section),
             class: PanClass::of(description, hob),
@@ -199,6 +210,7 @@ impl PanModel {
             temperature: vec![pan; self.capacity.len()],
             peak: vec![pan; self.capacity.len()],
             glass: vec![room.temperature(); self.floor_nodes],
+            heater: room.temperature(),
             liquids: self.liquids.fresh(pan, room),
             lid: None,
             ring_shares: self.ring_shares(hob, &pose),
@@ -297,11 +309,10 @@ impl PanModel {
         events: &mut EventLog,
         dt: f64,
     ) -> PanExchange {
-        let glass = &load.hob.glass;
-        let of_glass = 0.5 * glass.areal_capacity_j_m2k / (glass.gap_conductance_w_m2k + glass.loss_w_m2k);
-        let limit = (0.8 * self.conduction.stable_step_with(&self.capacity, &self.steepest)).min(of_glass);
+        let stable = 0.8 * self.conduction.stable_step_with(&self.capacity, &self.steepest);
+        let limit = stable.min(load.hob.under_step_s());
         let steps = libm::ceil(dt / limit).clamp(1.0, 1000.0);
-        state.limited = if load.rules == Rules::Paper2013 { limited_2013(state, load) } else { load.limited };
+        state.limited = is_limited(state, load);
         let mut total = PanExchange::default();
         let PanState { liquids, temperature, .. } = state;
         let scratch = &mut solver.liquids;
@@ -386,18 +397,21 @@ impl PanModel {
         dt: f64,
         total: &mut PanExchange,
     ) {
-        let heat = &mut solver.heat;
+        let PanSolver { heat, liquids, .. } = &mut *solver;
         heat.clear();
         heat.extend(load.food.iter().map(|p| -p));
         self.conduction.add_power(&self.graph, &state.temperature, heat);
         heat.iter_mut().for_each(|q| *q *= dt);
         self.add_air_losses(state, load, dt, heat, total);
-        self.add_water(state, &mut solver.liquids, dt, heat, total);
+        self.add_water(state, liquids, dt, heat, total);
         match cloth {
-            None => self.add_hob(state, load, dt, heat, total),
-            Some(cloth) => self.add_cloth(state, load.room, cloth, dt, heat, total),
+            None => self.add_hob(state, solver, load, dt, total),
+            Some(cloth) => {
+                self.add_cloth(state, load.room, cloth, dt, &mut solver.heat, total);
+                self.heat_nothing(state, solver, load, dt, total);
+            }
         }
-        for ((t, q), c) in state.temperature.iter_mut().zip(heat.iter()).zip(&solver.capacity) {
+        for ((t, q), c) in state.temperature.iter_mut().zip(&solver.heat).zip(&solver.capacity) {
             *t += q / c;
         }
         self.cool_glass(state, load, dt);
@@ -458,18 +472,110 @@ impl PanModel {
         self.release(state, vapour, total);
     }
 
-    /// Heat from the ring, and between floor and glass: contact conductance in series with the air under a lifted pan.
-    fn add_hob(&self, state: &mut PanState, load: &PanLoad, dt: f64, heat: &mut [f64], total: &mut PanExchange) {
+    /// Heat from the heater, and between floor and what lies under it: contact conductance in series with the air under a
+    /// lifted pan.
+    fn add_hob(&self, state: &mut PanState, solver: &mut PanSolver, load: &PanLoad, dt: f64, total: &mut PanExchange) {
+        let PanSolver { heat, into_glass, .. } = solver;
+        match load.hob.heater() {
+            Some(Heater::Coil(coil)) => return self.add_coil(coil, state, load, dt, heat, total),
+            Some(heater) => {
+                let PanState { temperature, glass, heater: warm, ring_shares: shares, pose, limited, .. } = state;
+                let meets = self.meets(temperature, shares, pose.lift, load, *limited, dt);
+                let given = self.given(heater, load, (warm, glass), &meets, (heat, into_glass));
+                total.hob += given.drawn;
+                total.other += given.drawn - given.to_pan;
+            }
+            None => {}
+        }
+        let under = &load.hob.under;
+        let gap = lifted(under.gap_conductance_w_m2k, state.pose.lift);
+        for (i, glass) in state.glass.iter_mut().enumerate() {
+            let area = self.section.areas[i];
+            let lost = gap * area * (state.temperature[i] - *glass) * dt;
+            heat[i] -= lost;
+            total.other += lost;
+            let taken = lost + into_glass.get(i).copied().unwrap_or(0.0);
+            *glass += taken / (under.areal_capacity_j_m2k * area);
+        }
+    }
+
+    /// A stove that detects no pan heats itself and the room while the pan stands elsewhere.
+    fn heat_nothing(
+        &self,
+        state: &mut PanState,
+        solver: &mut PanSolver,
+        load: &PanLoad,
+        dt: f64,
+        total: &mut PanExchange,
+    ) {
+        let Some(heater) = load.hob.heater().filter(|heater| !matches!(heater, Heater::Coil(_))) else { return };
+        let PanSolver { into_glass, away, .. } = solver;
+        let [metal, heat] = away;
+        metal.clear();
+        metal.resize(state.temperature.len(), load.room.temperature());
+        heat.clear();
+        heat.resize(metal.len(), 0.0);
+        let PanState { glass, heater: warm, ring_shares: shares, limited, .. } = state;
+        let meets = self.meets(metal, shares, AWAY, load, *limited, dt);
+        let given = self.given(heater, load, (warm, glass), &meets, (heat, into_glass));
+        total.hob += given.drawn;
+        total.other += given.drawn;
+        for ((glass, q), area) in glass.iter_mut().zip(into_glass.iter()).zip(&self.section.areas) {
+            *glass += q / (load.hob.under.areal_capacity_j_m2k * area);
+        }
+    }
+
+    fn meets<'a>(
+        &'a self,
+        metal: &'a [f64],
+        shares: &'a [f64],
+        lift: f64,
+        load: &PanLoad,
+        limited: bool,
+        dt: f64,
+    ) -> Meets<'a> {
+        let power = if limited { 0.0 } else { load.hob.switched(load.hob_w, load.time, load.lapse_s) };
+        Meets { metal, areas: &self.section.areas, shares, lift, power, room: load.room.temperature(), dt }
+    }
+
+    /// What a heater other than a coil gives in a step, to the metal and to the glass below it.
+    fn given(
+        &self,
+        heater: Heater,
+        load: &PanLoad,
+        (warm, glass): (&mut f64, &[f64]),
+        meets: &Meets,
+        (heat, into_glass): (&mut [f64], &mut Vec<f64>),
+    ) -> Given {
+        into_glass.clear();
+        match (heater, &load.hob.grate) {
+            (Heater::Flame(flame), Some(grate)) => flame.burn(grate, warm, &self.licked, meets, heat),
+            (Heater::Element(element), _) => element.glow(warm, glass, into_glass, meets, heat),
+            (Heater::Plate(plate), _) => plate.warm(warm, meets, heat),
+            (Heater::Coil(_) | Heater::Flame(_), _) => Given::default(),
+        }
+    }
+
+    /// Heat from the ring, and between floor and glass.
+    fn add_coil(
+        &self,
+        coil: &Coil,
+        state: &mut PanState,
+        load: &PanLoad,
+        dt: f64,
+        heat: &mut [f64],
+        total: &mut PanExchange,
+    ) {
         let PanLoad { hob, time, lapse_s, .. } = *load;
         let off = state.limited && load.rules == Rules::Paper2013;
         let power = if off { 0.0 } else { hob.switched(load.hob_w, time, lapse_s) };
-        let glass = &hob.glass;
-        let gap = 1.0 / (1.0 / glass.gap_conductance_w_m2k + state.pose.lift / AIR_CONDUCTIVITY);
+        let glass = &hob.under;
+        let gap = lifted(glass.gap_conductance_w_m2k, state.pose.lift);
         for (i, share) in state.ring_shares.iter().enumerate() {
             let drawn = power * share * dt;
             total.hob += drawn;
-            total.other += (1.0 - hob.coil.efficiency) * drawn;
-            heat[i] += hob.coil.efficiency * drawn;
+            total.other += (1.0 - coil.efficiency) * drawn;
+            heat[i] += coil.efficiency * drawn;
             let lost = gap * self.section.areas[i] * (state.temperature[i] - state.glass[i]) * dt;
             heat[i] -= lost;
             total.other += lost;
@@ -497,10 +603,28 @@ impl PanModel {
 
     fn cool_glass(&self, state: &mut PanState, load: &PanLoad, dt: f64) {
         let hob = load.hob;
-        let share = hob.glass.loss_w_m2k * dt / hob.glass.areal_capacity_j_m2k;
+        let share = hob.under.loss_w_m2k * dt / hob.under.areal_capacity_j_m2k;
         let air = load.room.temperature();
         state.glass.iter_mut().for_each(|t| *t -= share * (*t - air));
     }
+}
+
+/// Returns true if a limit reduces the power: that of the electronics, of the glass over an element, or of a plate's switch.
+fn is_limited(state: &PanState, load: &PanLoad) -> bool {
+    match load.hob.heater() {
+        Some(Heater::Element(element)) => element.limits(state.limited, &state.glass, &state.ring_shares),
+        Some(Heater::Plate(plate)) => plate.limits(state.limited, state.heater),
+        Some(Heater::Flame(_)) | None => false,
+        Some(Heater::Coil(_)) if load.rules == Rules::Paper2013 => limited_2013(state, load),
+        Some(Heater::Coil(_)) => load.limited,
+    }
+}
+
+/// Shares of a flame's heat to the nodes of a wall that begins at the floor's edge, `floor` [m] from the middle.
+fn licked(hob: &HobDescription, section: &Section, floor_nodes: usize, floor: f64) -> Vec<f64> {
+    let Some(flame) = &hob.flame else { return Vec::new() };
+    let along = section.points[floor_nodes..].iter().map(|p| libm::hypot(p[0], p[1]) - floor);
+    flame.wall_shares(along, &section.areas[floor_nodes..])
 }
 
 /// By the rules of 2013 the limit switches the power off until the glass above the sensor, in the centre of the coil, has

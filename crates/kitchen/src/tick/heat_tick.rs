@@ -97,9 +97,10 @@ impl Kitchen {
 
     /// Advances the electronics that hold the pan at a temperature.
     fn hold_pan_temperature(&mut self, fixed: &Fixed, lapse: Lapse) {
+        let Some(hob) = fixed.hob.electronics() else { return };
         let detected = self.cloth.is_none() && fixed.hob.detects(&self.pan.pose);
         let load = HoldLoad {
-            hob: &fixed.hob,
+            hob,
             class: &fixed.pan.class,
             largest: self.hob_w,
             given: self.hob_drawn_w(),

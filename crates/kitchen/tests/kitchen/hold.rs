@@ -315,7 +315,7 @@ fn a_class_of_pan_that_is_a_fifth_wrong_costs_at_most_five_kelvin() {
         let wanted = mean(&right);
         for share in [0.8, 1.2] {
             let mut wrong = library();
-            wrong.hob.hold.class_share = share;
+            wrong.hob.hold.as_mut().expect("induction").class_share = share;
             let found = mean(&wrong);
             assert!((found - wanted).abs() <= 5.0, "{pan} × {share}: {found} for {wanted} K");
         }

@@ -49,7 +49,7 @@ fn every_pan_heats_at_the_rate_of_its_heat_capacity() {
             |area: f64, mm: f64| area * mm * 1e-3 * pan.metal.density_kg_m3 * pan.metal.specific_heat_j_kgk * 160.0;
         let floor_j = storing(std::f64::consts::PI * floor * floor, pan.floor.thickness_mm);
         let all_j = floor_j + storing(wall_area, pan.wall.thickness_mm);
-        let power = 1100.0 * library.hob.coil.efficiency;
+        let power = 1100.0 * library.hob.efficiency();
         let time = kitchen.time_s();
         assert!(time > floor_j / power && time < 1.5 * all_j / power, "{id}: {time} s");
     }

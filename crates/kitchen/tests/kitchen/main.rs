@@ -20,4 +20,5 @@ mod properties;
 mod reduced;
 mod ridges;
 mod stove;
+mod stoves;
 mod tools;

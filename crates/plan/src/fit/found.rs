@@ -73,9 +73,10 @@ impl Found {
     /// Returns the kitchen that was found with the data of a library, as factors on the shipped data: a library that holds an earlier
     /// fit has its factors in it already.
     pub fn at_home(&self, library: &Library, log: &str) -> KitchenAtHome {
-        let (assumed, earlier) = (library.hob.coil.efficiency, &library.at_home);
+        let (assumed, earlier) = (library.hob.efficiency(), &library.at_home);
         let Self { samples, misfit, .. } = self;
         KitchenAtHome {
+            hob: earlier.hob.clone(),
             hob_factor: earlier.hob_factor * self.hob_efficiency.value / assumed,
             contact_factor: earlier.contact_factor * self.contact.value,
             source: format!("fitted to {samples} values of {log}; misfit {misfit:.2}"),

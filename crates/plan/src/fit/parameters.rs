@@ -35,7 +35,7 @@ impl Parameters {
     pub fn of(recipe: &Recipe, library: &Library) -> Self {
         let thickness = recipe.foods.first().map_or(0.0, |food| food.size[2]);
         // A file may state that all power arrives, which no measurement can move.
-        Self { hob_efficiency: library.hob.coil.efficiency.min(MOST_EFFICIENCY), contact: 1.0, thickness }
+        Self { hob_efficiency: library.hob.efficiency().min(MOST_EFFICIENCY), contact: 1.0, thickness }
     }
 
     /// Returns the transformed parameters [-].
@@ -64,7 +64,7 @@ impl Parameters {
     /// Returns the factors on a kitchen's data.
     fn factors(&self, library: &Library) -> KitchenAtHome {
         KitchenAtHome {
-            hob_factor: self.hob_efficiency / library.hob.coil.efficiency,
+            hob_factor: self.hob_efficiency / library.hob.efficiency(),
             contact_factor: self.contact,
             ..KitchenAtHome::default()
         }

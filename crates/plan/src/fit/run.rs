@@ -17,6 +17,8 @@ use super::search::Fit;
 pub struct Fitted {
     /// The parameters.
     pub found: Found,
+    /// Id of the hob on which was cooked; none for that of the kitchen at home.
+    pub hob: Option<String>,
     /// What the fitted kitchen would have shown.
     pub curves: Curves,
 }
@@ -112,7 +114,7 @@ impl FitRun {
         };
         for _ in 0..SECONDS_AT_ONCE {
             if let Some(curves) = drawing.second()? {
-                self.fitted = Some(Fitted { found, curves });
+                self.fitted = Some(Fitted { found, hob: self.fit.hob().map(str::to_owned), curves });
                 return Ok(());
             }
         }

@@ -1,5 +1,6 @@
 //! The search for the parameters of a kitchen at home: rounds of jobs, and what they taught.
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector, SMatrix};
@@ -69,7 +70,16 @@ impl Fit {
         Self::on(recipe, library, observed, vec![Level::Coarse])
     }
 
+    /// Id of the hob that the recipe names.
+    pub fn hob(&self) -> Option<&str> {
+        self.recipe.hob_kind.as_deref()
+    }
+
     fn on(recipe: Recipe, library: Arc<Library>, observed: &Observed, levels: Vec<Level>) -> Result<Self, FitError> {
+        // The factors are those of the recipe's hob.
+        let there = recipe.library(&library).map_err(|error| FitError::Cook(error.to_string()))?;
+        let there = if let Cow::Owned(there) = there { Some(there) } else { None };
+        let library = there.map_or(library, Arc::new);
         let samples = observed.samples();
         if samples.is_empty() {
             return Err(FitError::Nothing);

@@ -62,7 +62,7 @@ fn lower_heat(kitchen: &Kitchen) -> Option<Command> {
     }
     Some(match kitchen.hob_holds() {
         Some(held) => {
-            let lowest = kelvin(kitchen.hob().hold.lowest_c);
+            let lowest = kelvin(kitchen.hob().hold()?.lowest_c);
             Command::HobHold { temperature: (held - LOWER_K).max(lowest), power }
         }
         None => Command::Hob(LOWER_SHARE * power),

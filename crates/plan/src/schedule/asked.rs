@@ -20,6 +20,8 @@ pub struct Asked {
     pub initial_c: f64,
     /// Number of pieces of a group; none for a single piece.
     pub count: Option<u32>,
+    /// Id of the hob; none for that of the kitchen at home.
+    pub hob: Option<String>,
     /// Id of the pan.
     pub pan: String,
     /// Powers of the hob that may be used; in any order [W].
@@ -70,7 +72,7 @@ impl Asked {
     ///
     /// If food, target or pan mean nothing, or a size is out of range.
     pub fn order(&self, library: &Library) -> Result<Order, AskedError> {
-        let Self { food, size_mm, initial_c, count, pan, most_flips, target, crust_pct, .. } = self.clone();
+        let Self { food, size_mm, initial_c, count, hob, pan, most_flips, target, crust_pct, .. } = self.clone();
         if !library.foods.contains_key(&food) {
             return Err(AskedError::Food(food));
         }
@@ -78,8 +80,8 @@ impl Asked {
         let scale = scale_for(library, &food, &self.scale).or(library.scales.first());
         let scale = scale.ok_or_else(|| AskedError::Food(food.clone()))?;
         let goal = Goal::new(&wish, scale, crust_pct)?;
-        let hob_w = self.powers(library.hob.coil.largest_w);
-        let order = Order { food, size_mm, initial_c, count, pan, hob_w, most_flips, goal };
+        let hob_w = self.powers(library.hob.largest_w());
+        let order = Order { food, size_mm, initial_c, count, hob, pan, hob_w, most_flips, goal };
         order.check(library, 1.0)?;
         Ok(order)
     }
@@ -104,6 +106,7 @@ mod tests {
             size_mm: vec![75.0, 16.0],
             initial_c: 5.0,
             count: None,
+            hob: None,
             pan: "carbon-steel-26".into(),
             hob_w: vec![2000.0, 400.0, 400.0, 0.0],
             most_flips: 2,

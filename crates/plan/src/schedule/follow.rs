@@ -175,6 +175,7 @@ pub(super) mod tests {
                 size_mm: vec![120.0, 80.0, 25.0],
                 initial_c: 5.0,
                 count: None,
+                hob: None,
                 pan: "carbon-steel-26".into(),
                 hob_w: vec![400.0, 1100.0, 2000.0],
                 most_flips: 2,

@@ -21,6 +21,8 @@ pub struct Order {
     pub initial_c: f64,
     /// Number of pieces of a group; none for a single piece.
     pub count: Option<u32>,
+    /// Id of the hob, for the recipe; none for that of the kitchen at home.
+    pub hob: Option<String>,
     /// Id of the pan.
     pub pan: String,
     /// Powers of the hob that may be used, ascending, without 0 [W].
@@ -85,11 +87,12 @@ impl Order {
 
     /// Writes title, pan and foods as a recipe states them.
     pub(crate) fn write_head(&self, text: &mut String, max_s: u32) {
-        let Self { food, size_mm, initial_c, pan, .. } = self;
+        let Self { food, size_mm, initial_c, pan, hob, .. } = self;
+        let hob = hob.as_ref().map_or_else(String::new, |kind| format!("[hob]\nkind = {kind:?}\n"));
         // Writing to a string cannot fail.
         let _ = write!(
             text,
-            "title = {:?}\nmax_s = {max_s}\n[pan]\nkind = {pan:?}\n[[food]]\nid = {food:?}\nkind = {food:?}\n\
+            "title = {:?}\nmax_s = {max_s}\n{hob}[pan]\nkind = {pan:?}\n[[food]]\nid = {food:?}\nkind = {food:?}\n\
              size_mm = {size_mm:?}\ninitial_c = {initial_c}\n",
             self.title()
         );

@@ -73,7 +73,7 @@ pub(crate) fn changed(job: Job, change: Change, library: &Library) -> Job {
             Job { order: Order { initial_c, ..order.clone() }, ..job }
         }
         Change::PowerPct(pct) => {
-            let largest_w = library.hob.coil.largest_w;
+            let largest_w = library.hob.largest_w();
             Job { schedule: schedule.with_power(1.0 + 0.01 * pct, largest_w), ..job }
         }
     }

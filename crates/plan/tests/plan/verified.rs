@@ -36,12 +36,13 @@ impl Combination {
         let crust = Order::usual_crust_pct(library.foods[food].form);
         let goal = Goal::new(&target.parse().unwrap(), library.scale(scale).unwrap(), crust).unwrap();
         let numbers = |cell: &str| -> Vec<f64> { cell.split_whitespace().map(|n| n.parse().unwrap()).collect() };
-        let dial = || library.hob.coil.settings_w.iter().copied().filter(|w| *w > 0.0).collect();
+        let dial = || library.hob.settings_w().iter().copied().filter(|w| *w > 0.0).collect();
         let order = Order {
             food: food.to_owned(),
             size_mm: numbers(size),
             initial_c: initial_c.parse().unwrap(),
             count: count.parse().ok(),
+            hob: None,
             pan: pan.to_owned(),
             hob_w: if hob_w.is_empty() { dial() } else { numbers(hob_w) },
             most_flips: flips.parse().unwrap_or(FLIPS),
@@ -155,6 +156,7 @@ fn the_plan_does_not_depend_on_how_many_jobs_run_at_once_or_in_which_order() {
         size_mm: vec![14.0, 3.0],
         initial_c: 15.0,
         count: None,
+        hob: None,
         pan: "aluminium-26".to_owned(),
         hob_w: vec![800.0],
         most_flips: 1,

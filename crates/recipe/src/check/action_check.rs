@@ -11,6 +11,7 @@ use crate::file::action_file::{
     TOSS_HEIGHT_MM, TOWARDS_DEG, TiltTable, TossTable, WATER_G, WaterTable,
 };
 use crate::file::step_file::{StepEntry, StepKeys};
+use saute_kitchen::data::number_text::number_text;
 use saute_kitchen::hands::command::RestOn;
 use saute_kitchen::pan::hold::Hold;
 use saute_kitchen::{InputError, kelvin};
@@ -64,10 +65,22 @@ impl Check<'_> {
     }
 
     fn hob(&self, to: &HobTable) -> Checked<PanAction> {
-        let power = self.input.ranged("hob_w", &to.w, 0.0, self.library.hob.coil.largest_w)?;
+        let hob = &self.library.hob;
+        let power = self.input.ranged("hob_w", &to.w, 0.0, hob.largest_w())?;
+        let given = hob.nearest_w(power);
+        if self.names_hob && given != power {
+            let steps: Vec<String> = hob.settings_w().iter().map(|w| number_text(*w)).collect();
+            let remedy = format!("write hob_w = {}; its settings are {} W", number_text(given), steps.join(", "));
+            let message = format!("hob_w = {}: the hob \"{}\" does not give this power", number_text(power), hob.name);
+            return self.input.error(to.w.span().start, message, remedy);
+        }
         let Some(hold_c) = &to.hold_c else { return Ok(PanAction::Hob(power)) };
-        let Hold { lowest_c, highest_c, .. } = self.library.hob.hold;
-        let temperature = kelvin(self.input.ranged("hob_w.hold_c", hold_c, lowest_c, highest_c)?);
+        let Some(Hold { lowest_c, highest_c, .. }) = hob.hold() else {
+            let message = format!("hob_w.hold_c: the hob \"{}\" has no sensor and holds no temperature", hob.name);
+            let remedy = "write hob_w = a power, or cook on a hob with a sensor: [hob] kind = \"induction\"";
+            return self.input.error(hold_c.span().start, message, remedy);
+        };
+        let temperature = kelvin(self.input.ranged("hob_w.hold_c", hold_c, *lowest_c, *highest_c)?);
         Ok(PanAction::HobHold { temperature, power })
     }
 

@@ -1,5 +1,7 @@
 //! Checks a recipe file and converts it to SI units.
 
+use std::borrow::Cow;
+
 use saute_food::{FoodDescription, MeshSize, Rules};
 use toml::Spanned;
 
@@ -32,7 +34,7 @@ impl Recipe {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn parse(text: &str, file: &str, library: &Library) -> Result<Self, InputError> {
-        Check { input: InputText { text, file }, library }.recipe()
+        Check { input: InputText { text, file }, library, names_hob: false }.recipe()
     }
 }
 
@@ -40,6 +42,8 @@ impl Recipe {
 pub(crate) struct Check<'a> {
     pub(crate) input: InputText<'a>,
     pub(crate) library: &'a Library,
+    /// True if the recipe names the library's hob.
+    pub(crate) names_hob: bool,
 }
 
 /// The foods and groups that steps can name.
@@ -56,6 +60,21 @@ impl Check<'_> {
             return self.input.error(0, "the file is empty", "start from a shipped recipe: saute list recipes");
         }
         let raw: RecipeFile = self.input.parse("the keys and their types are listed by: saute schema recipe")?;
+        let Some(hob) = &raw.hob else { return self.with_hob(&raw) };
+        let library = self.on_hob(&hob.kind)?;
+        Check { input: self.input, library: &library, names_hob: true }.with_hob(&raw)
+    }
+
+    /// Returns the library with a hob.
+    fn on_hob(&self, kind: &Spanned<String>) -> Checked<Cow<'_, Library>> {
+        self.library.on_hob(kind.get_ref()).or_else(|_| {
+            let why = self.library.absence("hobs", kind.get_ref(), "is not a hob");
+            let remedy = format!("use one of: {}", Library::names(&self.library.hobs));
+            self.input.error(kind.span().start, format!("hob.kind = \"{}\" {why}", kind.get_ref()), remedy)
+        })
+    }
+
+    fn with_hob(&self, raw: &RecipeFile) -> Checked<Recipe> {
         let max_s = raw.max_s.as_ref().map_or(Ok(3600.0), |s| self.input.ranged("max_s", s, 1.0, 86_400.0))?;
         let (pan_kind, pan_temperature) = self.pan(raw.pan.as_ref().map(Spanned::get_ref))?;
         let rules = if raw.preset == Some(Preset::Paper2013) { Rules::Paper2013 } else { Rules::Full };
@@ -64,7 +83,8 @@ impl Check<'_> {
         let places: Vec<usize> = raw.step.iter().map(|s| s.span().start).collect();
         Sequence::new(self.input, names.foods.iter().map(|f| f.id.as_str())).check(&steps, &places)?;
         Ok(Recipe {
-            title: labelled(raw.title.unwrap_or_else(|| self.input.file.to_owned()), rules),
+            title: labelled(raw.title.clone().unwrap_or_else(|| self.input.file.to_owned()), rules),
+            hob_kind: raw.hob.as_ref().map(|hob| hob.kind.get_ref().clone()),
             max_s,
             pan_kind,
             pan_temperature,

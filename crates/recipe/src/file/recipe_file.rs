@@ -21,6 +21,9 @@ pub struct RecipeFile {
     /// The cook stops here if the steps have not ended it [s]; 3600 by default.
     #[schemars(with = "Option<f64>", range(min = 1, max = 86400))]
     pub max_s: Option<Spanned<f64>>,
+    /// The hob; that of the kitchen at home by default.
+    #[schemars(with = "Option<HobEntry>")]
+    pub hob: Option<HobEntry>,
     /// The pan; a carbon steel pan at 20 °C by default.
     #[schemars(with = "Option<PanEntry>")]
     pub pan: Option<Spanned<PanEntry>>,
@@ -41,6 +44,15 @@ pub enum Preset {
     /// boiling into vapour, browning above 150 °C by weight loss in four stages, a cloth that cools at once.
     #[serde(rename = "2013")]
     Paper2013,
+}
+
+/// The hob.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct HobEntry {
+    /// Id of a hob (`saute list hobs`).
+    #[schemars(with = "String")]
+    pub kind: Spanned<String>,
 }
 
 /// The pan.

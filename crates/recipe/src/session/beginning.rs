@@ -73,7 +73,8 @@ fn data_hash(recipe: &Recipe, library: &Library) -> u64 {
     let kinds: std::collections::BTreeSet<&String> = recipe.foods.iter().map(|food| &food.kind).collect();
     let foods = kinds.into_iter().filter_map(|kind| Some(library.food_hash(kind, library.foods.get(kind)?)));
     // A multiplicative mix: the order of the kinds counts.
-    foods.fold(library.pan_hash(&recipe.pan_kind), |mix, hash| mix.rotate_left(17).wrapping_mul(MIX) ^ hash)
+    let pan = recipe.library(library).map_or(0, |library| library.pan_hash(&recipe.pan_kind));
+    foods.fold(pan, |mix, hash| mix.rotate_left(17).wrapping_mul(MIX) ^ hash)
 }
 
 /// Odd multiplier of the mix [-] (the golden ratio's fraction in 64 bits).
@@ -99,19 +100,20 @@ pub struct SetOutFood {
 /// Latest end of a recipe [s].
 const LATEST_END_S: u32 = 86_400;
 
-/// Returns the text of a recipe that sets out a pan, at a temperature [°C], and foods, and does nothing with them.
-pub fn set_out(title: &str, pan: &str, pan_initial_c: f64, foods: &[SetOutFood]) -> String {
-    let mut text = head(title, LATEST_END_S.into(), pan, pan_initial_c);
+/// Returns the text of a recipe that sets out a hob, that of the kitchen at home for none, a pan, at a temperature [°C], and foods, and does nothing with them.
+pub fn set_out(title: &str, hob: Option<&str>, pan: &str, pan_initial_c: f64, foods: &[SetOutFood]) -> String {
+    let mut text = head(title, LATEST_END_S.into(), hob, pan, pan_initial_c);
     foods.iter().for_each(|food| write_food(&mut text, food));
     let _ = write!(text, "[[step]]\nat_s = {LATEST_END_S}\nend = true\n");
     text
 }
 
 /// Text of a recipe up to its foods.
-pub(super) fn head(title: &str, max_s: f64, pan: &str, pan_initial_c: f64) -> String {
-    let title = toml::Value::String(title.to_owned());
-    let pan = toml::Value::String(pan.to_owned());
-    format!("title = {title}\nmax_s = {max_s}\n[pan]\nkind = {pan}\ninitial_c = {pan_initial_c}\n")
+pub(super) fn head(title: &str, max_s: f64, hob: Option<&str>, pan: &str, pan_initial_c: f64) -> String {
+    let quoted = |text: &str| toml::Value::String(text.to_owned());
+    let (title, pan) = (quoted(title), quoted(pan));
+    let hob = hob.map_or_else(String::new, |kind| format!("[hob]\nkind = {}\n", quoted(kind)));
+    format!("title = {title}\nmax_s = {max_s}\n{hob}[pan]\nkind = {pan}\ninitial_c = {pan_initial_c}\n")
 }
 
 /// Writes a food as a recipe states it.

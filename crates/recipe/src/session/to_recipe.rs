@@ -77,7 +77,10 @@ impl Told<'_> {
         }
         let end_s = TICK_S * libm::ceil(tidy(self.end_s / TICK_S));
         let max_s = (end_s + 1.0).clamp(1.0, 86_400.0);
-        let mut text = head(&begun.title, max_s, &begun.pan_kind, tidy(celsius(begun.pan_temperature)));
+        let mut text = {
+            let (hob, pan_c) = (begun.hob_kind.as_deref(), tidy(celsius(begun.pan_temperature)));
+            head(&begun.title, max_s, hob, &begun.pan_kind, pan_c)
+        };
         let mut orders: Vec<&PieceOrder> = begun.foods.iter().collect();
         orders.extend(recording.entries().iter().filter_map(|entry| match &entry.deed {
             Deed::Add(order) => Some(order),

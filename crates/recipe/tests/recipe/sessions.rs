@@ -254,7 +254,7 @@ fn a_choice_is_set_out_as_a_recipe() {
         count: Some(2),
         ..food.clone()
     };
-    let text = set_out("A \"choice\"", "cast-iron-26", 180.25, &[food, shrimps]);
+    let text = set_out("A \"choice\"", None, "cast-iron-26", 180.25, &[food, shrimps]);
     let recipe = Recipe::parse(&text, "choice", &library).expect("parses");
     assert_eq!((recipe.title.as_str(), recipe.pan_kind.as_str()), ("A \"choice\"", "cast-iron-26"));
     assert_eq!(recipe.pan_temperature, kelvin(180.25));

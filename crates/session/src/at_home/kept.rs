@@ -24,6 +24,9 @@ impl KeptKitchen {
     /// Returns the kitchen of a fit with the data of a library.
     pub fn of(fitted: &Fitted, library: &Library, log: &str) -> Self {
         let found = &fitted.found;
+        // A fit that ended has cooked on its hob.
+        let there = fitted.hob.as_ref().and_then(|hob| library.on_hob(hob).ok());
+        let library = there.as_deref().unwrap_or(library);
         let three = |e: &saute_plan::fit::found::Estimate| [e.value, e.low, e.high];
         Self {
             text: found.at_home(library, log).to_file(),

@@ -61,6 +61,8 @@ fn food_and_pan(state: &WindowState, choice: &mut SteakChoice, stills: &mut Stil
     temperature(ui, l.text("pantry.start_temperature"), &mut choice.initial_c, 0.0, 30.0, fahrenheit);
     plan_it(l.called("noun", &noun(library, &choice.kind)), ui, acts, l);
     ui.separator();
+    ui.heading(l.text("pantry.hob"));
+    hobs(ui, library, choice, l);
     ui.heading(l.text("pantry.pan"));
     pans(ui, library, choice, l);
     crate::panels::at_home::chip::show(state, ui, acts);
@@ -70,15 +72,31 @@ fn food_and_pan(state: &WindowState, choice: &mut SteakChoice, stills: &mut Stil
 /// The list of the pans.
 pub(super) fn pans(ui: &mut Ui, library: &Library, choice: &mut SteakChoice, l: Language) {
     let name = l.called("pan", library.pans.get(&choice.pan).map_or(choice.pan.as_str(), |p| &p.name)).to_owned();
-    let combo = egui::ComboBox::from_id_salt("pan").selected_text(&name).width(ui.available_width() - 8.0);
-    let response = combo.show_ui(ui, |ui| {
+    list(ui, "pan", &name, &l.fill("pantry.pan_spoken", &[("pan", &name)]), |ui| {
         for (id, pan) in &library.pans {
             ui.selectable_value(&mut choice.pan, id.clone(), l.called("pan", &pan.name));
         }
     });
-    response.response.widget_info(|| {
-        egui::WidgetInfo::labeled(egui::accesskit::Role::ComboBox, true, l.fill("pantry.pan_spoken", &[("pan", &name)]))
+}
+
+/// The list of the hobs; that of the kitchen at home unless another is chosen.
+fn hobs(ui: &mut Ui, library: &Library, choice: &mut SteakChoice, l: Language) {
+    let at_home = &library.at_home.hob;
+    let mut id = choice.hob.as_ref().filter(|id| library.hobs.contains_key(*id)).unwrap_or(at_home).clone();
+    let name = l.called("stove", &choice.hob(library).name).to_owned();
+    list(ui, "hob", &name, &l.fill("pantry.hob_spoken", &[("hob", &name)]), |ui| {
+        for (other, hob) in &library.hobs {
+            ui.selectable_value(&mut id, other.clone(), l.called("stove", &hob.name));
+        }
     });
+    choice.hob = (id != *at_home).then_some(id);
+}
+
+/// A list with a name for who cannot see it.
+fn list(ui: &mut Ui, salt: &str, shown: &str, spoken: &str, content: impl FnOnce(&mut Ui)) {
+    let combo = egui::ComboBox::from_id_salt(salt).selected_text(shown).width(ui.available_width() - 8.0);
+    let response = combo.show_ui(ui, content).response;
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::ComboBox, true, spoken));
 }
 
 /// One button for each kind of food; another kind begins with its own size.

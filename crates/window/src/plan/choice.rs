@@ -2,6 +2,7 @@
 
 use saute_kitchen::Library;
 use saute_kitchen::food::Scale;
+use saute_kitchen::pan::hob::HobDescription;
 use saute_plan::schedule::Order;
 use saute_plan::schedule::asked::{Asked, scale_for};
 use serde::{Deserialize, Serialize};
@@ -67,13 +68,12 @@ impl PlanChoice {
     }
 
     /// Returns the powers of the hob that may be used, ascending [W].
-    pub fn powers_w(&self, library: &Library) -> Vec<f64> {
-        let coil = &library.hob.coil;
+    pub fn powers_w(&self, hob: &HobDescription) -> Vec<f64> {
         let typed = self.powers.split(|c: char| !c.is_ascii_digit()).filter_map(|number| number.parse().ok());
-        let usable = |w: &f64| *w > 0.0 && *w <= coil.largest_w;
+        let usable = |w: &f64| *w > 0.0 && *w <= hob.largest_w();
         let mut powers: Vec<f64> = typed.filter(usable).take(MOST_POWERS).collect();
         if powers.is_empty() {
-            powers = coil.settings_w.iter().copied().filter(usable).collect();
+            powers = hob.settings_w().iter().copied().filter(usable).collect();
         }
         powers.sort_by(f64::total_cmp);
         powers.dedup();
@@ -89,8 +89,9 @@ impl PlanChoice {
             size_mm: choice.size_mm.iter().map(|mm| mm.round()).collect(),
             initial_c: choice.initial_c.round(),
             count: None,
+            hob: choice.hob.clone(),
             pan: choice.pan.clone(),
-            hob_w: self.powers_w(library),
+            hob_w: self.powers_w(choice.hob(library)),
             most_flips: self.most_flips.min(MOST_FLIPS),
             target: if self.by_core || scale.is_none() { format!("core={:.0}", self.core_c) } else { class },
             scale: scale.map_or(String::new(), |scale| scale.id.clone()),
@@ -122,7 +123,7 @@ mod tests {
     #[test]
     fn powers_are_read_as_people_write_them_and_are_those_of_the_dial_where_there_are_none() {
         let library = Library::embedded().expect("embedded data");
-        let of = |powers: &str| PlanChoice { powers: powers.into(), ..PlanChoice::default() }.powers_w(&library);
+        let of = |powers: &str| PlanChoice { powers: powers.into(), ..PlanChoice::default() }.powers_w(&library.hob);
         assert_eq!(of("2000; 500 W,650"), [500.0, 650.0, 2000.0]);
         assert_eq!(of("a lot"), of(""));
         assert!(of("").len() >= 3 && !of("").contains(&0.0));

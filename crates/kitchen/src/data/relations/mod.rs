@@ -3,6 +3,7 @@
 mod doneness;
 mod food;
 mod goals;
+mod hob;
 mod kinetics;
 mod oil;
 mod pan;
@@ -15,7 +16,6 @@ use crate::data::format::Format;
 use crate::data::library_error::LibraryError;
 use crate::data::room::Room;
 use crate::liquids::fond::FondData;
-use crate::pan::hob::HobDescription;
 
 impl Format for Components {
     fn relations(&self, _: &DataFile) -> Result<(), LibraryError> {
@@ -24,12 +24,6 @@ impl Format for Components {
 }
 
 impl Format for FondData {
-    fn relations(&self, _: &DataFile) -> Result<(), LibraryError> {
-        Ok(())
-    }
-}
-
-impl Format for HobDescription {
     fn relations(&self, _: &DataFile) -> Result<(), LibraryError> {
         Ok(())
     }

@@ -18,12 +18,12 @@ impl SauteApp {
 
     /// Lets the hob hold the pan at a temperature [°C].
     pub(super) fn hold_pan_at(&mut self, celsius: f64) {
-        let power = self.session.kitchen.hob().hold.panel_w;
+        let power = self.session.kitchen.hob().hold().map_or(0.0, |hold| hold.panel_w);
         self.command(&Command::HobHold { temperature: kelvin(celsius), power });
     }
 
     pub(super) fn change_hob(&mut self, by: i8) {
-        let settings = self.session.kitchen.hob().coil.settings_w.clone();
+        let settings = self.session.kitchen.hob().settings_w().to_vec();
         let now = self.session.kitchen.hob_w();
         let next = if by > 0 {
             settings.iter().copied().find(|&w| w > now + 0.5)

@@ -32,7 +32,9 @@ impl SauteApp {
     fn find_plan(&mut self) {
         let asked = self.settings.plan.asked(&self.settings.choice, &self.session.library, &self.settings);
         let helper = (!self.leads.planning.has_helper()).then(|| self.hire_or_frames(Kind::Plan));
-        let home = self.session.home().home().map(str::to_owned);
+        let home = self.session.home();
+        let there = asked.hob.as_ref().and_then(|hob| home.on_hob(hob).ok());
+        let home = there.as_deref().unwrap_or(home).home().map(str::to_owned);
         self.leads.planning.ask(asked, home, helper);
     }
 

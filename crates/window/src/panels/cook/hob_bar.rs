@@ -93,6 +93,7 @@ fn hob(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
 /// The temperatures at which the hob can hold the pan, in a list.
 fn hold(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let (l, kitchen) = (state.settings.language, &state.session.kitchen);
+    let Some(sensor) = kitchen.hob().hold() else { return };
     let held = kitchen.hob_holds().map(celsius);
     let words = |c: f64| l.fill("hob.hold_at", &[("temperature", &state.settings.temperature(c))]);
     let text = held.map_or_else(|| l.text("hob.hold").to_owned(), words);
@@ -100,7 +101,7 @@ fn hold(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let colour = if held.is_some() { theme::of(ui).accent } else { theme::of(ui).text };
     let list = egui::ComboBox::from_id_salt("hold").selected_text(RichText::new(text).color(colour));
     let shown = list.show_ui(ui, |ui| {
-        for c in &kitchen.hob().hold.settings_c {
+        for c in &sensor.settings_c {
             let on = held.is_some_and(|held| (held - c).abs() < 0.5);
             if ui.selectable_label(on, state.settings.temperature(*c)).clicked() {
                 acts.push(Act::Cook(CookAct::HobHold(*c)));

@@ -26,7 +26,7 @@ const STEP_W: f64 = 10.0;
 /// Shows the slider; a click on a mark chooses its setting.
 pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let kitchen = &state.session.kitchen;
-    let settings = &kitchen.hob().coil.settings_w;
+    let settings = kitchen.hob().settings_w();
     let most = settings.iter().copied().fold(1.0, f64::max);
     let held = kitchen.hob_holds().is_some();
     let now = if held { 0.0 } else { kitchen.hob_w() };

@@ -139,7 +139,7 @@ fn crust_and_flips(state: &WindowState, ui: &mut Ui, choice: &SteakChoice, plan:
 fn powers(state: &WindowState, ui: &mut Ui, plan: &mut PlanChoice) {
     let l = state.settings.language;
     ui.label(RichText::new(l.text("plan.powers")).size(13.0).color(theme::of(ui).quiet));
-    let dial = PlanChoice::default().powers_w(&state.session.library);
+    let dial = PlanChoice::default().powers_w(state.settings.choice.hob(&state.session.library));
     let dial: Vec<String> = dial.iter().map(f64::to_string).collect();
     let field = TextEdit::singleline(&mut plan.powers).hint_text(dial.join(", ")).desired_width(ui.available_width());
     let spoken = l.text("plan.powers");

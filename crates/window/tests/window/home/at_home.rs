@@ -146,7 +146,7 @@ fn a_log_gives_the_kitchen_which_is_kept_used_and_left_again() {
     steps(&mut harness, 3);
     harness.get_by_label("Use this kitchen").click();
     steps(&mut harness, 3);
-    let efficiency = |h: &Harness<'static, SauteApp>| h.state().session().kitchen.hob().coil.efficiency;
+    let efficiency = |h: &Harness<'static, SauteApp>| h.state().session().kitchen.hob().efficiency();
     assert!((efficiency(&harness) - found.hob_efficiency.value).abs() < 1e-3, "the untouched cook is in it at once");
     assert!(harness.state().settings().kitchen.as_ref().is_some_and(|kept| kept.is_used));
     act(&mut harness, Act::App(AppAct::Shut(Card::AtHome)));
@@ -156,7 +156,7 @@ fn a_log_gives_the_kitchen_which_is_kept_used_and_left_again() {
     save(&mut harness, "athome-pantry");
     harness.get_by_label("Typical kitchen").click();
     steps(&mut harness, 3);
-    assert_eq!(efficiency(&harness), library.hob.coil.efficiency);
+    assert_eq!(efficiency(&harness), library.hob.efficiency());
     assert!(harness.state().settings().kitchen.as_ref().is_some_and(|kept| !kept.is_used), "it is not forgotten");
 }
 
@@ -204,14 +204,14 @@ fn resumed(recording: Recording, library: &Arc<Library>) -> (u64, f64, Session) 
     while session.is_travelling() {
         session.travel_on(std::time::Duration::from_millis(50));
     }
-    (session.kitchen.state_hash(), session.kitchen.hob().coil.efficiency, session)
+    (session.kitchen.state_hash(), session.kitchen.hob().efficiency(), session)
 }
 
 #[test]
 fn a_cook_of_one_kitchen_is_played_exactly_in_the_window_of_another() {
     let typical = Arc::new(Library::embedded().expect("embedded data"));
     let fitted = KeptKitchen::library(Some(&kept()), Arc::clone(&typical));
-    assert!(fitted.hob.coil.efficiency < typical.hob.coil.efficiency);
+    assert!(fitted.hob.efficiency() < typical.hob.efficiency());
     for (here, there) in [(&fitted, &typical), (&typical, &fitted)] {
         let session = cooked(here);
         let expected = session.kitchen.state_hash();
@@ -221,9 +221,9 @@ fn a_cook_of_one_kitchen_is_played_exactly_in_the_window_of_another() {
         for recording in [from_file, from_link] {
             let (state, efficiency, mut session) = resumed(recording, there);
             assert_eq!(state, expected);
-            assert_eq!(efficiency, here.hob.coil.efficiency);
+            assert_eq!(efficiency, here.hob.efficiency());
             session.set_out(&SteakChoice::default()).expect("sets out");
-            assert_eq!(session.kitchen.hob().coil.efficiency, there.hob.coil.efficiency, "later cooks are at home");
+            assert_eq!(session.kitchen.hob().efficiency(), there.hob.efficiency(), "later cooks are at home");
         }
         // A kitchen as bytes, as it goes to a worker, finds its own kitchen at home too.
         let restored = saute_kitchen::Kitchen::from_bytes(&session.kitchen.to_bytes(), there).expect("restores");
@@ -237,6 +237,6 @@ fn the_kitchen_is_remembered_from_one_start_to_the_next() {
     let text = serde_json::to_string(&settings).expect("JSON");
     let app = SauteApp::start(&egui::Context::default(), None, Some(text), Default::default()).expect("starts");
     let typical = Library::embedded().expect("embedded data");
-    let efficiency = app.session().kitchen.hob().coil.efficiency;
-    assert!((efficiency - 0.9 * typical.hob.coil.efficiency).abs() < 1e-9, "{efficiency}");
+    let efficiency = app.session().kitchen.hob().efficiency();
+    assert!((efficiency - 0.9 * typical.hob.efficiency()).abs() < 1e-9, "{efficiency}");
 }
