@@ -117,6 +117,7 @@ fn files() -> Vec<Ranging> {
     let shipped = Library::embedded_files();
     let text = |path: &str| shipped[path].as_str();
     let home = KitchenAtHome::default();
+    let hob = |path: &str| Ranging::of(path, FormatSchema::of::<HobDescription>().json(), text(path));
     vec![
         Ranging::of("kitchen-at-home.toml", FormatSchema::of::<KitchenAtHome>().json(), &home.to_file()),
         Ranging::of(
@@ -130,13 +131,18 @@ fn files() -> Vec<Ranging> {
             text("pans/cast-iron-grill-26.toml"),
         ),
         Ranging::of("oils/canola.toml", FormatSchema::of::<OilDescription>().json(), text("oils/canola.toml")),
-        Ranging::of("hobs/induction.toml", FormatSchema::of::<HobDescription>().json(), text("hobs/induction.toml")),
+        hob("hobs/gas.toml"),
+        hob("hobs/induction.toml"),
+        hob("hobs/iron-plate.toml"),
+        hob("hobs/radiant.toml"),
     ]
 }
 
 /// Cooks with files in place of the shipped ones; false if they are refused, as rules of several keys do.
 fn cooks(own: &[(String, String)]) -> bool {
     let Ok(library) = Library::with(own) else { return false };
+    let hob = own.iter().find_map(|(path, _)| path.strip_prefix("hobs/")?.strip_suffix(".toml"));
+    let Ok(library) = library.on_hob(hob.unwrap_or("induction")) else { return false };
     let pan = own.iter().find_map(|(path, _)| path.strip_prefix("pans/")?.strip_suffix(".toml"));
     let text = SHORT.replace("PAN", pan.unwrap_or("carbon-steel-26"));
     let Ok(recipe) = Recipe::parse(&text, "short.toml", &library) else { return false };
@@ -206,7 +212,7 @@ fn corners_of_the_ranges_drawn_at_random_can_be_cooked_in() {
             break;
         }
         // A pan of two, and two numbers of each file.
-        let chosen: Vec<&Ranging> = [0, 1 + below(2), 3, 4].map(|at| &files[at]).into();
+        let chosen: Vec<&Ranging> = [0, 1 + below(2), 3, 4 + below(4)].map(|at| &files[at]).into();
         let own: Vec<(String, String)> = chosen
             .into_iter()
             .map(|file| {

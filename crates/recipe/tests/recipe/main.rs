@@ -9,3 +9,4 @@ mod recipes;
 mod repeat;
 mod sessions;
 mod shipped;
+mod stoves;
