@@ -9,12 +9,13 @@ use saute_kitchen::dynamics::Tool;
 use saute_kitchen::food::change::colour::decoded;
 use saute_kitchen::food::{Face, FoodModel, Scale};
 use saute_kitchen::heat::Layout;
+use saute_kitchen::pan::heater::Heater;
 use saute_kitchen::piece::sear_lines::SearLines;
 use saute_kitchen::{Kitchen, Piece, Place, RestOn, celsius};
 use saute_scene::camera::Camera;
 use saute_scene::input::{
     Colouring, FLOOR_FIELD_RINGS, FoodLook, FoodVertex, HobLook, LidLook, PanLook, RestKind, RestLook, SEAR_SETS,
-    SceneInput, SearLook, ToolKind, ToolLook,
+    SceneInput, SearLook, StoveKind, ToolKind, ToolLook,
 };
 use saute_scene::light::photo::Photo;
 use saute_scene::light::room_light::RoomLight;
@@ -141,7 +142,7 @@ impl Stage {
         let spatter = self.spots.look(kitchen, &look, &self.pace);
         SceneInput {
             camera: following(&options.camera, places.followed(kitchen)),
-            hob: HobLook { power: seen_power(kitchen.hob_drawn_w()) },
+            hob: hob_look(kitchen),
             pan: look,
             foods: looks.flat_map(|(piece, pose)| self.food(piece, pose, options)).collect(),
             tool: tool(kitchen),
@@ -323,9 +324,27 @@ impl CachedSkin {
 const FULL_POWER_W: f64 = 2000.0;
 const POWER_STEPS: f64 = 64.0;
 
+/// Temperatures between which an element is seen to glow more and more [K] (the Draper point, and a ribbon at full power).
+const GLOW_K: [f64; 2] = [798.0, 1130.0];
+
+/// The stove, and how strongly it shows that it heats.
+fn hob_look(kitchen: &Kitchen) -> HobLook {
+    let (hob, drawn) = (kitchen.hob(), kitchen.hob_drawn_w());
+    let glow = || ((kitchen.pan_state().heater - GLOW_K[0]) / (GLOW_K[1] - GLOW_K[0])).max(0.0);
+    let (kind, power) = match hob.heater() {
+        Some(Heater::Flame(flame)) => (StoveKind::Gas, seen_power(drawn, flame.largest_w)),
+        Some(Heater::Element(_)) => (StoveKind::Radiant, seen_power(glow() * glow(), 1.0)),
+        Some(Heater::Plate(plate)) => {
+            (StoveKind::Plate, seen_power(drawn, plate.settings_w.iter().copied().fold(1.0, f64::max)))
+        }
+        Some(Heater::Coil(_)) | None => (StoveKind::Induction, seen_power(drawn, FULL_POWER_W)),
+    };
+    HobLook { kind, power }
+}
+
 /// Power of the hob as it is seen (0–1).
-fn seen_power(drawn_w: f64) -> f32 {
-    ((drawn_w / FULL_POWER_W).min(1.0) * POWER_STEPS).round() as f32 / POWER_STEPS as f32
+fn seen_power(drawn_w: f64, full_w: f64) -> f32 {
+    ((drawn_w / full_w).min(1.0) * POWER_STEPS).round() as f32 / POWER_STEPS as f32
 }
 
 /// The tool in the cook's hand.

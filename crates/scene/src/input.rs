@@ -29,7 +29,7 @@ pub use self::pan::{
 pub struct SceneInput {
     /// Where the eye is.
     pub camera: Camera,
-    /// The induction hob under the pan.
+    /// The hob under the pan.
     pub hob: HobLook,
     /// The pan; stands on the hob, or on the wet cloth beside it.
     pub pan: PanLook,
@@ -184,10 +184,27 @@ pub enum RestKind {
 /// Height of a rack's wires above the board [m] (chosen: a cooling rack).
 pub const RACK_HEIGHT: f32 = 0.016;
 
+/// Kind of a stove.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum StoveKind {
+    /// Induction hob with a glass.
+    #[default]
+    Induction,
+    /// Gas burner with a grate.
+    Gas,
+    /// Radiant elements behind glass-ceramic.
+    Radiant,
+    /// Iron plate.
+    Plate,
+}
+
 /// Appearance of the hob.
 #[derive(Clone, Copy, Debug)]
 pub struct HobLook {
-    /// Electrical power over the largest setting (0–1): the printed ring glows with it.
+    /// Kind.
+    pub kind: StoveKind,
+    /// How strongly it shows that it heats (0–1): the power over the largest setting, by which flames grow and the printed ring
+    /// of an induction hob glows; the glow of an element.
     pub power: f32,
 }
 

@@ -18,7 +18,7 @@ use crate::gpu::targets::Targets;
 use crate::gpu::textures::SceneTextures;
 use crate::gpu::uniforms::FrameUniform;
 use crate::gpu::views::Views;
-use crate::input::{Colouring, FilmPicture, SceneInput, TintPicture};
+use crate::input::{Colouring, FilmPicture, SceneInput, StoveKind, TintPicture};
 use crate::light::shadow::{ContactMap, ShadowView};
 use crate::quality::Quality;
 
@@ -210,6 +210,7 @@ impl SceneRenderer {
     }
 
     fn update_foods(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, input: &SceneInput) {
+        self.pipelines.burns = input.hob.kind == StoveKind::Gas;
         let Contents { foods, moved, .. } = &mut self.contents;
         *moved = foods.update(device, queue, self.pipelines.layouts(), &input.foods);
         foods.sort(&input.foods, input.eye());

@@ -8,7 +8,7 @@ use glam::{Mat4, Vec2, Vec3};
 use crate::camera::Camera;
 use crate::input::{
     BrowningPalette, Colouring, FILM_SIZE, FLOOR_FIELD_RINGS, FilmPicture, FleshTexture, FoodLook, FoodMesh,
-    FoodVertex, GrainVolume, HobLook, PanLook, SceneInput, SliceLook, SteamSource, TintPicture, Vapour,
+    FoodVertex, GrainVolume, HobLook, PanLook, SceneInput, SliceLook, SteamSource, StoveKind, TintPicture, Vapour,
 };
 use crate::noise::gradient_noise;
 
@@ -51,7 +51,7 @@ pub fn empty_pan() -> SceneInput {
     };
     SceneInput {
         camera: Camera::three_quarter(),
-        hob: HobLook { power: 0.6 },
+        hob: HobLook { kind: StoveKind::Induction, power: 0.6 },
         pan,
         foods: Vec::new(),
         tool: None,

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use saute_kitchen::advice::{Advice, FORECAST_HIGH_K, Goal, Situation};
+use saute_kitchen::advice::{Advice, FORECAST_HIGH_K, Goal, advise};
 use saute_kitchen::celsius;
 use saute_kitchen::doneness::{ScaleChoice, at_core, fitting};
 use saute_kitchen::food::Scale;
@@ -49,7 +49,7 @@ impl<H: Hands> Session<H> {
                 Some(Goal::Share { wanted_pct: wanted, reached_pct })
             }
         });
-        self.steak().map_or_else(Vec::new, |piece| Situation::of(&self.kitchen, piece).advice(goal))
+        self.steak().map_or_else(Vec::new, |piece| advise(&self.kitchen, piece, goal))
     }
 
     /// Returns the scales of doneness with the one with an id chosen.

@@ -3,6 +3,17 @@
 use saute_kitchen::advice::coaching::{Coaching, Cue, Happening};
 
 use crate::speech::Speech;
+use saute_kitchen::pan::heater::HeaterKind;
+
+/// Text for what heats a pan.
+fn pan_heats(by: HeaterKind) -> &'static str {
+    match by {
+        HeaterKind::Coil => "coach.pan_heats",
+        HeaterKind::Flame => "coach.pan_heats_over_gas",
+        HeaterKind::Element => "coach.pan_heats_on_glass",
+        HeaterKind::Plate => "coach.pan_heats_on_iron",
+    }
+}
 
 /// What happens and why.
 pub fn happening(coaching: &Coaching, speech: Speech) -> String {
@@ -10,7 +21,7 @@ pub fn happening(coaching: &Coaching, speech: Speech) -> String {
     let at = |key, celsius: f64| l.fill(key, &[("temperature", &speech.temperature(celsius))]);
     match coaching.happening {
         Happening::PanIsCold => l.text("coach.pan_is_cold").to_owned(),
-        Happening::PanHeats { pan_c } => at("coach.pan_heats", pan_c),
+        Happening::PanHeats { pan_c, by } => at(pan_heats(by), pan_c),
         Happening::PanIsHot { pan_c } => at("coach.pan_is_hot", pan_c),
         Happening::OilSmokes => l.text("coach.oil_smokes").to_owned(),
         Happening::FaceWarms { underside_c } => at("coach.face_warms", underside_c),

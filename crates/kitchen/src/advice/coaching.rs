@@ -4,6 +4,7 @@
 //! smoke, the core), the rule reads it; how it looks, sounds or feels is what cooks say, and chosen.
 
 use super::{Advice, BROWN_ENOUGH, HOT_C, SMOKE_SEEN_MG_S, Situation, WARM_ENOUGH_C, WET_BELOW_C};
+use crate::pan::heater::HeaterKind;
 use crate::{Kitchen, Piece, Place};
 
 /// Temperature of a dry face from which it browns before one's eyes [°C] (chosen: the browning of `data/kinetics` takes minutes
@@ -29,10 +30,12 @@ const JUICE_FROM_C: f64 = 48.0;
 pub enum Happening {
     /// The pan is cold, and nothing heats it.
     PanIsCold,
-    /// The hob's field heats the pan's floor from within.
+    /// The pan's floor heats: by the field of a hob from within, or by a flame, a glass or a plate from below.
     PanHeats {
         /// Temperature of the floor [°C].
         pan_c: f64,
+        /// What heats it.
+        by: HeaterKind,
     },
     /// The pan is hot: it stores the heat that boils off the first water.
     PanIsHot {
@@ -196,12 +199,12 @@ impl Readings {
     }
 
     fn before(&self) -> (Happening, Option<Cue>) {
-        let (pan_c, hob_w) = (self.situation.pan_c, self.situation.hob_w);
+        let Situation { pan_c, hob_w, heated_by: by, .. } = self.situation;
         let hot = if self.oiled { Cue::OilShimmers } else { Cue::DropDances };
         match () {
             () if self.smokes() => (Happening::OilSmokes, Some(Cue::SmokeStops)),
             () if pan_c >= WARM_ENOUGH_C => (Happening::PanIsHot { pan_c }, Some(Cue::LivelySizzle)),
-            () if hob_w > 0.0 => (Happening::PanHeats { pan_c }, (pan_c < HOT_C).then_some(hot)),
+            () if hob_w > 0.0 => (Happening::PanHeats { pan_c, by }, (pan_c < HOT_C).then_some(hot)),
             () => (Happening::PanIsCold, None),
         }
     }
@@ -286,7 +289,7 @@ mod tests {
     fn a_pan_is_hot_by_its_oil_or_by_a_drop_that_dances() {
         assert_eq!(at(|_| {}), (Happening::PanIsCold, None));
         let heats = |oiled| at(|r| (r.situation.hob_w, r.situation.pan_c, r.oiled) = (1100.0, 120.0, oiled));
-        assert_eq!(heats(false), (Happening::PanHeats { pan_c: 120.0 }, Some(Cue::DropDances)));
+        assert_eq!(heats(false), (Happening::PanHeats { pan_c: 120.0, by: HeaterKind::Coil }, Some(Cue::DropDances)));
         assert_eq!(heats(true).1, Some(Cue::OilShimmers));
         assert_eq!(at(|r| r.situation.pan_c = 190.0).1, Some(Cue::LivelySizzle));
         assert_eq!(at(|r| r.situation.smoke_mg_s = 2.0), (Happening::OilSmokes, Some(Cue::SmokeStops)));

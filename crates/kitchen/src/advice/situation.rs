@@ -4,6 +4,7 @@ use super::{
     Advice, BROWN, BROWN_BOTH, BROWNS_AT_C, FORECAST_HIGH_K, FRYING_W, GENTLE_W, Goal, HALF_WAY, HOT_C, HOT_TO_FRY_C,
     SMOKE_SEEN_MG_S, TOO_COLD_C, TOO_HOT_C, TURNS_S, WARM_ENOUGH_C, WET_BELOW_C,
 };
+use crate::pan::heater::HeaterKind;
 use crate::pan::hob::HobDescription;
 use crate::{Kitchen, Piece, Place, celsius};
 
@@ -18,9 +19,11 @@ pub struct Situation {
     pub hottest_c: f64,
     /// True if food is in the pan.
     pub pan_is_used: bool,
-    /// Power to which the hob is set [W].
+    /// What heats the pan.
+    pub heated_by: HeaterKind,
+    /// Power to which the hob is set, as that of an induction hob which gives the pan as much [W].
     pub hob_w: f64,
-    /// Setting of the hob that heats a pan well [W].
+    /// Setting of the hob that heats a pan well, as [`Self::hob_w`] [W].
     pub heating_w: f64,
     /// Flow of smoke [mg/s].
     pub smoke_mg_s: f64,
@@ -60,8 +63,9 @@ impl Situation {
             pan_c: celsius(kitchen.pan_temperature()),
             hottest_c: celsius(kitchen.hottest_temperature()),
             pan_is_used: kitchen.pieces().iter().any(Piece::in_pan),
-            hob_w: kitchen.hob_w(),
-            heating_w: heating_w(kitchen.hob()),
+            heated_by: kitchen.hob().heater().map_or(HeaterKind::Coil, |heater| heater.kind()),
+            hob_w: as_on_induction(kitchen.hob(), kitchen.hob_w()),
+            heating_w: as_on_induction(kitchen.hob(), heating_w(kitchen.hob())),
             smoke_mg_s: kitchen.pan_state().smoke_mg_s(),
             underside_c: celsius(piece.face(true)),
             browning: [browning(up), browning(up.map(|u| -u))],
@@ -193,9 +197,45 @@ const HEATING_W: f64 = 950.0;
 
 /// The setting of a hob that gives about that heat [W].
 fn heating_w(hob: &HobDescription) -> f64 {
-    let off = |w: &f64| libm::fabs(hob.efficiency() * w - HEATING_W);
+    let off = |w: &f64| libm::fabs(hob.heat_at(*w) - HEATING_W);
     let settings = hob.settings_w().iter().copied().filter(|w| *w > 0.0);
     settings.min_by(|a, b| off(a).total_cmp(&off(b))).unwrap_or(0.0)
+}
+
+/// Share of an induction hob's power that reaches the pan [-] (that of the shipped one).
+const INDUCTION: f64 = 0.87;
+
+/// Power of an induction hob that gives a pan in the long run what a hob gives it at `power` [W].
+fn as_on_induction(hob: &HobDescription, power: f64) -> f64 {
+    if hob.coil.is_some() { power } else { hob.heat_at(power) / INDUCTION }
+}
+
+impl Advice {
+    /// The same advice with the power that a hob is to be set to, in place of that of an induction hob.
+    fn on(self, hob: &HobDescription) -> Self {
+        if hob.coil.is_some() {
+            return self;
+        }
+        let power = |w: f64| 10.0 * libm::round(0.1 * hob.power_for(INDUCTION * w));
+        let power = |w: f64| hob.nearest_w(power(w));
+        match self {
+            Self::TurnOn { power_w } => Self::TurnOn { power_w: power(power_w) },
+            Self::TooCold { power_w } => Self::TooCold { power_w: power(power_w) },
+            Self::TooHot { hottest_c, smokes, to_w } => Self::TooHot { hottest_c, smokes, to_w: power(to_w) },
+            Self::BothBrown { to_w } => Self::BothBrown { to_w: power(to_w) },
+            Self::TurnDown { hottest_c, to_w } => Self::TurnDown { hottest_c, to_w: power(to_w) },
+            other => other,
+        }
+    }
+}
+
+/// Returns what to do about a piece, as [`Situation::advice`], with powers that the kitchen's hob has.
+pub fn advise(kitchen: &Kitchen, piece: &Piece, goal: Option<Goal>) -> Vec<Advice> {
+    let hob = kitchen.hob();
+    let all = Situation::of(kitchen, piece).advice(goal).into_iter().map(|one| one.on(hob));
+    // A dial with few steps may have none between where it stands and what is wished.
+    let is_new = |one: &Advice| one.hob_w().is_none_or(|w| libm::fabs(w - kitchen.hob_w()) > 0.5);
+    all.filter(|one| hob.coil.is_some() || is_new(one)).collect()
 }
 
 #[cfg(test)]
@@ -206,6 +246,7 @@ impl Situation {
         pan_c: 20.0,
         hottest_c: 20.0,
         pan_is_used: false,
+        heated_by: HeaterKind::Coil,
         hob_w: 0.0,
         heating_w: 1100.0,
         smoke_mg_s: 0.0,

@@ -1,6 +1,6 @@
 //! Promise: a cook who does what the advice says, and nothing else, ends with a steak of the class that was wished.
 
-use saute_kitchen::advice::{Advice, Goal, Situation, class_goal};
+use saute_kitchen::advice::{Advice, Goal, Situation, advise, class_goal};
 use saute_kitchen::doneness::core_class;
 use saute_kitchen::food::{Rules, Scale};
 use saute_kitchen::piece::carry_over::foreseen_peak;
@@ -23,7 +23,7 @@ fn steak(mm: f64) -> PieceOrder {
 fn advice(kitchen: &Kitchen, goal_c: f64) -> Vec<Advice> {
     let piece = &kitchen.pieces()[0];
     let foreseen_c = celsius(foreseen_peak(&piece.model, &piece.state, kitchen.room()).0);
-    Situation::of(kitchen, piece).advice(Some(Goal::Peak { core_c: goal_c, foreseen_c }))
+    advise(kitchen, piece, Some(Goal::Peak { core_c: goal_c, foreseen_c }))
 }
 
 fn food() -> String {
@@ -93,6 +93,17 @@ fn whoever_follows_the_advice_gets_a_medium_steak() {
     for pan in ["carbon-steel-26", "cast-iron-26"] {
         reaches(&library, 2, pan, 18.0, true);
         reaches(&library, 2, pan, 25.0, false);
+    }
+}
+
+#[test]
+fn whoever_follows_it_on_another_stove_gets_one_too() {
+    let library = Library::embedded().expect("embedded data");
+    for stove in ["gas", "radiant", "iron-plate"] {
+        let library = library.on_hob(stove).expect("a hob");
+        for pan in ["carbon-steel-26", "cast-iron-26"] {
+            reaches(&library, 2, pan, 25.0, true);
+        }
     }
 }
 

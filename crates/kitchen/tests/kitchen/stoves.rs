@@ -223,3 +223,53 @@ fn on_every_stove_a_saved_kitchen_goes_on_as_if_it_had_not_been_saved() {
         assert_eq!(again.hob().name, kitchen.hob().name);
     }
 }
+
+/// The file that the documentation shows is sound, and a hob of one's own is cooked on.
+#[test]
+fn the_documented_hob_can_be_used() {
+    let page = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/your-own-hob.md");
+    let page = std::fs::read_to_string(page).expect("the page");
+    let file = page.split("```toml").nth(1).and_then(|rest| rest.split("```").next()).expect("a file");
+    let own = Library::with(&[("hobs/own.toml".into(), file.into())]).expect("sound");
+    let (_, share) = a_litre(in_library(&own.on_hob("own").expect("a hob"), "carbon-steel-26"), 1700.0);
+    assert!((0.25..0.45).contains(&share), "{share}");
+}
+
+/// Tables that do not belong together are refused with what to do.
+#[test]
+fn hobs_that_cannot_be_are_refused_where_they_stand() {
+    let shipped = Library::embedded_files();
+    let refused = |path: &str, change: &dyn Fn(&str) -> String| {
+        let text = change(&shipped[path]);
+        assert_ne!(text, shipped[path], "{path} was changed");
+        Library::with(&[(path.to_owned(), text)]).expect_err("refused").to_string()
+    };
+    let grate = shipped["hobs/gas.toml"]
+        .split("[grate]")
+        .nth(1)
+        .and_then(|rest| rest.split("[under]").next())
+        .expect("a grate");
+    let element = shipped["hobs/radiant.toml"]
+        .split("[under]")
+        .next()
+        .and_then(|rest| rest.split("\n\n").nth(1))
+        .expect("an element");
+    let without_grate = refused("hobs/gas.toml", &|text| text.replace(&format!("[grate]{grate}"), ""));
+    assert!(without_grate.contains("[flame] needs [grate]"), "{without_grate}");
+    let with_grate = refused("hobs/iron-plate.toml", &|text| format!("{text}\n[grate]{grate}"));
+    assert!(with_grate.contains("[grate] belongs to [flame]"), "{with_grate}");
+    let two = refused("hobs/iron-plate.toml", &|text| format!("{text}\n{element}"));
+    assert!(two.contains("[element] and [plate] both make heat"), "{two}");
+    let none = refused("hobs/radiant.toml", &|text| text.replace(element, ""));
+    assert!(none.contains("nothing makes heat") && none.contains("[flame]"), "{none}");
+    let steps = refused("hobs/gas.toml", &|text| text.replace("500.0, 1200.0", "100.0, 1200.0"));
+    assert!(steps.contains("no flame burns with 100 W"), "{steps}");
+    let descending = refused("hobs/iron-plate.toml", &|text| text.replace("220.0, 300.0", "300.0, 220.0"));
+    assert!(descending.contains("begins with 0 and rises"), "{descending}");
+    let beyond = refused("hobs/radiant.toml", &|text| text.replace("1200.0, 1800.0]", "1200.0, 2500.0]"));
+    assert!(beyond.contains("beyond largest_w"), "{beyond}");
+    let at_home =
+        Library::with(&[("kitchen-at-home.toml".into(), shipped["kitchen-at-home.toml"].clone() + "\nhob = \"fire\"")]);
+    let at_home = at_home.expect_err("refused").to_string();
+    assert!(at_home.contains("there are: gas, induction, iron-plate, radiant"), "{at_home}");
+}

@@ -211,6 +211,10 @@ pub(crate) fn draw_still(
     solids.surroundings.draw(pass);
     solids.turner().into_iter().for_each(|turner| turner.draw(pass));
     solids.room.draw(pass);
+    if let (Some(pipeline), Some(flames)) = (&pipelines.flame, solids.flames()) {
+        pass.set_pipeline(pipeline);
+        flames.draw(pass);
+    }
 }
 
 /// Foods, cut faces, the tool in the hand and the floor of the pan.

@@ -13,6 +13,8 @@ pub(crate) struct PipelineSet {
     restore: wgpu::RenderPipeline,
     colour: BTreeMap<Detail, ColourPipelines>,
     flat: Option<FlatPipelines>,
+    /// True while a flame is to be drawn.
+    pub burns: bool,
 }
 
 impl PipelineSet {
@@ -20,7 +22,7 @@ impl PipelineSet {
     pub fn new(device: &wgpu::Device, textures: &wgpu::BindGroupLayout) -> Self {
         let factory = PipelineFactory::new(device, textures);
         let (depth, restore) = (factory.depth(device), factory.restore(device));
-        Self { factory, depth, restore, colour: BTreeMap::new(), flat: None }
+        Self { factory, depth, restore, colour: BTreeMap::new(), flat: None, burns: false }
     }
 
     /// Layouts of the bind groups that belong to no texture set.
@@ -42,12 +44,18 @@ impl PipelineSet {
     pub fn stock(&mut self, device: &wgpu::Device, detail: Detail, flesh: impl Iterator<Item = FleshTexture>) {
         let pipelines = self.colour.entry(detail).or_insert_with(|| self.factory.colour(device, detail));
         self.factory.stock(device, pipelines, flesh);
+        if self.burns {
+            self.factory.kindle(device, pipelines);
+        }
     }
 
     /// As [`Self::stock`], with what a half mirror needs.
     pub fn stock_mirror(&mut self, device: &wgpu::Device, detail: Detail, flesh: impl Iterator<Item = FleshTexture>) {
         let pipelines = self.colour.entry(detail).or_insert_with(|| self.factory.colour(device, detail));
         self.factory.stock(device, pipelines, flesh);
+        if self.burns {
+            self.factory.kindle(device, pipelines);
+        }
         self.factory.occlude(device, pipelines);
     }
 

@@ -45,6 +45,8 @@ pub(crate) struct ColourPipelines {
     pub wood: wgpu::RenderPipeline,
     pub glass: wgpu::RenderPipeline,
     pub metal: wgpu::RenderPipeline,
+    /// Flames of a burner; made when one first burns.
+    pub flame: Option<wgpu::RenderPipeline>,
     /// Occluder: black with depth; made when a half mirror first needs it.
     pub occluder: Option<wgpu::RenderPipeline>,
     /// The pan's floor, which is drawn with the foods.
@@ -136,9 +138,10 @@ impl PipelineFactory {
             wood: solid("fs_wood"),
             glass: solid("fs_glass"),
             metal: solid("fs_metal"),
+            flame: None,
             occluder: None,
             floor: self.solid_pipeline(device, "fs_metal", lively),
-            lid: self.lid_pipeline(device, lively),
+            lid: self.veil_pipeline(device, "fs_lid", Some(wgpu::Face::Back), lively),
             fry: self.sprite_pipeline(device, ["vs_fry", "fs_fry"], lively),
             foods: BTreeMap::new(),
             // The ghost has no thickness: only the side that faces the eye is drawn.
@@ -163,6 +166,12 @@ impl PipelineFactory {
                 cut_face: make("fs_cut_face", None, texture),
             });
         }
+    }
+
+    /// Makes the pipeline of flames, which add their light.
+    pub fn kindle(&self, device: &wgpu::Device, pipelines: &mut ColourPipelines) {
+        let detail = if pipelines.detail == Detail::Usual { Detail::Quick } else { pipelines.detail };
+        pipelines.flame.get_or_insert_with(|| self.veil_pipeline(device, "fs_flame", None, detail));
     }
 
     /// Makes the pipeline of occluders, which are black and write depth.
@@ -206,10 +215,17 @@ impl PipelineFactory {
         build(device, &self.solid_layout, vertex, Some((&self.solid, entry, None)), depth_state(true), None, detail)
     }
 
-    fn lid_pipeline(&self, device: &wgpu::Device, detail: Detail) -> wgpu::RenderPipeline {
+    /// A pipeline for what is seen through.
+    fn veil_pipeline(
+        &self,
+        device: &wgpu::Device,
+        entry: &'static str,
+        cull: Option<wgpu::Face>,
+        detail: Detail,
+    ) -> wgpu::RenderPipeline {
         let vertex = (&self.solid, "vs_solid", Some(solid_buffer()));
-        let fragment = Some((&self.solid, "fs_lid", Some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING)));
-        build(device, &self.solid_layout, vertex, fragment, depth_state(false), Some(wgpu::Face::Back), detail)
+        let fragment = Some((&self.solid, entry, Some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING)));
+        build(device, &self.solid_layout, vertex, fragment, depth_state(false), cull, detail)
     }
 
     fn food_pipeline(

@@ -3,12 +3,13 @@
 use glam::{Mat4, Quat, Vec3};
 use wgpu::util::DeviceExt;
 
-use crate::input::{RestLook, SceneInput, ToolKind, ToolLook};
+use crate::input::{RestLook, SceneInput, StoveKind, ToolKind, ToolLook};
 use crate::mesh::lid::lid_mesh;
 use crate::mesh::pan::pan_mesh;
 use crate::mesh::props::{self, CLOTH_PLACE, COUNTER_Z};
 use crate::mesh::rest::rest_mesh;
 use crate::mesh::solid::{Mesh, SolidVertex};
+use crate::mesh::stove;
 use crate::mesh::strings::{StringLook, string_mesh};
 use crate::mesh::tool::tool_mesh;
 
@@ -109,6 +110,10 @@ impl Posed {
 /// All solid things.
 pub(crate) struct Solids {
     pub room: SolidBuffers,
+    /// Kind of the stove, and the power at which it burns.
+    stove: (StoveKind, f32),
+    /// Flames of a burner; none without.
+    flames: Option<SolidBuffers>,
     pub surroundings: SolidBuffers,
     pub board: SolidBuffers,
     pub hob: SolidBuffers,
@@ -127,10 +132,12 @@ impl Solids {
     pub fn new(device: &wgpu::Device, input: &SceneInput) -> Self {
         let [pan_body, pan_floor] = pan(device, input);
         Self {
-            room: SolidBuffers::new(device, &props::room()),
+            room: SolidBuffers::new(device, &props::room(stove::hole(input.hob.kind))),
+            stove: (input.hob.kind, input.hob.power),
+            flames: flames(device, input),
             surroundings: SolidBuffers::new(device, &props::surroundings()),
             board: SolidBuffers::new(device, &props::board()),
-            hob: SolidBuffers::new(device, &props::hob()),
+            hob: SolidBuffers::new(device, &stove::stove(input.hob.kind)),
             cloth: cloth(device, input),
             turner: SolidBuffers::new(device, &props::turner()),
             pan_body,
@@ -160,6 +167,7 @@ impl Solids {
             self.cloth = cloth(device, input);
         }
         self.key = key;
+        self.change_stove(device, input);
         if !self.shows(&input.strings) {
             let mesh = (!input.strings.is_empty()).then(|| SolidBuffers::new(device, &string_mesh(&input.strings)));
             self.strings = mesh.map(|buffers| (input.strings.clone(), buffers));
@@ -171,6 +179,24 @@ impl Solids {
                 (look, mesh, buffers)
             });
         }
+    }
+
+    /// Sets another stove out, and lets flames grow with the power.
+    fn change_stove(&mut self, device: &wgpu::Device, input: &SceneInput) {
+        let stove = (input.hob.kind, input.hob.power);
+        if stove.0 != self.stove.0 {
+            self.room = SolidBuffers::new(device, &props::room(stove::hole(stove.0)));
+            self.hob = SolidBuffers::new(device, &stove::stove(stove.0));
+        }
+        if stove != self.stove {
+            self.flames = flames(device, input);
+        }
+        self.stove = stove;
+    }
+
+    /// The flames of a burner.
+    pub fn flames(&self) -> Option<&SolidBuffers> {
+        self.flames.as_ref()
     }
 
     pub fn pan_body(&self) -> &SolidBuffers {
@@ -218,6 +244,12 @@ impl Solids {
     pub fn turner(&self) -> Option<&SolidBuffers> {
         (!self.key.turner_in_hand).then_some(&self.turner)
     }
+}
+
+/// The flames of a burner that burns.
+fn flames(device: &wgpu::Device, input: &SceneInput) -> Option<SolidBuffers> {
+    let burns = input.hob.kind == StoveKind::Gas && input.hob.power > 0.0;
+    burns.then(|| SolidBuffers::new(device, &stove::flames(input.hob.power)))
 }
 
 /// Body and floor of the pan where it stands.

@@ -3,7 +3,7 @@
 use crate::camera::Camera;
 use crate::gpu::solids::MovableKey;
 use crate::gpu::uniforms::{balance, exposure};
-use crate::input::{SceneInput, Tile};
+use crate::input::{SceneInput, StoveKind, Tile};
 use crate::light::room_light::RoomLight;
 use crate::light::white_balance::WhiteBalance;
 
@@ -13,7 +13,7 @@ pub(crate) struct StillKey {
     camera: Camera,
     size: [u32; 2],
     /// Hob power in steps too small to be seen.
-    power: u32,
+    stove: (StoveKind, u32),
     pan: MovableKey,
     disturbances: u64,
     white: WhiteBalance,
@@ -30,7 +30,7 @@ impl StillKey {
         Self {
             camera: input.camera.clone(),
             size,
-            power: (input.hob.power * 128.0).round() as u32,
+            stove: (input.hob.kind, (input.hob.power * 128.0).round() as u32),
             pan: MovableKey::of(input),
             disturbances,
             white: balance(input),

@@ -11,5 +11,6 @@ pub(crate) mod solid;
 pub(crate) mod spatter;
 pub(crate) mod stays;
 pub(crate) mod steam;
+pub(crate) mod stove;
 pub mod strings;
 pub(crate) mod tool;

@@ -1,4 +1,4 @@
-//! The quiet corner around the pan: hob, counter, wall, board, cloth, turner, oil bottle.
+//! The quiet corner around the stove: counter, wall, board, cloth, turner, oil bottle.
 
 use glam::{Mat4, Vec2, Vec3};
 
@@ -16,14 +16,13 @@ pub const CLOTH_THICKNESS: f32 = 0.008;
 pub const CLOTH_PLACE: Vec3 = Vec3::new(-0.345, -0.02, COUNTER_Z + CLOTH_THICKNESS);
 
 const CLOTH_SIZE: Vec2 = Vec2::new(0.215, 0.235);
-/// Glass of the hob: centre and size [m] (a single portable hob).
-const HOB_CENTRE: Vec2 = Vec2::new(0.0, -0.022);
-const HOB_SIZE: Vec2 = Vec2::new(0.36, 0.43);
-
 /// Counter and wall: what everything stands on and before; casts no shadow, because the window is in the wall.
-pub(crate) fn room() -> Mesh {
+///
+/// The counter has a hole for a stove that is let into it.
+pub(crate) fn room(hole: Option<[Vec2; 2]>) -> Mesh {
     let mut mesh = Mesh::default();
-    counter_and_wall(&mut mesh);
+    counter(&mut mesh, hole);
+    wall(&mut mesh);
     mesh
 }
 
@@ -31,22 +30,6 @@ pub(crate) fn room() -> Mesh {
 pub(crate) fn surroundings() -> Mesh {
     let mut mesh = Mesh::default();
     bottle(&mut mesh, Vec3::new(-0.205, 0.275, COUNTER_Z));
-    mesh
-}
-
-/// The glass of the hob and its metal frame.
-pub(crate) fn hob() -> Mesh {
-    let mut mesh = Mesh::default();
-    let frame = Finish { colour: Vec3::splat(0.035), roughness: 0.5, metalness: 0.6, material: Material::Plain };
-    let base = HOB_CENTRE.extend(COUNTER_Z);
-    mesh.slab(base, (HOB_SIZE + 0.006).extend(-COUNTER_Z - 0.0012), 0.014, 0.001, &frame);
-    let glass = Finish {
-        colour: Vec3::new(0.0065, 0.0066, 0.0072),
-        roughness: 0.06,
-        metalness: 0.0,
-        material: Material::Glass,
-    };
-    mesh.slab(base, HOB_SIZE.extend(-COUNTER_Z), 0.012, 0.0012, &glass);
     mesh
 }
 
@@ -86,13 +69,24 @@ fn cloth_layer(mesh: &mut Mesh, top: f32, finish: &Finish) {
     });
 }
 
-fn counter_and_wall(mesh: &mut Mesh) {
+fn counter(mesh: &mut Mesh, hole: Option<[Vec2; 2]>) {
     let stone =
         Finish { colour: Vec3::new(0.225, 0.222, 0.216), roughness: 0.42, metalness: 0.0, material: Material::Counter };
-    mesh.grid(8, 8, &stone, |i, j| {
-        let at = Vec3::new(i as f32 * 0.5 - 2.0, j as f32 * 0.325 - 2.0, COUNTER_Z);
-        (at, Vec3::Z, 1.0)
-    });
+    let Some([low, high]) = hole else {
+        mesh.grid(8, 8, &stone, |i, j| {
+            let at = Vec3::new(i as f32 * 0.5 - 2.0, j as f32 * 0.325 - 2.0, COUNTER_Z);
+            (at, Vec3::Z, 1.0)
+        });
+        return;
+    };
+    let first = mesh.indices.len();
+    let lines = [[-2.0, low.x, high.x, 2.0], [-2.0, low.y, high.y, 0.6]];
+    mesh.grid(3, 3, &stone, |i, j| (Vec3::new(lines[0][i as usize], lines[1][j as usize], COUNTER_Z), Vec3::Z, 1.0));
+    // The middle one of nine fields is open.
+    mesh.indices.drain(first + 4 * 6..first + 5 * 6);
+}
+
+fn wall(mesh: &mut Mesh) {
     let plaster =
         Finish { colour: Vec3::new(0.50, 0.52, 0.53), roughness: 0.9, metalness: 0.0, material: Material::Plain };
     // The window is in this wall, so it is lit only by the room: its normal leans towards the ceiling.

@@ -14,6 +14,8 @@ pub(crate) enum Material {
     Wood = 4,
     Cloth = 5,
     Counter = 6,
+    /// Glass over a radiant element.
+    Zone = 7,
 }
 
 /// Vertex of a fixed surface.

@@ -105,6 +105,34 @@ fn printed_ring(position: vec3<f32>) -> vec3<f32> {
     return print * vec3<f32>(0.20) + vec3<f32>(0.9, 0.17, 0.04) * (glow * 0.13 + print * frame.mode.x * 0.55);
 }
 
+// Height below which a surface belongs to the well of a burner [m].
+const WELL_TOP = -0.0085;
+
+// Radiance of a zone over a radiant element: two thin printed lines, and ribbons that glow through the glass.
+fn glowing_zone(position: vec3<f32>) -> vec3<f32> {
+    let radius = length(position.xy);
+    let line = smoothstep(0.0009, 0.0004, abs(radius - 0.092)) + 0.5 * smoothstep(0.0006, 0.0002, abs(radius - 0.0955));
+    let turns = radius / 0.011 + atan2(position.y, position.x) / 6.2831853;
+    let ribbon = smoothstep(0.42, 0.16, abs(fract(turns) - 0.5));
+    let inside = smoothstep(0.089, 0.086, radius) * smoothstep(0.008, 0.012, radius);
+    // Of a coil that is half seen the insulation round it is lit too.
+    let light = inside * (0.28 + ribbon) + 0.35 * exp(-max(radius - 0.088, 0.0) * 60.0) * step(0.088, radius);
+    return line * vec3<f32>(0.20) + vec3<f32>(1.6, 0.24, 0.03) * light * frame.mode.x;
+}
+
+// A flame of gas: blue where much of it is looked through, paler along the edge of its inner cone, nothing at the tip.
+@fragment
+fn fs_flame(in: SolidOut) -> @location(0) vec4<f32> {
+    let view = normalize(frame.eye.xyz - in.position);
+    let edge = 1.0 - abs(dot(normalize(in.normal), view));
+    let along = in.surface.x;
+    let body = smoothstep(1.0, 0.25, along);
+    let inner = smoothstep(0.55, 0.1, along) * smoothstep(0.25, 0.9, edge);
+    let light = vec3<f32>(0.02, 0.09, 0.55) * body * 0.5 + vec3<f32>(0.10, 0.42, 0.85) * inner;
+    let black = pixel_from_radiance(vec3<f32>(0.0), in.clip.xy).rgb;
+    return vec4<f32>(max(pixel_from_radiance(light, in.clip.xy).rgb - black, vec3<f32>(0.0)), 0.0);
+}
+
 @fragment
 fn fs_glass(in: SolidOut) -> @location(0) vec4<f32> {
     let view = normalize(frame.eye.xyz - in.position);
@@ -113,7 +141,17 @@ fn fs_glass(in: SolidOut) -> @location(0) vec4<f32> {
     let lit = shadow_on_ground(in.position, n);
     s.visibility *= pan_foot(in.position);
     var radiance = diffuse(s, lit) + specular(s, in.position, view, lit) * mix(0.2, 0.7, s.visibility);
-    radiance += printed_ring(in.position) * s.visibility;
+    let kind = in.surface.z;
+    if (kind > 6.5) {
+        radiance += glowing_zone(in.position) * max(s.visibility, 0.5);
+    } else if (kind > 2.5) {
+        radiance += printed_ring(in.position) * s.visibility;
+    } else if (in.position.z < WELL_TOP) {
+        // Flames light the well in which they burn.
+        let away = max(length(in.position.xy) - 0.045, 0.0);
+        let flames = vec3<f32>(0.09, 0.30, 1.0) * frame.mode.x * exp(-away * 17.0) * (0.35 + 0.65 * max(n.z, 0.0));
+        radiance += (s.albedo + 0.02) * flames * 2.2;
+    }
     return pixel_from_radiance(radiance, in.clip.xy);
 }
 

@@ -182,6 +182,35 @@ fn the_hob_says_where_it_stands(harness: &mut Harness<'static, SauteApp>) {
     save(harness, "boils-below-dial");
 }
 
+/// The stove is chosen beside the pan, takes effect with "Set out", and offers what it can.
+fn another_stove_is_chosen_and_fried_on(harness: &mut Harness<'static, SauteApp>) {
+    let mut now = "Induction hob";
+    for (stove, power, picture) in [
+        ("Gas burner", "2000 W", "stove-gas"),
+        ("Iron hot plate", "1150 W", "stove-plate"),
+        ("Glass-ceramic hob, radiant", "1800 W", "stove-radiant"),
+    ] {
+        harness.get_by_label(&format!("Stove: {now}")).click();
+        harness.run_steps(3);
+        harness.get_by_label(stove).click();
+        harness.run_steps(3);
+        harness.get_by_label(&format!("Stove: {stove}"));
+        harness.get_by_label("Set out").click();
+        harness.run_steps(3);
+        let of_kitchen = |h: &Harness<'static, SauteApp>| h.state().session().kitchen.hob().name.clone();
+        assert_eq!(of_kitchen(harness), stove);
+        assert!(harness.query_by_label_contains("Hold pan at").is_none(), "{stove} has no sensor");
+        harness.get_by_label(power).click();
+        harness.run_steps(3);
+        let watts = harness.state().session().kitchen.hob_w();
+        assert_eq!(format!("{watts:.0} W"), power);
+        cook(harness, 60.0);
+        assert!(harness.state().session().kitchen.pan_temperature() > saute_kitchen::kelvin(35.0), "{stove} heats");
+        save(harness, picture);
+        now = stove;
+    }
+}
+
 #[test]
 fn the_hob_says_why_it_gives_no_power() {
     let mut harness = window(WIDE);
@@ -200,6 +229,7 @@ fn the_hob_says_why_it_gives_no_power() {
     harness.get_by_label("No power: the pan is on the cloth");
     cook(&mut harness, 3.0);
     the_hob_says_where_it_stands(&mut harness);
+    another_stove_is_chosen_and_fried_on(&mut harness);
     let empty = "[pan]\ninitial_c = 290\n[[step]]\nhob_w = 3500\n[[step]]\nafter_s = 900\nend = true\n";
     let mut hot = playing(WIDE, empty, 0.0);
     let drawn = |h: &Harness<'static, SauteApp>| h.state().session().kitchen.hob_drawn_w();

@@ -4,6 +4,7 @@ pub mod coil;
 pub mod disc;
 pub mod element;
 pub mod flame;
+mod long_run;
 pub mod plate;
 
 pub use coil::{Coil, Control};
@@ -22,6 +23,32 @@ pub enum Heater<'a> {
     Element(&'a Element),
     /// An iron plate with heaters in it.
     Plate(&'a Plate),
+}
+
+impl Heater<'_> {
+    /// Its kind.
+    pub fn kind(&self) -> HeaterKind {
+        match self {
+            Self::Coil(_) => HeaterKind::Coil,
+            Self::Flame(_) => HeaterKind::Flame,
+            Self::Element(_) => HeaterKind::Element,
+            Self::Plate(_) => HeaterKind::Plate,
+        }
+    }
+}
+
+/// Kind of a heater.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum HeaterKind {
+    /// The coil of an induction hob.
+    #[default]
+    Coil,
+    /// A gas flame.
+    Flame,
+    /// A radiant element behind glass-ceramic.
+    Element,
+    /// An iron plate.
+    Plate,
 }
 
 /// What a heater without electronics gives in one step.

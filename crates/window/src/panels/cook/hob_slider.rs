@@ -28,13 +28,14 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let kitchen = &state.session.kitchen;
     let settings = kitchen.hob().settings_w();
     let most = settings.iter().copied().fold(1.0, f64::max);
+    let has_steps = kitchen.hob().plate.is_some();
     let held = kitchen.hob_holds().is_some();
     let now = if held { 0.0 } else { kitchen.hob_w() };
     // Room for the temperatures beside it, where there is no more.
     let width = (ui.available_width() - HOLD).clamp(NARROWEST, WIDTH);
     let (rect, _) = ui.allocate_exact_size(vec2(width, fingers::height(ui, TRACK + MARKS)), Sense::hover());
     let track = rect.shrink2(vec2(END, 0.0)).split_top_bottom_at_fraction(TRACK / (TRACK + MARKS)).0;
-    let power = Power { track, whole: rect, most, settings };
+    let power = Power { track, whole: rect, most, settings, has_steps };
     if let Some(watts) = dragged(state, ui, &power, now) {
         acts.push(Act::Cook(CookAct::HobSet(watts)));
     }
@@ -61,22 +62,42 @@ struct Power<'a> {
     whole: Rect,
     most: f64,
     settings: &'a [f64],
+    /// True for a switch with steps and nothing between them: they stand side by side, by their numbers.
+    has_steps: bool,
 }
 
 impl Power<'_> {
     fn x(&self, watts: f64) -> f32 {
-        self.track.left() + self.track.width() * (watts / self.most).clamp(0.0, 1.0) as f32
+        let share = match self.step(watts) {
+            Some(step) => step as f64 / (self.settings.len() - 1).max(1) as f64,
+            None => watts / self.most,
+        };
+        self.track.left() + self.track.width() * share.clamp(0.0, 1.0) as f32
+    }
+
+    /// Number of the step nearest to a power; none of a dial without steps.
+    fn step(&self, watts: f64) -> Option<usize> {
+        let off = |i: &usize| (self.settings[*i] - watts).abs();
+        self.has_steps.then(|| (0..self.settings.len()).min_by(|a, b| off(a).total_cmp(&off(b))))?
     }
 
     /// The power at a place, that of a setting where one is near.
     fn at(&self, x: f32) -> f64 {
-        let watts = self.most * f64::from(((x - self.track.left()) / self.track.width()).clamp(0.0, 1.0));
+        let share = f64::from(((x - self.track.left()) / self.track.width()).clamp(0.0, 1.0));
+        if self.has_steps {
+            return self.settings[(share * (self.settings.len() - 1) as f64).round() as usize];
+        }
+        let watts = self.most * share;
         let near = self.settings.iter().copied().find(|w| (w - watts).abs() < SNAP_W);
         near.unwrap_or((watts / STEP_W).round() * STEP_W)
     }
 
     /// The power an arrow key away: the next step.
     fn beside(&self, watts: f64, steps: f64) -> f64 {
+        if let Some(step) = self.step(watts) {
+            let next = (step as f64 + steps).clamp(0.0, (self.settings.len() - 1) as f64);
+            return self.settings[next as usize];
+        }
         (watts + 10.0 * steps * STEP_W).clamp(0.0, self.most)
     }
 }
@@ -121,7 +142,9 @@ fn paint(ui: &Ui, response: &Response, power: &Power, now: f64) {
 /// A setting's tick and word; returns true if it was clicked.
 fn mark(state: &WindowState, ui: &mut Ui, power: &Power, watts: f64, on: bool) -> bool {
     let l = state.settings.language;
-    let text = if watts == 0.0 { l.text("hob.off").to_owned() } else { format!("{watts:.0} W") };
+    let spoken = if watts == 0.0 { l.text("hob.off").to_owned() } else { format!("{watts:.0} W") };
+    // There is no room for the watts of seven steps; a switch has their numbers too.
+    let text = power.step(watts).filter(|step| *step > 0).map_or_else(|| spoken.clone(), |step| step.to_string());
     let palette = theme::of(ui);
     let (x, top) = (power.x(watts), power.track.bottom());
     let half = if watts == 0.0 { 11.0 } else { 18.0 };
@@ -129,7 +152,7 @@ fn mark(state: &WindowState, ui: &mut Ui, power: &Power, watts: f64, on: bool) -
     let upper = if fingers::are_used(ui.ctx()) { power.whole.top() } else { top - 2.0 };
     let place = Rect::from_min_max(pos2(x - half, upper), pos2(x + half, power.whole.bottom()));
     let response = ui.interact(place, ui.scope_id().with(("setting", watts as i64)), Sense::click());
-    response.widget_info(|| egui::WidgetInfo::selected(egui::accesskit::Role::RadioButton, true, on, &text));
+    response.widget_info(|| egui::WidgetInfo::selected(egui::accesskit::Role::RadioButton, true, on, &spoken));
     note_control(ui, &Act::Cook(CookAct::HobSet(watts)), place);
     let ink = if on { palette.accent } else { palette.text };
     let tick = [pos2(x, power.track.center().y + 5.0), pos2(x, top)];
@@ -139,5 +162,5 @@ fn mark(state: &WindowState, ui: &mut Ui, power: &Power, watts: f64, on: bool) -
     }
     let font = FontId::proportional(if on || response.hovered() { 14.0 } else { 13.0 });
     ui.painter().text(pos2(x, 0.5 * (top + power.whole.bottom()) - 1.0), Align2::CENTER_CENTER, text, font, ink);
-    response.on_hover_text(l.text("hob.power")).clicked()
+    response.on_hover_text(format!("{spoken}\n{}", l.text("hob.power"))).clicked()
 }
