@@ -133,11 +133,10 @@ fn draw_shadow(
 ) {
     pass.set_bind_group(0, view, &[]);
     pass.set_pipeline(&pipelines.solid);
-    for solid in
-        [&solids.surroundings, &solids.board, &solids.hob, &solids.cloth, solids.pan_body(), solids.pan_floor()]
-    {
+    for solid in [&solids.surroundings, &solids.board, &solids.cloth, solids.pan_body(), solids.pan_floor()] {
         solid.draw(pass);
     }
+    solids.casting_hob().into_iter().for_each(|hob| hob.draw(pass));
     solids.turner().into_iter().chain(solids.tool()).chain(solids.lid_steel()).for_each(|tool| tool.draw(pass));
     draw_food_depth(pass, pipelines, view, foods);
 }

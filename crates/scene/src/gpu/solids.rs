@@ -194,6 +194,11 @@ impl Solids {
         self.stove = stove;
     }
 
+    /// The hob, unless it is a pale sheet just above the counter, on which the coarse shadow map would show.
+    pub fn casting_hob(&self) -> Option<&SolidBuffers> {
+        (self.stove.0 != StoveKind::Plate).then_some(&self.hob)
+    }
+
     /// The flames of a burner.
     pub fn flames(&self) -> Option<&SolidBuffers> {
         self.flames.as_ref()

@@ -184,17 +184,23 @@ fn the_hob_says_where_it_stands(harness: &mut Harness<'static, SauteApp>) {
 
 /// The stove is chosen beside the pan, takes effect with "Set out", and offers what it can.
 fn another_stove_is_chosen_and_fried_on(harness: &mut Harness<'static, SauteApp>) {
+    press(harness, Key::N);
     let mut now = "Induction hob";
     for (stove, power, picture) in [
         ("Gas burner", "2000 W", "stove-gas"),
         ("Iron hot plate", "1150 W", "stove-plate"),
         ("Glass-ceramic hob, radiant", "1800 W", "stove-radiant"),
     ] {
+        harness.get_by_label(&format!("Stove: {now}")).scroll_to_me();
+        harness.run_steps(3);
         harness.get_by_label(&format!("Stove: {now}")).click();
         harness.run_steps(3);
         harness.get_by_label(stove).click();
         harness.run_steps(3);
         harness.get_by_label(&format!("Stove: {stove}"));
+        save(harness, "stoves");
+        harness.get_by_label("Set out").scroll_to_me();
+        harness.run_steps(3);
         harness.get_by_label("Set out").click();
         harness.run_steps(3);
         let of_kitchen = |h: &Harness<'static, SauteApp>| h.state().session().kitchen.hob().name.clone();
