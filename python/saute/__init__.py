@@ -13,7 +13,7 @@ Units stand in the names: `_c` °C, `_k` kelvin, `_w` watts, `_g` grams, `_kg` k
 
 from __future__ import annotations
 
-from ._core import TICK_S, Kitchen, KitchenBatch, Piece, __version__, foods, oils, pans, recipes
+from ._core import TICK_S, Kitchen, KitchenBatch, Piece, __version__, foods, hobs, oils, pans, recipes
 from ._errors import GraphicsError, InputError, RefusedError, SnapshotError
 from ._summary import Summary, cook
 from ._sweep import sweep
@@ -31,6 +31,7 @@ __all__ = [
     "__version__",
     "cook",
     "foods",
+    "hobs",
     "oils",
     "pans",
     "recipes",

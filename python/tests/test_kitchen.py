@@ -175,3 +175,23 @@ def test_a_piece_reads_the_present_state(frying):
     assert sum(steak.doneness_pct().values()) == pytest.approx(100)
     assert steak.lost_pct > 0 and steak.mass_g < steak.raw_mass_g
     assert frying.score("medium")["score"] < 100
+
+
+def test_a_kitchen_has_the_stove_that_is_named():
+    assert saute.hobs() == ["gas", "induction", "iron-plate", "radiant"]
+    water_c = {}
+    for hob in saute.hobs():
+        kitchen = saute.Kitchen(hob=hob, pan="carbon-steel-26", pan_c=20)
+        kitchen.water(500)
+        kitchen.hob(w=1150)
+        kitchen.step(600)
+        water_c[hob] = kitchen.pan_c
+        again = saute.Kitchen.from_snapshot(kitchen.snapshot())
+        again.step(50)
+        kitchen.step(50)
+        assert again.pan_c == kitchen.pan_c
+    assert water_c["induction"] > water_c["gas"] > water_c["iron-plate"]
+    with pytest.raises(saute.RefusedError, match="no sensor"):
+        saute.Kitchen(hob="gas").hob_hold(180)
+    with pytest.raises(saute.InputError, match="gas, induction, iron-plate, radiant"):
+        saute.Kitchen(hob="campfire")

@@ -97,6 +97,7 @@ fn tick(kitchen: &mut Kitchen, before: &mut FoodVelocities) {
 /// Builds a kitchen, with the models that are known.
 fn built(source: &Source, coarseness: f64, library: &Library) -> PyResult<Kitchen> {
     let recipe = source.recipe(library)?;
+    let library = &*recipe.library(library).map_err(|error| errors::setup(&error.into(), &recipe.file))?;
     let mut kitchen = Kitchen::new(library, &recipe.pan_kind, recipe.pan_temperature)
         .map_err(|error| errors::setup(&error, &recipe.file))?;
     for food in &recipe.foods {
@@ -117,7 +118,7 @@ impl PyKitchen {
     /// A kitchen as it is before the first step of a recipe (the steps are for saute.cook), or one with a pan and a food.
     #[new]
     #[pyo3(signature = (
-        recipe = None, *, food = None, pan = None, size_mm = None, initial_c = None, pan_c = None, seed = None, id = None,
+        recipe = None, *, food = None, hob = None, pan = None, size_mm = None, initial_c = None, pan_c = None, seed = None, id = None,
         coarseness = 1.0, data = None
     ))]
     #[allow(clippy::too_many_arguments, reason = "keywords of Python")]
@@ -125,6 +126,7 @@ impl PyKitchen {
         py: Python<'_>,
         recipe: Option<&Bound<'_, PyAny>>,
         food: Option<&str>,
+        hob: Option<&str>,
         pan: Option<&str>,
         size_mm: Option<&Bound<'_, PyAny>>,
         initial_c: Option<f64>,
@@ -137,7 +139,8 @@ impl PyKitchen {
         let allowed = PieceOrder::COARSENESS;
         expected::ranged(coarseness, "coarseness", [*allowed.start(), *allowed.end()])?;
         let shelf = Shelf::of(data)?;
-        let others = food.is_some() || pan.is_some() || size_mm.is_some() || initial_c.is_some() || pan_c.is_some();
+        let others =
+            [food, hob, pan].iter().any(Option::is_some) || size_mm.is_some() || initial_c.is_some() || pan_c.is_some();
         let source = match recipe {
             Some(_) if others || seed.is_some() || id.is_some() => {
                 return Err(PyTypeError::new_err("give a recipe, or food and pan with their values, not both"));
@@ -152,7 +155,9 @@ impl PyKitchen {
                     ("seed", seed.into_pyobject(py)?),
                 ];
                 about_food.extend(size_mm.map(|size| ("size_mm", size.clone())));
-                Source::of_parts(py, &about_pan, food.map(|_| about_food.as_slice()))?
+                let about_hob = [("kind", hob.into_pyobject(py)?.into_any())];
+                let about_hob = hob.map(|_| about_hob.as_slice());
+                Source::of_parts(py, about_hob, &about_pan, food.map(|_| about_food.as_slice()))?
             }
         };
         let source = source.with_end();

@@ -39,7 +39,7 @@ mod _core {
     #[pymodule_export]
     use crate::package::piece::PyPiece;
     #[pymodule_export]
-    use crate::package::shelf::{foods, oils, pans, recipes};
+    use crate::package::shelf::{foods, hobs, oils, pans, recipes};
     #[pymodule_export]
     use crate::package::sweep::{PySweep, PySweepFolder};
 

@@ -12,7 +12,7 @@ use crate::package::errors;
 use crate::package::shelf::library;
 
 /// Folders and files that are read, as by the command.
-const FOLDERS: [&str; 6] = ["foods", "pans", "recipes", "kinetics", "coatings", "oils"];
+const FOLDERS: [&str; 7] = ["foods", "pans", "hobs", "recipes", "kinetics", "coatings", "oils"];
 const FILES: [&str; 3] = ["doneness.toml", "goals.toml", "kitchen-at-home.toml"];
 /// Larger files are not read [bytes] (chosen: those of the command's limits: texts have a few kB, surfaces some MB).
 const LARGEST_TEXT: u64 = 4 << 20;
@@ -50,7 +50,7 @@ impl Shelf {
 }
 
 fn wrong(path: &Path, message: &str) -> PyErr {
-    let remedy = "name a folder with foods/, pans/, recipes/, kinetics/, coatings/ or oils/ that contain .toml files, or with \
+    let remedy = "name a folder with foods/, pans/, hobs/, recipes/, kinetics/, coatings/ or oils/ that contain .toml files, or with \
                   doneness.toml, goals.toml or kitchen-at-home.toml";
     errors::argument(format!("{}: {message}", path.display()), remedy.to_owned())
 }

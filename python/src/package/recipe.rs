@@ -59,7 +59,12 @@ impl Source {
     }
 
     /// A recipe without steps: a pan, and a food where one is given; a value that is None is left out.
-    pub(crate) fn of_parts(py: Python<'_>, pan: &[Part<'_, '_>], food: Option<&[Part<'_, '_>]>) -> PyResult<Self> {
+    pub(crate) fn of_parts(
+        py: Python<'_>,
+        hob: Option<&[Part<'_, '_>]>,
+        pan: &[Part<'_, '_>],
+        food: Option<&[Part<'_, '_>]>,
+    ) -> PyResult<Self> {
         let table = |parts: &[Part<'_, '_>]| {
             let table = PyDict::new(py);
             let mut given = parts.iter().filter(|(_, value)| !value.is_none());
@@ -67,6 +72,9 @@ impl Source {
             Ok::<_, PyErr>(table)
         };
         let recipe = PyDict::new(py);
+        if let Some(hob) = hob {
+            recipe.set_item("hob", table(hob)?)?;
+        }
         recipe.set_item("pan", table(pan)?)?;
         if let Some(food) = food {
             recipe.set_item("food", [table(food)?])?;

@@ -26,6 +26,12 @@ pub(crate) fn pans() -> PyResult<Vec<String>> {
     Ok(library()?.pans.keys().cloned().collect())
 }
 
+/// Names of the hobs.
+#[pyfunction]
+pub(crate) fn hobs() -> PyResult<Vec<String>> {
+    Ok(library()?.hobs.keys().cloned().collect())
+}
+
 /// Names of the oils and fats.
 #[pyfunction]
 pub(crate) fn oils() -> PyResult<Vec<String>> {
