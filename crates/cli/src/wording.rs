@@ -41,6 +41,7 @@ pub fn mark(step: &StepRecord) -> Option<&'static str> {
         | ActionKind::Shake
         | ActionKind::Tilt
         | ActionKind::Lid
+        | ActionKind::Wipe
         | ActionKind::Repeat
         | ActionKind::End) => Some(kind.name()),
     }

@@ -165,9 +165,22 @@ impl Fixed {
 
 impl Kitchen {
     /// Sets up a kitchen with a pan at a uniform temperature [K] on a cold hob.
+    ///
+    /// The pan has the oil of every cook that states none, [`Self::usual_oil`].
     pub fn new(library: &Library, pan_kind: &str, pan_temperature: f64) -> Result<Self, SetupError> {
+        Self::with_oil(library, pan_kind, pan_temperature, Self::usual_oil(library))
+    }
+
+    /// Oil in a pan of which nothing is said [kg].
+    pub fn usual_oil(library: &Library) -> f64 {
+        1e-3 * library.room.contact.oil_g
+    }
+
+    /// Sets up a kitchen with a pan at a uniform temperature [K] and with oil [kg] on a cold hob. A seasoned pan has its film at
+    /// least.
+    pub fn with_oil(library: &Library, pan_kind: &str, pan_temperature: f64, oil: f64) -> Result<Self, SetupError> {
         let fixed = Fixed::build(library, pan_kind)?;
-        let state = fixed.pan.at(pan_temperature, &fixed.room, &fixed.hob);
+        let state = fixed.pan.at(pan_temperature, oil, &fixed.room, &fixed.hob);
         let world = World::new(PanShape::of(&fixed.pan.description));
         Ok(Self {
             clock: Clock::default(),

@@ -19,6 +19,8 @@ pub struct Recipe {
     pub max_s: f64,
     /// Id of the pan.
     pub pan_kind: String,
+    /// Oil in the pan at the start [kg]; none if the recipe states none.
+    pub oil: Option<f64>,
     /// Id of the hob; none for that of the kitchen at home.
     pub hob_kind: Option<String>,
     /// Initial temperature of the pan [K].
@@ -127,10 +129,20 @@ impl Recipe {
         self.hob_kind.as_ref().map_or(Ok(Cow::Borrowed(library)), |kind| library.on_hob(kind))
     }
 
+    /// Returns a kitchen with the recipe's hob and pan and the oil that it states, at time 0.
+    ///
+    /// # Errors
+    ///
+    /// If the library lacks hob or pan.
+    pub fn empty_kitchen(&self, library: &Library) -> Result<Kitchen, SetupError> {
+        let library = &*self.library(library)?;
+        let oil = self.oil.unwrap_or_else(|| Kitchen::usual_oil(library));
+        Kitchen::with_oil(library, &self.pan_kind, self.pan_temperature, oil)
+    }
+
     /// Returns a kitchen with the recipe's pan and foods, at time 0.
     pub fn kitchen(&self, library: &Library) -> Result<Kitchen, SetupError> {
-        let library = &*self.library(library)?;
-        let mut kitchen = Kitchen::new(library, &self.pan_kind, self.pan_temperature)?;
+        let mut kitchen = self.empty_kitchen(library)?;
         for food in &self.foods {
             kitchen.add(library, food)?;
         }

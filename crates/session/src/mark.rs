@@ -43,6 +43,7 @@ pub fn label(command: &Command) -> Option<String> {
         Command::Oil { .. } => "oil".into(),
         Command::Butter(_) => "butter".into(),
         Command::Water(_) => "water".into(),
+        Command::Wipe => "wipe".into(),
         Command::Lid(on) => if *on { "lid on" } else { "lid off" }.into(),
     })
 }

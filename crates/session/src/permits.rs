@@ -129,7 +129,8 @@ pub fn needs(command: &Command) -> &'static [Permit] {
         | Command::Oil { .. }
         | Command::Butter(_)
         | Command::Water(_)
-        | Command::Lid(_) => &[Permit::Hands],
+        | Command::Lid(_)
+        | Command::Wipe => &[Permit::Hands],
     }
 }
 

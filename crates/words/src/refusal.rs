@@ -27,6 +27,7 @@ pub fn words(refused: &Refused, l: Language) -> String {
         Refused::EmptyPan => l.text("refused.empty_pan").to_owned(),
         Refused::PanPlace { farthest_mm } => l.fill("refused.pan_place", &[("farthest", farthest_mm)]),
         Refused::Power { largest_w } => l.fill("refused.power", &[("largest", largest_w)]),
+        Refused::FoodToWipe(food) => of("refused.food_to_wipe", food),
         Refused::NoSensor => l.text("refused.no_sensor").to_owned(),
         Refused::HoldTemperature { lowest_c, highest_c } => {
             l.fill("refused.hold_temperature", &[("lowest", lowest_c), ("highest", highest_c)])

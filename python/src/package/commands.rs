@@ -152,6 +152,11 @@ impl PyKitchen {
         self.apply(&Command::Water(1e-3 * ranged(g, "g", WATER_G)?))
     }
 
+    /// Wipes the empty pan with a paper towel: only the film of a seasoned pan stays.
+    fn wipe(&mut self) -> PyResult<()> {
+        self.apply(&Command::Wipe)
+    }
+
     /// Puts the lid on, or takes it off.
     #[pyo3(signature = (on = true))]
     fn lid(&mut self, on: bool) -> PyResult<()> {

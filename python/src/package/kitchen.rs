@@ -97,9 +97,7 @@ fn tick(kitchen: &mut Kitchen, before: &mut FoodVelocities) {
 /// Builds a kitchen, with the models that are known.
 fn built(source: &Source, coarseness: f64, library: &Library) -> PyResult<Kitchen> {
     let recipe = source.recipe(library)?;
-    let library = &*recipe.library(library).map_err(|error| errors::setup(&error.into(), &recipe.file))?;
-    let mut kitchen = Kitchen::new(library, &recipe.pan_kind, recipe.pan_temperature)
-        .map_err(|error| errors::setup(&error, &recipe.file))?;
+    let mut kitchen = recipe.empty_kitchen(library).map_err(|error| errors::setup(&error, &recipe.file))?;
     for food in &recipe.foods {
         let order = PieceOrder { coarseness, ..food.clone() };
         let added = with_models(|models| kitchen.add_with(library, &order, models));

@@ -5,7 +5,7 @@ use std::fmt::Write;
 
 use saute_kitchen::tick::energy::Energy;
 use saute_recipe::group_summary::GroupSummary;
-use saute_recipe::summary::{ClassShares, FoodSummary, LogReduction, Shape, Surface};
+use saute_recipe::summary::{ClassShares, FoodSummary, LogReduction, OilAtStart, Shape, Surface};
 use saute_recipe::{StoppedBy, Summary};
 
 use crate::wording::{self, duration};
@@ -166,9 +166,18 @@ fn pan(s: &Summary) -> String {
         _ => String::new(),
     };
     row(&mut lines, "temperature", &format!("{at_put}highest {:.1} °C, {:.1} °C at the end", p.peak, p.end));
+    row(&mut lines, "oil", &oil(&s.oil_at_start));
     row(&mut lines, "energy", &energy(&s.energy_j));
     row(&mut lines, "imbalance", &format!("{:.1e} % of the hob's energy", imbalance_pct(&s.energy_j)));
     lines
+}
+
+/// The oil with which the cook began.
+fn oil(o: &OilAtStart) -> String {
+    if o.stated {
+        return format!("{:.1} g at the start", o.g);
+    }
+    format!("{:.1} g of canola at the start, as the recipe states none; [pan] oil_g = 0 fries dry", o.g)
 }
 
 fn energy(e: &Energy) -> String {

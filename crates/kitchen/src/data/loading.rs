@@ -296,6 +296,7 @@ fn with_coatings(
             coated.name = format!("{}, {}", pan.name, coating.name);
             coated.coating_w_m2k = Some(coating.conductance_w_m2k);
             coated.surface.emissivity = coating.emissivity;
+            coated.surface.film_g = 0.0;
             coated.look = coating.look.clone();
             coated.heat_tint = coating.heat_tint.clone();
             pans.entry(format!("{id}-{coating_id}")).or_insert(coated);

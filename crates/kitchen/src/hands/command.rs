@@ -136,6 +136,8 @@ pub enum Command {
     Water(f64),
     /// Puts the lid on (true) or takes it off.
     Lid(bool),
+    /// Wipes the empty pan with a paper towel.
+    Wipe,
 }
 
 impl Command {
@@ -146,7 +148,7 @@ impl Command {
             Self::Press { .. } | Self::Move { .. } | Self::Toss { .. } => true,
             Self::Oil { .. } | Self::Butter(_) | Self::Water(_) => true,
             Self::Shake { .. } | Self::Tilt { .. } | Self::HoldPan { .. } | Self::LetGo => false,
-            Self::Lead { .. } => true,
+            Self::Lead { .. } | Self::Wipe => true,
             Self::Halve { .. } => false,
             Self::Hob(_) | Self::HobHold { .. } | Self::MovePan { .. } | Self::Cool { .. } | Self::Lid(_) => false,
         }
@@ -244,6 +246,9 @@ pub enum Refused {
         /// Largest amount [g].
         holds_g: i64,
     },
+    /// Food is in the way of the paper.
+    #[error("take the {0} out before you wipe the pan")]
+    FoodToWipe(String),
     /// The lid is in the way.
     #[error("the lid is on: take it off first")]
     LidIsOn,

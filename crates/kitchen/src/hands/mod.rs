@@ -8,5 +8,6 @@ pub(crate) mod pan_hold;
 mod pan_wrench;
 mod pour;
 pub(crate) mod second_hand;
+mod wipe;
 
 pub use pan_wrench::{FoodVelocities, PanWrench};

@@ -92,6 +92,7 @@ impl Kitchen {
             }
             Command::HoldPan { pose } => self.hold_pan(pose),
             Command::Oil { .. } | Command::Butter(_) | Command::Water(_) | Command::Lid(_) => self.pour(command),
+            Command::Wipe => self.wipe(),
         }
     }
 
@@ -116,6 +117,17 @@ impl Kitchen {
         self.account.flows.air += brought.air;
         self.account.flows.evaporation += brought.evaporation;
         self.account.flows.other += brought.other;
+        Ok(())
+    }
+
+    /// Wipes the pan, if nothing lies in it.
+    fn wipe(&mut self) -> Result<(), Refused> {
+        if let Some(piece) = self.pieces.iter().find(|piece| piece.in_pan()) {
+            return Err(Refused::FoodToWipe(piece.id.clone()));
+        }
+        let fixed = Arc::clone(&self.fixed);
+        let brought = fixed.pan.wipe(&mut self.pan, &fixed.room);
+        self.account.add_to_pan(brought.stored);
         Ok(())
     }
 

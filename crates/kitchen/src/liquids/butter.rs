@@ -79,6 +79,13 @@ pub struct Molten {
     pub heat: f64,
 }
 
+impl Butter {
+    /// Takes all of it away; returns the mass of the lump that had not melted [kg]. What melted is oil and water of the pan.
+    pub(crate) fn wipe(&mut self) -> f64 {
+        core::mem::take(self).lump.map_or(0.0, |lump| lump.mass)
+    }
+}
+
 impl ButterModel {
     /// Builds the model from the oil of an index; `None` if that oil is no emulsion.
     pub fn new(oils: &[Oil], kind: usize, foam: &FoamData) -> Option<Self> {

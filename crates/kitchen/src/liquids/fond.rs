@@ -175,6 +175,17 @@ impl Solids {
 }
 
 impl Fond {
+    /// Wipes off what is dissolved, and what is dried but for a share that sticks [-].
+    pub(crate) fn wipe(&mut self, stuck: f64, bed: &Bed) {
+        let dried = self.dried.mass.iter().zip(&bed.areas).map(|(mass, area)| mass * area).sum::<f64>();
+        self.spilled += (1.0 - stuck) * dried + self.dissolved.mass.iter().sum::<f64>();
+        let kept = [(&mut self.dried, stuck), (&mut self.dissolved, 0.0)];
+        for (solids, share) in kept {
+            let Solids { mass, browned, charred } = solids;
+            mass.iter_mut().chain(browned).chain(charred).for_each(|amount| *amount *= share);
+        }
+    }
+
     /// No solids on a number of nodes.
     pub fn none(nodes: usize) -> Self {
         let none = || Solids::none(nodes);

@@ -64,7 +64,7 @@ pub struct Liquids {
     pub smoke: Smoke,
     /// Spatter.
     pub spatter: Spatter,
-    /// Mass spilled over the rim [kg].
+    /// Mass spilled over the rim or wiped off [kg].
     pub spilled: f64,
     /// Thickness of the oil film for contact and for drawing, at each node [m].
     pub film: Vec<f64>,
@@ -181,8 +181,8 @@ impl LiquidModel {
         self.butter.as_ref().map(|b| b.kind)
     }
 
-    /// Initial state: the room's oil on a dry pan of uniform temperature [K].
-    pub fn fresh(&self, pan: f64, room: &Room) -> Liquids {
+    /// Initial state: oil [kg] on a dry pan of uniform temperature [K].
+    pub fn fresh(&self, pan: f64, oil: f64, room: &Room) -> Liquids {
         let nodes = self.bed.areas.len();
         let mut liquids = Liquids {
             oil: OilFilm::none(nodes),
@@ -199,7 +199,7 @@ impl LiquidModel {
             ticks: 0,
         };
         let mut temperature = vec![pan; nodes];
-        let dose = Dose { kind: self.default, mass: 1e-3 * room.contact.oil_g, temperature: pan };
+        let dose = Dose { kind: self.default, mass: oil, temperature: pan };
         self.pour_oil(&mut liquids, dose, &vec![0.0; nodes], &mut temperature);
         self.refresh_film(&mut liquids, room);
         liquids

@@ -52,6 +52,12 @@ pub struct Ground<'a> {
 }
 
 impl OilFilm {
+    /// Keeps a share of the oil everywhere [-].
+    pub(crate) fn keep(&mut self, share: f64) {
+        let fats = self.fats.iter_mut().flat_map(|fat| fat.mass.iter_mut());
+        fats.chain(&mut self.mass).chain(&mut self.capacity).for_each(|amount| *amount *= share);
+    }
+
     /// An empty film on a number of nodes.
     pub fn none(nodes: usize) -> Self {
         Self { fats: Vec::new(), mass: vec![0.0; nodes], capacity: vec![0.0; nodes] }

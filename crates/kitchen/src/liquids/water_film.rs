@@ -107,6 +107,11 @@ impl WaterModel {
 }
 
 impl WaterFilm {
+    /// Takes all water away.
+    pub(crate) fn clear(&mut self) {
+        self.mass.iter_mut().chain(&mut self.enthalpy).for_each(|amount| *amount = 0.0);
+    }
+
     /// An empty film on a number of nodes.
     pub fn none(nodes: usize) -> Self {
         Self { mass: vec![0.0; nodes], enthalpy: vec![0.0; nodes] }

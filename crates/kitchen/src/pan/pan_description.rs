@@ -69,6 +69,10 @@ sourced_table! {
         /// Thermal emissivity [-].
         #[schemars(range(min = 0.0, max = 1.0), example = 0.9)]
         emissivity: f64,
+        /// Fat that a seasoned pan keeps on its floor when it is dry or wiped [g]; none by default.
+        #[serde(default)]
+        #[schemars(range(min = 0.0, max = 5.0), example = 0.3)]
+        film_g: f64,
     }
 }
 

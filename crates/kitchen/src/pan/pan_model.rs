@@ -203,15 +203,16 @@ impl PanModel {
         })
     }
 
-    /// Initial state: the pan at a uniform temperature [K] on its ring, the glass at room temperature, with the room's oil.
-    pub fn at(&self, pan: f64, room: &Room, hob: &HobDescription) -> PanState {
+    /// Initial state: the pan at a uniform temperature [K] on its ring, the glass at room temperature, with oil [kg]; a seasoned pan
+    /// has its film at least.
+    pub fn at(&self, pan: f64, oil: f64, room: &Room, hob: &HobDescription) -> PanState {
         let pose = PanPose::default();
         PanState {
             temperature: vec![pan; self.capacity.len()],
             peak: vec![pan; self.capacity.len()],
             glass: vec![room.temperature(); self.floor_nodes],
             heater: room.temperature(),
-            liquids: self.liquids.fresh(pan, room),
+            liquids: self.liquids.fresh(pan, oil.max(1e-3 * self.description.surface.film_g), room),
             lid: None,
             ring_shares: self.ring_shares(hob, &pose),
             pose,

@@ -7,6 +7,7 @@ mod contact;
 mod doneness;
 mod draws;
 mod dynamics;
+mod fats;
 mod fond;
 mod frying;
 mod goals;

@@ -6,8 +6,8 @@ use schemars::{Schema, SchemaGenerator};
 use serde::de::MapAccess;
 
 use crate::file::action_file::{
-    ButterTable, CoolTable, EndValue, FlipTable, HalveTable, HobTable, LidTable, MovePanTable, MoveTable, OilTable,
-    PressTable, PutTable, RestTable, ShakeTable, TiltTable, TossTable, WaterTable,
+    ButterTable, CoolTable, FlipTable, HalveTable, HobTable, LidTable, MovePanTable, MoveTable, OilTable, PressTable,
+    PutTable, RestTable, ShakeTable, TiltTable, TossTable, TrueValue, WaterTable,
 };
 use crate::file::repeat_file::RepeatEntry;
 use crate::file::shorthand::{Entry, Written};
@@ -93,9 +93,10 @@ actions! {
     Move "move" Entry<MoveTable>, "{ food = \"steak\", to_mm = [30, 0] }",
         "pushes or carries foods to a place in the pan.";
     Lid "lid" Entry<LidTable>, "true", "lays the lid on (true, \"on\") or takes it off (false, \"off\").";
+    Wipe "wipe" TrueValue, "true", "wipes the pan with a paper towel, once nothing lies in it: only the film of a seasoned pan stays.";
     Repeat "repeat" RepeatEntry, "{ flip = \"steak\", every_s = 30, times = 4 }",
         "carries out one action again and again, first after every_s, until a condition holds or so many times.";
-    End "end" EndValue, "true", "ends the cook.";
+    End "end" TrueValue, "true", "ends the cook.";
 }
 
 impl ActionKind {

@@ -64,6 +64,8 @@ pub enum PanAction {
     },
     /// Lays the lid on (true) or takes it off (false).
     Lid(bool),
+    /// Wipes the empty pan.
+    Wipe,
 }
 
 impl PanAction {
@@ -80,6 +82,7 @@ impl PanAction {
             Self::Shake { .. } => ActionKind::Shake,
             Self::Tilt { .. } => ActionKind::Tilt,
             Self::Lid(_) => ActionKind::Lid,
+            Self::Wipe => ActionKind::Wipe,
         }
     }
 
@@ -97,6 +100,7 @@ impl PanAction {
             Self::Shake { amplitude, hz, for_s } => Command::Shake { amplitude: *amplitude, hz: *hz, for_s: *for_s },
             Self::Tilt { angle, towards } => Command::Tilt { angle: *angle, towards: *towards },
             Self::Lid(on) => Command::Lid(*on),
+            Self::Wipe => Command::Wipe,
         }
     }
 
@@ -114,6 +118,7 @@ impl PanAction {
             Command::Shake { amplitude, hz, for_s } => Self::Shake { amplitude: *amplitude, hz: *hz, for_s: *for_s },
             Command::Tilt { angle, towards } => Self::Tilt { angle: *angle, towards: *towards },
             Command::Lid(on) => Self::Lid(*on),
+            Command::Wipe => Self::Wipe,
             Command::Put { .. } | Command::Flip { .. } | Command::Rest { .. } | Command::Halve { .. } => return None,
             Command::Press { .. } | Command::Move { .. } => return None,
             Command::Lead { .. } | Command::LetGo | Command::HoldPan { .. } => return None,
@@ -137,6 +142,7 @@ impl PanAction {
                 json!({ "deg": tidy(angle.to_degrees()), "towards_deg": tidy(towards.to_degrees()) })
             }
             Self::Lid(on) => (*on).into(),
+            Self::Wipe => true.into(),
         }
     }
 
@@ -162,6 +168,7 @@ impl PanAction {
                 degrees => format!("tilt by {degrees}° towards {}°", tidy(towards.to_degrees())),
             },
             Self::Lid(on) => if *on { "lid on" } else { "lid off" }.to_owned(),
+            Self::Wipe => "wipe the pan".to_owned(),
         }
     }
 
@@ -175,7 +182,7 @@ impl PanAction {
             | Self::Oil { .. }
             | Self::Butter(_)
             | Self::Water(_) => 0.0,
-            Self::Toss { .. } | Self::Tilt { .. } | Self::Lid(_) => 0.0,
+            Self::Toss { .. } | Self::Tilt { .. } | Self::Lid(_) | Self::Wipe => 0.0,
         }
     }
 }

@@ -42,7 +42,7 @@ impl Check<'_> {
             ActionEntry::Press(e) => return each(&e.table.food, self.press(&e.table)),
             ActionEntry::Move(e) => return each(&e.table.food, self.move_to(&e.table)),
             ActionEntry::Repeat(repeat) => return self.repeat(repeat, names),
-            ActionEntry::End(end) => return self.end(&end.0),
+            ActionEntry::End(done) => return self.done("end", &done.0).map(|()| Action::End),
             ActionEntry::Hob(e) => self.hob(&e.table),
             ActionEntry::MovePan(e) => self.move_pan(&e.table),
             ActionEntry::Cool(e) => self.cool(&e.table, keys.for_s.as_ref()),
@@ -53,15 +53,17 @@ impl Check<'_> {
             ActionEntry::Shake(e) => self.shake(&e.table),
             ActionEntry::Tilt(e) => self.tilt(&e.table),
             ActionEntry::Lid(e) => Ok(PanAction::Lid(e.table.on.0)),
+            ActionEntry::Wipe(done) => self.done("wipe", &done.0).map(|()| PanAction::Wipe),
         };
         pan.map(Action::Pan)
     }
 
-    fn end(&self, end: &Spanned<bool>) -> Checked<Action> {
-        if *end.get_ref() {
-            return Ok(Action::End);
+    fn done(&self, key: &str, value: &Spanned<bool>) -> Checked<()> {
+        if *value.get_ref() {
+            return Ok(());
         }
-        self.input.error(end.span().start, "end = false does nothing", "write end = true, or leave the step out")
+        let remedy = format!("write {key} = true, or leave the step out");
+        self.input.error(value.span().start, format!("{key} = false does nothing"), remedy)
     }
 
     fn hob(&self, to: &HobTable) -> Checked<PanAction> {

@@ -5,6 +5,7 @@ use std::borrow::Cow;
 use saute_food::{FoodDescription, MeshSize, Rules};
 use toml::Spanned;
 
+use crate::action::ActionKind;
 use crate::check::sequence_check::Sequence;
 use crate::file::recipe_file::{FoodEntry, MOST_PIECES, MeshName, PanEntry, Preset, RecipeFile};
 use crate::file::step_file::{StepEntry, StepKeys};
@@ -37,6 +38,9 @@ impl Recipe {
         Check { input: InputText { text, file }, library, names_hob: false }.recipe()
     }
 }
+
+/// Most oil in a pan at the start [g], as the range of its key.
+const MOST_OIL_G: f64 = 100.0;
 
 /// A recipe's text and the library with the foods and pans that it can name.
 pub(crate) struct Check<'a> {
@@ -86,6 +90,7 @@ impl Check<'_> {
             title: labelled(raw.title.clone().unwrap_or_else(|| self.input.file.to_owned()), rules),
             hob_kind: raw.hob.as_ref().map(|hob| hob.kind.get_ref().clone()),
             max_s,
+            oil: self.oil_at_start(raw.pan.as_ref().map(Spanned::get_ref), &steps)?,
             pan_kind,
             pan_temperature,
             foods: names.foods,
@@ -108,6 +113,17 @@ impl Check<'_> {
             return self.input.error(kind.span().start, format!("pan.kind = \"{}\" {why}", kind.get_ref()), remedy);
         }
         Ok((kind.get_ref().clone(), kelvin(initial)))
+    }
+
+    /// Oil at the start [kg]: what the pan's table states; nothing if a step pours some before the first food goes in; none if the
+    /// recipe states none.
+    fn oil_at_start(&self, pan: Option<&PanEntry>, steps: &[Step]) -> Checked<Option<f64>> {
+        if let Some(oil_g) = pan.and_then(|pan| pan.oil_g.as_ref()) {
+            return self.input.ranged("pan.oil_g", oil_g, 0.0, MOST_OIL_G).map(|g| Some(1e-3 * g));
+        }
+        let is_put = |step: &&Step| step.action.kind() != ActionKind::Put;
+        let is_fat = |step: &Step| matches!(step.action.kind(), ActionKind::Oil | ActionKind::Butter);
+        Ok(steps.iter().take_while(is_put).any(is_fat).then_some(0.0))
     }
 
     fn food_names(&self, entries: &[Spanned<FoodEntry>], rules: Rules) -> Checked<FoodNames> {

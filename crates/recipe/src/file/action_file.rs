@@ -244,13 +244,13 @@ pub struct LidTable {
     pub on: OnOff,
 }
 
-/// The value of `end`.
+/// The value of an action that is only done: true.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(transparent)]
 #[schemars(inline)]
-pub struct EndValue(#[schemars(with = "bool")] pub Spanned<bool>);
+pub struct TrueValue(#[schemars(with = "bool")] pub Spanned<bool>);
 
-impl Written for EndValue {
+impl Written for TrueValue {
     fn is_bare(&self) -> bool {
         true
     }

@@ -65,6 +65,10 @@ pub struct PanEntry {
     /// Start temperature [°C]; 20 by default.
     #[schemars(with = "Option<f64>", range(min = 0, max = 300))]
     pub initial_c: Option<Spanned<f64>>,
+    /// Canola oil in it at the start [g]; 0 is dry, apart from the film of a seasoned pan. By default 5, or none if a step pours oil or
+    /// butter before the first food goes in.
+    #[schemars(with = "Option<f64>", range(min = 0, max = 100))]
+    pub oil_g: Option<Spanned<f64>>,
 }
 
 /// One food.

@@ -81,6 +81,8 @@ impl Told<'_> {
             let (hob, pan_c) = (begun.hob_kind.as_deref(), tidy(celsius(begun.pan_temperature)));
             head(&begun.title, max_s, hob, &begun.pan_kind, pan_c)
         };
+        let usual = 1e-3 * library.room.contact.oil_g;
+        let _ = writeln!(text, "oil_g = {}", mm(begun.oil.unwrap_or(usual)));
         let mut orders: Vec<&PieceOrder> = begun.foods.iter().collect();
         orders.extend(recording.entries().iter().filter_map(|entry| match &entry.deed {
             Deed::Add(order) => Some(order),

@@ -11,7 +11,7 @@ use crate::action;
 use crate::cook::recorder::Recorder;
 use crate::cook::runner::{Runner, StoppedBy};
 use crate::cook::step_record::{StepRecord, rounded};
-use crate::recipe::Group;
+use crate::recipe::{Group, Recipe};
 use crate::summary::group_summary::GroupSummary;
 use saute_kitchen::celsius;
 use saute_kitchen::data::library::DEFAULT_SCALE;
@@ -43,6 +43,8 @@ pub struct Summary {
     pub groups: Vec<GroupSummary>,
     /// Pan temperatures [°C].
     pub pan_c: PanSummary,
+    /// Oil with which the cook began.
+    pub oil_at_start: OilAtStart,
     /// Liquids of the pan [g].
     pub liquids_g: LiquidsSummary,
     /// Events by kind.
@@ -66,6 +68,15 @@ pub struct PanSummary {
     pub lowest_after_first_put: Option<f64>,
     /// At the end.
     pub end: f64,
+}
+
+/// Oil with which a cook began.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct OilAtStart {
+    /// Canola oil, or the film of a seasoned pan [g].
+    pub g: f64,
+    /// True if the recipe states it; false if it states none, and has the usual oil.
+    pub stated: bool,
 }
 
 /// Liquids of the pan [g].
@@ -93,6 +104,14 @@ pub struct LiquidsSummary {
     pub fond_charred: f64,
     /// Solids of juice dissolved in the pan's water; not included in the water's mass.
     pub dissolved: f64,
+}
+
+impl OilAtStart {
+    fn new(kitchen: &Kitchen, recipe: &Recipe) -> Self {
+        let usual_g = kitchen.room().contact.oil_g;
+        let film_g = kitchen.pan_model().description.surface.film_g;
+        Self { g: recipe.oil.map_or(usual_g, |kg| 1e3 * kg).max(film_g), stated: recipe.oil.is_some() }
+    }
 }
 
 impl LiquidsSummary {
@@ -368,6 +387,7 @@ impl Summary {
                 lowest_after_first_put: recorder.pan_lowest_after_c,
                 end: celsius(kitchen.pan_temperature()),
             },
+            oil_at_start: OilAtStart::new(kitchen, runner.recipe()),
             liquids_g: LiquidsSummary::new(kitchen),
             events: kitchen.events().tallies().copied().collect(),
             energy_j: kitchen.energy(),

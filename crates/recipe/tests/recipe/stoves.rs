@@ -126,3 +126,32 @@ fn a_session_on_gas_is_replayed_on_gas_and_its_recipe_names_it() {
     assert_eq!(stored.hob().name, "Gas burner");
     assert_eq!(stored.state_hash(), again.kitchen.state_hash());
 }
+
+/// A recipe has the oil that it states, or the usual 5 g; its summary says which.
+#[test]
+fn the_summary_says_with_which_oil_a_cook_began() {
+    let library = library();
+    let begun = |pan: &str, step: &str| {
+        let text = format!(
+            "[pan]\ninitial_c = 180\n{pan}\n[[food]]\nid = \"coin\"\nkind = \"carrot-coin\"\nmesh = \"2013\"\n{step}\n[[step]]\nput = \"coin\"\n\
+             [[step]]\nbutter_g = 5\n[[step]]\nafter_s = 1\nend = true\n"
+        );
+        let cook = cooked(&text, &library);
+        let summary = cook.summary(0.0);
+        (summary.oil_at_start.g, summary.oil_at_start.stated, summary.liquids_g.oil)
+    };
+    assert_eq!(begun("", "").0, 5.0);
+    assert!(!begun("", "").1, "butter that follows the food says nothing of the start");
+    assert_eq!((begun("oil_g = 0", "").0, begun("oil_g = 0", "").1), (0.3, true));
+    assert_eq!((begun("oil_g = 12", "").0, begun("oil_g = 12", "").1), (12.0, true));
+    let (start, stated, end) = begun("", "[[step]]\noil_g = 8");
+    assert!((start, stated) == (0.3, true) && (8.0..8.4).contains(&end), "{start} {end}");
+    assert_eq!(begun("oil_g = 2", "[[step]]\noil_g = 8").0, 2.0);
+    let wrong = "[pan]\noil_g = -1\n[[step]]\nend = true\n";
+    let error = parsed(wrong, &library).expect_err("refused");
+    assert_eq!((error.line, error.message.as_str()), (2, "pan.oil_g = -1 is out of range"));
+    let wiped = parsed("[[step]]\nwipe = true\n[[step]]\nend = true\n", &library).expect("parses");
+    assert_eq!(wiped.steps[0].action.words(), "wipe the pan");
+    let error = parsed("[[step]]\nwipe = false\n[[step]]\nend = true\n", &library).expect_err("refused");
+    assert_eq!(error.message, "wipe = false does nothing");
+}

@@ -55,8 +55,7 @@ const LONGEST_REST_S: f64 = 600.0;
 /// Cooks the food of a recipe by rules, and judges it by a goal.
 pub(super) fn cook(recipe: &Recipe, rules: &Rules, aimed: &Aimed, library: &Library) -> Result<Measures, CookError> {
     let [order] = &recipe.foods[..] else { return Err(CookError::Pieces(recipe.foods.len())) };
-    let library = &*recipe.library(library).map_err(saute_kitchen::kitchen::SetupError::from)?;
-    let mut kitchen = Kitchen::new(library, &recipe.pan_kind, recipe.pan_temperature)?;
+    let mut kitchen = recipe.empty_kitchen(library)?;
     heat(&mut kitchen, rules)?;
     kitchen.add(library, order)?;
     let masses: Vec<f64> = kitchen.pieces().iter().map(saute_kitchen::Piece::mass).collect();

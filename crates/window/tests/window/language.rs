@@ -146,7 +146,8 @@ fn refusals() -> Vec<Refused> {
         Refused::EmptyPan => Some(Refused::PanPlace { farthest_mm: 400 }),
         Refused::PanPlace { .. } => Some(Refused::Power { largest_w: 3500 }),
         Refused::Power { .. } => Some(Refused::NoSensor),
-        Refused::NoSensor => Some(Refused::HoldTemperature { lowest_c: 50, highest_c: 230 }),
+        Refused::NoSensor => Some(Refused::FoodToWipe(food())),
+        Refused::FoodToWipe(_) => Some(Refused::HoldTemperature { lowest_c: 50, highest_c: 230 }),
         Refused::HoldTemperature { .. } => {
             Some(Refused::NoSuchOil { kind: "butter".into(), known: "olive, clarified-butter".into() })
         }
