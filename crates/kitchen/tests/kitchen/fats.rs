@@ -1,5 +1,6 @@
 //! Promise: a pan has the fat that was put into it and no other, and a wipe takes it out.
 
+use saute_kitchen::tick::event::EventKind;
 use saute_kitchen::{Command, Kitchen, PieceOrder, Refused, celsius, kelvin};
 
 use crate::stove::{apply, library, run};
@@ -12,12 +13,12 @@ fn oil_g(kitchen: &Kitchen) -> f64 {
     1e3 * kitchen.pan_state().oil_mass()
 }
 
-/// Hottest place of the floor when its oil begins to be seen smoking, on the way up [°C].
+/// Hottest place of the floor when its oil begins to smoke, on the way up [°C].
 fn smokes_at(kind: &str) -> f64 {
     let mut kitchen = pan("stainless-clad-26", 150.0, 0.0);
     apply(&mut kitchen, Command::Oil { kind: Some(kind.into()), mass: 5e-3 });
     apply(&mut kitchen, Command::Hob(900.0));
-    while kitchen.pan_state().smoke_mg_s() < 0.05 {
+    while kitchen.events().tally(EventKind::SmokeBegins).count == 0 {
         assert!(kitchen.time_s() < 600.0, "{kind} never smokes");
         run(&mut kitchen, 1.0);
     }
@@ -45,8 +46,8 @@ fn every_oil_smokes_at_its_own_temperature_where_it_is_alone() {
     let oils = library().oils;
     for kind in ["canola", "sunflower", "clarified-butter", "beef-fat", "olive"] {
         let (smoke_c, seen_c) = (oils[kind].heat.smoke_c, smokes_at(kind));
-        println!("{kind}: smokes at {smoke_c} °C by its data, is seen at {seen_c:.0} °C");
-        assert!((smoke_c - 25.0..smoke_c + 25.0).contains(&seen_c), "{kind}: {seen_c}");
+        println!("{kind}: smokes at {smoke_c} °C by its data, does at {seen_c:.0} °C");
+        assert!((smoke_c - 1.0..smoke_c + 4.0).contains(&seen_c), "{kind}: {seen_c}");
     }
     assert!(smokes_at("clarified-butter") > smokes_at("canola") + 10.0);
 }
