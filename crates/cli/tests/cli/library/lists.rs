@@ -65,10 +65,18 @@ fn the_shipped_recipes_are_listed_by_id_and_title() {
 }
 
 /// Every action of a step.
-pub const ACTIONS: [&str; 18] = [
+pub const ACTIONS: [&str; 19] = [
     "butter_g", "cool", "end", "flip", "halve", "hob_w", "lid", "move", "move_pan", "oil_g", "press", "put", "repeat",
-    "rest", "shake", "tilt", "toss", "water_g",
+    "rest", "shake", "tilt", "toss", "water_g", "wipe",
 ];
+
+#[test]
+fn the_hobs_are_listed_by_id_and_a_plan_on_an_unknown_one_is_refused() {
+    assert_eq!(ids("hobs"), ["gas", "induction", "iron-plate", "radiant"]);
+    let ran = run(&["plan", "--food", "beef-lean", "--target", "medium", "--hob-kind", "campfire"]);
+    assert_eq!(ran.code, Some(2));
+    assert!(ran.err.contains("campfire is not a hob") && ran.err.contains("use one of: gas, induction"), "{}", ran.err);
+}
 
 #[test]
 fn the_actions_are_listed_with_the_keys_of_their_tables_their_ranges_and_defaults() {

@@ -1,0 +1,5 @@
+//! The hob: what it gives, how it holds a temperature, and how other stoves heat.
+
+mod hob;
+mod hold;
+mod stoves;
