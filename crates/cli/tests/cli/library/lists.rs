@@ -75,7 +75,11 @@ fn the_hobs_are_listed_by_id_and_a_plan_on_an_unknown_one_is_refused() {
     assert_eq!(ids("hobs"), ["gas", "induction", "iron-plate", "radiant"]);
     let ran = run(&["plan", "--food", "beef-lean", "--target", "medium", "--hob-kind", "campfire"]);
     assert_eq!(ran.code, Some(2));
-    assert!(ran.err.contains("campfire: is not a hob") && ran.err.contains("use one of: gas, induction"), "{}", ran.err);
+    assert!(
+        ran.err.contains("campfire: is not a hob") && ran.err.contains("use one of: gas, induction"),
+        "{}",
+        ran.err
+    );
 }
 
 #[test]
