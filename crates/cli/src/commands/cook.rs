@@ -26,7 +26,7 @@ use crate::{exit_code, report};
 pub fn run(args: &CookArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
     let scales = data.scales(&args.doneness)?;
     let recipe = recipe_source::load(&args.recipe, data)?;
-    let cook = session_source::cook(Source::Recipe(recipe), data)?;
+    let cook = session_source::cook(Source::Recipe(Box::new(recipe)), data)?;
     let pictured = if args.out.is_some() { pictured(&cook, args.every_piece) } else { Vec::new() };
     let mut out = args.out.as_deref().map(OutDir::prepare).transpose()?;
     let begin = |path: &PathBuf| SessionOut::begin(path, cook.runner.recipe(), &data.library, &cook.kitchen);

@@ -30,7 +30,7 @@ pub fn run_named(args: &OpenArgs, data: DataLibrary, hands: HandArgs) -> Result<
 /// Opens the window, and plays a recipe or goes on with a session if there is one.
 pub fn run(data: DataLibrary, source: Option<Source>, hands: HandArgs) -> Result<ExitCode, CliError> {
     let (recipe, recorded) = match source {
-        Some(Source::Recipe(recipe)) => (Some(recipe), None),
+        Some(Source::Recipe(recipe)) => (Some(*recipe), None),
         Some(Source::Session(recording)) => (None, Some(*recording)),
         None => (None, None),
     };

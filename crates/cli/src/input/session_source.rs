@@ -20,7 +20,7 @@ const LARGEST_MIB: u64 = 512;
 #[derive(Debug)]
 pub enum Source {
     /// A recipe.
-    Recipe(Recipe),
+    Recipe(Box<Recipe>),
     /// A session.
     Session(Box<Recording>),
 }
@@ -30,7 +30,7 @@ pub fn load(name: &str, data: &DataLibrary) -> Result<Source, CliError> {
     if is_session(Path::new(name)) {
         return Ok(Source::Session(Box::new(load_session(Path::new(name))?)));
     }
-    recipe_source::load(name, data).map(Source::Recipe)
+    recipe_source::load(name, data).map(|recipe| Source::Recipe(Box::new(recipe)))
 }
 
 /// Returns true for a file that begins as a session.
@@ -60,7 +60,7 @@ pub fn cook(source: Source, data: &DataLibrary) -> Result<Cook, CliError> {
     match source {
         Source::Recipe(recipe) => {
             let file = recipe.file.clone();
-            Cook::new(recipe, &data.library).map_err(|source| CliError::Setup { file, source })
+            Cook::new(*recipe, &data.library).map_err(|source| CliError::Setup { file, source })
         }
         Source::Session(recording) => play_again(*recording, data),
     }

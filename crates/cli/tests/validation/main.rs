@@ -52,6 +52,8 @@ fn every_shipped_case_is_a_test() {
 }
 
 cases! {
+    a_litre_on_gas = "a-litre-on-gas",
+    a_litre_on_induction = "a-litre-on-induction",
     both_faces_brown_at_1500_w = "both-faces-brown-at-1500-w",
     brick_20_cells = "brick-20-cells",
     brick_40_cells = "brick-40-cells",
@@ -84,6 +86,9 @@ cases! {
     hamburger_30_mm = "hamburger-30-mm",
     hotter_is_never_paler = "hotter-is-never-paler",
     hotter_is_never_slower = "hotter-is-never-slower",
+    hotter_is_never_slower_gas = "hotter-is-never-slower-gas",
+    hotter_is_never_slower_iron_plate = "hotter-is-never-slower-iron-plate",
+    hotter_is_never_slower_radiant = "hotter-is-never-slower-radiant",
     hotter_is_never_slower_light_pans = "hotter-is-never-slower-light-pans",
     hotter_pan_browns_more = "hotter-pan-browns-more",
     leek_rings_brown_at_190_c = "leek-rings-brown-at-190-c",

@@ -10,11 +10,12 @@ use saute_words::language::Language;
 type Texts = BTreeMap<String, BTreeMap<String, String>>;
 
 /// Sections of names that come from the core's data: found by the English text, not by a key in the code.
-const NAMES: [&str; 18] = [
+const NAMES: [&str; 19] = [
     "food",
     "noun",
     "id",
     "pan",
+    "stove",
     "recipe",
     "recipe_file",
     "scale",
@@ -115,6 +116,7 @@ fn every_name_in_the_data_has_a_japanese_one() {
     }
     library.oils.keys().for_each(|id| known("oil", id));
     library.pans.values().for_each(|pan| known("pan", &pan.name));
+    library.hobs.values().for_each(|hob| known("stove", &hob.name));
     for (id, _) in saute_mirror::rig_file::SHIPPED {
         known("rig", id);
         known("rig", &saute_mirror::rig_file::shipped(id).expect("is there").expect("is read").name);
