@@ -19,6 +19,8 @@ const PORTS: [f32; 2] = [0.043, -0.027];
 const FLAMES: u32 = 36;
 /// Length of the smallest and of the largest flame [m] (chosen).
 const FLAME_LENGTH: [f32; 2] = [0.012, 0.052];
+/// Highest middle of a flame, which spreads below the pan from there [m]: half its width lies above.
+const FLAME_TOP: f32 = -0.0046;
 /// Top of the enamelled sheet round an iron plate, and radius of the plate [m].
 const SHEET_Z: f32 = -0.0035;
 const PLATE_RADIUS: f32 = 0.090;
@@ -161,8 +163,8 @@ fn cone(mesh: &mut Mesh, length: f32) {
     const SIDES: u32 = 8;
     const ROWS: u32 = 8;
     let at = |t: f32| {
-        let rise = (t * t * 0.55 * length).min(-PORTS[1] - 0.004);
-        Vec3::new(PORTS[0] + 0.85 * length * t, 0.0, PORTS[1] + 0.25 * length * t.min(0.4) + rise)
+        let height = PORTS[1] + 0.25 * length * t.min(0.4) + 0.55 * length * t * t;
+        Vec3::new(PORTS[0] + 0.85 * length * t, 0.0, height.min(FLAME_TOP))
     };
     let first = mesh.vertices.len();
     let finish = Finish { colour: Vec3::ONE, roughness: 0.0, metalness: 0.0, material: Material::Plain };
