@@ -382,7 +382,10 @@ fn brown(model: &FoodModel, state: &mut FoodState, i: usize, dt: f64) {
         return;
     }
     let activity = model.water.isotherm.activity(state.water[i] / model.tissue.lean_solids[i]);
-    let before = (state.browning[i], state.charring[i]);
-    (state.browning[i], state.charring[i]) =
+    // What lies over a groove neither browns nor chars: both are means over the whole face.
+    let open = state.open[i];
+    let before = (state.browning[i] / open, state.charring[i] / open);
+    let (browning, charring) =
         model.response.browning.advance(before, t, activity, model.tissue.charring_solids(i), dt);
+    (state.browning[i], state.charring[i]) = (open * browning, open * charring);
 }

@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::ZERO_C;
-use crate::description::{Composition, Confidence, FatMelting};
+use crate::description::{Composition, Confidence, FatMelting, Freezing};
 
 /// Properties of one component as polynomials a + bT + cT² of the temperature T [°C] (Choi & Okos 1986
 /// `[@choi-okos-1986]`).
@@ -31,8 +31,13 @@ pub struct Components {
     pub source: String,
     /// Confidence in the numbers.
     pub confidence: Confidence,
-    /// Water above 0 °C.
+    /// Liquid water.
     pub water: Component,
+    /// Ice.
+    pub ice: Component,
+    /// Latent heat of melting of ice at 0 °C [J/kg].
+    #[schemars(range(min = 0.0, max = 1e6))]
+    pub melting_j_kg: f64,
     /// Protein.
     pub protein: Component,
     /// Fat.
@@ -50,7 +55,7 @@ const VALID_TO_C: f64 = 150.0;
 /// Lower end of the polynomials' validity [°C]; they are constant beyond.
 const VALID_FROM_C: f64 = -40.0;
 
-fn polynomial(c: &[f64; 3], celsius: f64) -> f64 {
+pub(crate) fn polynomial(c: &[f64; 3], celsius: f64) -> f64 {
     let t = celsius.clamp(VALID_FROM_C, VALID_TO_C);
     c[0] + c[1] * t + c[2] * t * t
 }
@@ -98,8 +103,14 @@ const HOTTEST: i32 = 450;
 const LAST_CELL: u32 = (HOTTEST - COLDEST - 1) as u32;
 
 impl Properties {
-    /// Tabulates the properties every kelvin from −40 to 450 °C; enthalpies are zero at 0 °C.
-    pub fn new(components: &Components, lean: &Composition, melting: &FatMelting) -> Self {
+    /// Tabulates the properties every kelvin from −40 to 450 °C; enthalpies are zero at 0 °C. Without `freezing` the water
+    /// stays liquid.
+    pub fn new(
+        components: &Components,
+        lean: &Composition,
+        melting: &FatMelting,
+        freezing: Option<&Freezing>,
+    ) -> Self {
         let solids = [
             (&components.protein, lean.protein),
             (&components.carbohydrate, lean.carbohydrate),
@@ -110,6 +121,9 @@ impl Properties {
         let mut rows: Vec<Row> =
             (COLDEST..=HOTTEST).map(|c| properties_at(f64::from(c), components, &solids, total)).collect();
         integrate_enthalpy(&mut rows, components, &solids, total, melting);
+        if let Some(freezing) = freezing {
+            freeze(&mut rows, components, freezing);
+        }
         let heat = rows.windows(2).map(|pair| HeatCell::between(&pair[0], &pair[1])).collect();
         let bulk = rows.windows(2).map(|pair| BulkCell::between(&pair[0], &pair[1])).collect();
         Self { heat, bulk }
@@ -151,6 +165,9 @@ impl Properties {
     /// Newton's method from `guess` [K]; exact on the piecewise linear table.
     #[inline]
     pub fn temperature(&self, masses: &Masses, enthalpy: f64, guess: f64) -> (f64, f64) {
+        if enthalpy < 0.0 {
+            return self.cold_temperature(masses, enthalpy);
+        }
         let (mut t, mut at) = (guess, usize::MAX);
         let (mut cell, mut capacity) = (&self.heat[0], 0.0);
         for _ in 0..20 {
@@ -168,6 +185,15 @@ impl Properties {
         }
         let last = self.place(t).0;
         (t, if last == at { capacity } else { self.heat[last].capacity(masses) })
+    }
+
+    /// [`Self::temperature`] below 0 °C, where ice makes the capacity leap: by bisection over the rows.
+    fn cold_temperature(&self, masses: &Masses, enthalpy: f64) -> (f64, f64) {
+        let cold = &self.heat[..(-COLDEST) as usize];
+        let index = cold.partition_point(|cell| cell.enthalpy(masses, 0.0) <= enthalpy).saturating_sub(1);
+        let (cell, capacity) = (&cold[index], cold[index].capacity(masses));
+        let share = (enthalpy - cell.enthalpy(masses, 0.0)) / capacity;
+        (ZERO_C + f64::from(COLDEST) + index as f64 + share, capacity)
     }
 
     /// Thermal conductivity of the given masses [W/(m·K)].
@@ -249,6 +275,15 @@ fn properties_at(celsius: f64, components: &Components, solids: &[(&Component, f
             inverse_density / total,
             1.0 / polynomial(&components.fat.density_kg_m3, celsius),
         ],
+    }
+}
+
+/// Freezes the water of the rows below 0 °C.
+fn freeze(rows: &mut [Row], components: &Components, freezing: &Freezing) {
+    for (row, celsius) in rows.iter_mut().zip((COLDEST..0).map(f64::from)) {
+        row.enthalpy[0] += freezing.enthalpy_of_ice(components, celsius);
+        row.conductivity[0] = freezing.conductivity_of_ice(components, celsius);
+        row.inverse_density[0] = freezing.volume_of_ice(components, celsius);
     }
 }
 

@@ -72,7 +72,7 @@ pub fn simplified(
     components: &Components,
 ) -> (FoodDescription, Kinetics) {
     let lean = &description.lean;
-    let properties = Properties::new(components, lean, &description.fat_melting);
+    let properties = Properties::new(components, lean, &description.fat_melting, None);
     let raw = properties.conductivity(&[lean.water, lean.lean_solids(), lean.fat], ZERO_C + 20.0);
     let (mut description, mut kinetics) = (description.clone(), kinetics.clone());
     kinetics.water_holding.release_per_s = 0.0;
@@ -82,6 +82,7 @@ pub fn simplified(
     kinetics.shrinkage.least_volume = 1.0;
     description.crust.conductivity_w_mk = raw;
     description.anisotropy = None;
+    description.freezing = None;
     if let Some(change) = description.colour.change_2013.take() {
         description.colour.change = change;
     }

@@ -69,8 +69,9 @@ impl FoodModel {
             reading.temperature += share * state.temperature[node];
             reading.browning += share * state.browning[node];
             reading.moisture += share * state.water[node] / self.tissue.initial_water[node];
-            reading.browned_pct += 100.0 * share * f64::from(u8::from(state.browning[node] > 0.5));
-            reading.charred_pct += 100.0 * share * f64::from(u8::from(state.charring[node] > 0.2));
+            let open = state.open[node];
+            reading.browned_pct += 100.0 * share * open * f64::from(u8::from(state.browning[node] > 0.5 * open));
+            reading.charred_pct += 100.0 * share * open * f64::from(u8::from(state.charring[node] > 0.2 * open));
         }
         // Rounding may carry the sum of the shares above 100.
         reading.browned_pct = reading.browned_pct.min(100.0);
@@ -88,9 +89,21 @@ impl FoodModel {
         }
     }
 
-    /// Mean colour of the lean flesh and the fat of a node.
+    /// Mean colour of the lean flesh and the fat of a node: of a face on ridges, of the bars and of what is between them.
     pub fn node_colour(&self, state: &FoodState, node: usize) -> Lab {
-        let (lean, fat) = self.colours(self.appearance(state, node));
+        let (mut seen, open) = (self.appearance(state, node), state.open[node]);
+        (seen.browning, seen.charring) = (seen.browning / open, seen.charring / open);
+        let bars = self.colour_of(seen, node);
+        if open == 1.0 {
+            return bars;
+        }
+        (seen.browning, seen.charring) = (0.0, 0.0);
+        self.colour_of(seen, node).lerp(bars, open)
+    }
+
+    /// Colour of a node's lean flesh and fat in a state.
+    fn colour_of(&self, seen: Appearance, node: usize) -> Lab {
+        let (lean, fat) = self.colours(seen);
         lean.lerp(fat, self.tissue.adipose[node])
     }
 

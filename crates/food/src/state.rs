@@ -43,6 +43,8 @@ pub struct FoodState {
     pub lethality: Vec<f64>,
     /// Share of the face at each node that oil covers [-].
     pub oiled: Vec<f64>,
+    /// Share of the face at each node that has come to brown: 1, but that of the tops where ridges carry the face [-].
+    pub open: Vec<f64>,
     /// Contraction and bending.
     pub stretch: Stretch,
     /// Water that has evaporated [kg].
@@ -75,6 +77,7 @@ impl FoodState {
             charring: zeros(),
             lethality: zeros(),
             oiled: zeros(),
+            open: vec![1.0; n],
             stretch: Stretch { lateral: 1.0, axial: vec![1.0; n], dome: 0.0 },
             evaporated: 0.0,
             dripped: 0.0,
@@ -103,6 +106,7 @@ impl FoodState {
         charring.clone_from(&other.charring);
         self.lethality.clone_from(&other.lethality);
         self.oiled.clone_from(&other.oiled);
+        self.open.clone_from(&other.open);
         self.stretch.axial.clone_from(&other.stretch.axial);
         (self.stretch.lateral, self.stretch.dome) = (other.stretch.lateral, other.stretch.dome);
         (self.evaporated, self.dripped, self.rendered) = (other.evaporated, other.dripped, other.rendered);
@@ -139,16 +143,16 @@ impl FoodState {
     /// Returns all node fields.
     pub(crate) fn fields(&self) -> Vec<&Vec<f64>> {
         let Self { temperature, enthalpy, water, juice, rising, fat, peak, changed, .. } = self;
-        let Self { browning, charring, lethality, oiled, stretch, .. } = self;
+        let Self { browning, charring, lethality, oiled, open, stretch, .. } = self;
         let heat = [temperature, enthalpy, water, juice, rising, fat, peak];
-        heat.into_iter().chain(changed).chain([browning, charring, lethality, oiled, &stretch.axial]).collect()
+        heat.into_iter().chain(changed).chain([browning, charring, lethality, oiled, open, &stretch.axial]).collect()
     }
 
     /// Returns all node fields, in the order of [`Self::fields`].
     pub(crate) fn fields_mut(&mut self) -> Vec<&mut Vec<f64>> {
         let Self { temperature, enthalpy, water, juice, rising, fat, peak, changed, .. } = self;
         let heat = [temperature, enthalpy, water, juice, rising, fat, peak];
-        let surface = [&mut self.browning, &mut self.charring, &mut self.lethality, &mut self.oiled];
+        let surface = [&mut self.browning, &mut self.charring, &mut self.lethality, &mut self.oiled, &mut self.open];
         heat.into_iter().chain(changed).chain(surface).chain([&mut self.stretch.axial]).collect()
     }
 

@@ -65,9 +65,11 @@ pub struct PieceOrder {
 }
 
 impl PieceOrder {
-    /// Finest and coarsest mesh that is built from files of another program [-] (chosen: recipes order the finest, tests and the
-    /// fuzzer coarser ones).
-    pub const COARSENESS: core::ops::RangeInclusive<f64> = 1.0..=8.0;
+    /// Finest and coarsest mesh that may be ordered [-] (chosen: half the default spacing shows whether a result has settled,
+    /// at sixteen times the work or more).
+    pub const COARSENESS: core::ops::RangeInclusive<f64> = 0.5..=8.0;
+    /// Temperatures at which food may begin [°C] (chosen: from below a freezer's −18 °C to what is kept warm).
+    pub const INITIAL_C: [f64; 2] = [-25.0, 60.0];
 
     /// Returns what its model is built from, apart from the food.
     pub(crate) fn spec(&self) -> PieceSpec {
@@ -217,7 +219,7 @@ impl Kitchen {
         if !(piece.state.total_enthalpy().is_finite() && piece.mass() > 0.0 && piece.mass().is_finite()) {
             return Err(BuildError::NotFinite.into());
         }
-        work::check(&piece.model)?;
+        work::check(&piece.model, order.coarseness)?;
         self.next_key += 1;
         self.account.add_food(piece.state.total_enthalpy());
         self.pieces.push(piece);

@@ -229,8 +229,8 @@ fn each(least: f64, most: f64) -> serde_json::Value {
     serde_json::json!({ "type": "number", "format": "double", "minimum": least, "maximum": most })
 }
 
-/// Largest number of changes of one kind of flesh [-] (chosen: beef has four).
-pub const MOST_CHANGES: usize = 4;
+/// Largest number of changes of one kind of flesh [-] (chosen: beef has seven).
+pub const MOST_CHANGES: usize = 7;
 
 /// A value for each change, in the order of the kinetics file.
 pub type PerChange = [f64; MOST_CHANGES];

@@ -18,7 +18,7 @@ pub use kinetics::{
     NoSuchChange, PerChange, Shrinkage, Texture, WaterHolding,
 };
 pub use lab_colour::{LabColour, LabShift};
-pub use properties::{Anisotropy, Colours, Crust, FatMelting, Sorption, SurfaceProperties};
+pub use properties::{Anisotropy, Colours, Crust, FatMelting, Freezing, Sorption, SurfaceProperties};
 pub use shape::{NaturalForm, OutlineKind, OutlineShape, SizeRange, Spine, SurfaceFile};
 pub use tissue::{Composition, Core, FatCap, Marbling, Sheaths};
 
@@ -99,6 +99,8 @@ pub struct FoodDescription {
     pub fat_cap: Option<FatCap>,
     /// Melting of the fat.
     pub fat_melting: FatMelting,
+    /// Freezing of the water; a food without it cannot be colder than 0 °C.
+    pub freezing: Option<Freezing>,
     /// GAB sorption isotherm: how tightly the last water is held.
     pub sorption: Sorption,
     /// The dry crust.

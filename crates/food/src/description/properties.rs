@@ -21,6 +21,18 @@ sourced_table! {
 }
 
 sourced_table! {
+    /// Freezing of the water.
+    Freezing {
+        /// Temperature at which freezing begins [°C].
+        #[schemars(range(min = -10.0, max = -0.1), example = -1.0)]
+        begins_c: f64,
+        /// Share of the water that is bound to the solids and never freezes [-].
+        #[schemars(range(min = 0.0, max = 0.9), example = 0.08)]
+        bound_share: f64,
+    }
+}
+
+sourced_table! {
     /// GAB sorption isotherm.
     Sorption {
         /// Monolayer moisture X_m [kg/kg dry].

@@ -24,6 +24,7 @@ impl Reduction {
             charring: mean(&state.charring),
             lethality: mean(&state.lethality),
             oiled: mean(&state.oiled),
+            open: mean(&state.open),
             stretch: Stretch { axial: mean(&state.stretch.axial), ..state.stretch },
             evaporated: state.evaporated,
             dripped: state.dripped,

@@ -9,6 +9,7 @@
 pub mod air_film;
 pub mod fat;
 pub(crate) mod films;
+pub mod ice;
 pub mod juice;
 mod juice_flow;
 mod juice_way;

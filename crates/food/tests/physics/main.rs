@@ -5,6 +5,7 @@ mod body;
 mod change;
 mod colour;
 mod composition;
+mod ice;
 mod juice;
 mod reduced;
 mod run;

@@ -59,14 +59,19 @@ impl Ridges {
 
     /// Mean contact conductance to a patch over tops and grooves, given the one on the tops [W/(m²·K)].
     pub fn mixed(&self, top: f64, gap: &ContactGap, face: &FaceContact, patch: &PatchGap, over: &AcrossGroove) -> f64 {
+        let share = self.share();
+        share * top + (1.0 - share) * self.over_groove(gap, face, patch, over)
+    }
+
+    /// Conductance from the bottom of a groove to the part of a patch over it [W/(m²·K)].
+    pub fn over_groove(&self, gap: &ContactGap, face: &FaceContact, patch: &PatchGap, over: &AcrossGroove) -> f64 {
         // Oil lies at the bottom of the groove, and a coating conducts better than the gap.
         let dry = FaceContact { film: 0.0, ..*face };
         let [pan, food] = over.emissivity;
         let emissivity = 1.0 / (1.0 / pan + 1.0 / food - 1.0);
         let radiation = radiation_coefficient(emissivity, over.temperature[0], over.temperature[1]);
-        let share = self.share();
         let deep = PatchGap { thickness: patch.thickness + self.height, wetness: 0.0, ..*patch };
-        share * top + (1.0 - share) * (dry.conductance(gap, &deep) + radiation)
+        dry.conductance(gap, &deep) + radiation
     }
 
     /// Factor on the width of a face of the floor for a liquid of mean `thickness` [m] and surface slope `slope` [-];

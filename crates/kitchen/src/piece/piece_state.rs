@@ -361,6 +361,7 @@ impl Piece {
                 self.touch[n.patch as usize] = self.pan_touch(n, &face, mean, (pan, pan_state), room);
                 if let Some(ridges) = pan.ridges.filter(|_| self.state.ticks.is_multiple_of(REFRESH_TICKS)) {
                     self.sear_strip(n, &face, mean, (&ridges, pan_state), room);
+                    self.tan_between(n, &face, mean, (pan, &ridges, pan_state), room);
                 }
             }
         }
@@ -423,11 +424,16 @@ impl Piece {
         let top = face.conductance(contact, &gap) * surface.contact_share;
         let ridges = pan_model.ridges.filter(|_| located.nodes.iter().all(|n| (*n as usize) < pan_model.floor_nodes));
         let Some(ridges) = ridges else { return Touch::Contact { conductance: top, temperature } };
-        let over = AcrossGroove {
-            emissivity: [pan_model.description.surface.emissivity, surface.emissivity],
-            temperature: [temperature, self.state.temperature[node]],
-        };
+        let over = self.across_groove(pan_model, temperature, node);
         Touch::Contact { conductance: ridges.mixed(top, contact, &face, &gap, &over), temperature }
+    }
+
+    /// The surfaces of pan and node that face each other across a groove.
+    pub(crate) fn across_groove(&self, pan: &PanModel, metal: f64, node: usize) -> AcrossGroove {
+        AcrossGroove {
+            emissivity: [pan.description.surface.emissivity, self.model.description().surface.emissivity],
+            temperature: [metal, self.state.temperature[node]],
+        }
     }
 
     /// Contacts by the rules of 2013: a fixed conductance within a distance.

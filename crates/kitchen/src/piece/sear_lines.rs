@@ -1,7 +1,9 @@
 //! Sear lines from ridges: their place in the frame of the food, and the browning on them.
 //!
-//! The mesh of a piece is as coarse as the ridges, so a node browns as the mean of ridge and groove. The browning that a
-//! face gains on ridges is attributed to the lines, up to complete browning there. Its distribution along the lines
+//! The mesh of a piece is as coarse as the ridges, so a node browns as the mean of ridge and groove: the part of it on
+//! tops browns, and the rest is kept off the metal ([`FoodState::open`](saute_food::FoodState)). Lines across earlier ones
+//! open as much of what is left. Between the lines flesh tans as its surface dries, which opens it too. The browning that
+//! a face gains on ridges is attributed to the lines, up to complete browning there. Its distribution along the lines
 //! follows the strips on the ridges; the surface temperature of a strip is the balance between the ridge and the water
 //! that boils below the crust: T_s = (h_top T_pan + g T_boil) / (h_top + g).
 
@@ -14,7 +16,7 @@ use crate::TICK_S;
 use crate::data::room::Room;
 use crate::dynamics::Pose;
 use crate::pan::near_pan::NearPatch;
-use crate::pan::pan_model::PanState;
+use crate::pan::pan_model::{PanModel, PanState};
 use crate::pan::ridges::Ridges;
 use crate::piece::contact::{FaceContact, PatchGap};
 use crate::piece::piece_state::Piece;
@@ -144,6 +146,12 @@ impl SearRecord {
         }
     }
 
+    /// Number of sets of lines of a face, with those at pose `seen` where it lies now [-].
+    fn sets_with(&self, ridges: &Ridges, face: Face, seen: &Pose, lateral: f64) -> usize {
+        let (sets, here) = (&self.faces[index(face)], SearLines::at(ridges, seen, lateral));
+        sets.len() + usize::from(!sets.iter().any(|set| set.is_over(&here)))
+    }
+
     /// Ends the contact with ridges.
     pub(crate) fn leave(&mut self) {
         self.seen = None;
@@ -176,12 +184,57 @@ impl Piece {
         match SearRecord::face_below(seen.up()) {
             Some(face) if !self.near_patches().is_empty() => {
                 if self.state.ticks.is_multiple_of(REFRESH_TICKS) {
+                    self.open_on_tops(ridges, face, seen);
                     let browning = self.face_mean(face, &self.state.browning);
                     self.sear.look(ridges, (face, browning), seen, self.state.stretch.lateral);
                 }
             }
             _ => self.sear.leave(),
         }
+    }
+
+    /// Opens the share of a face that tops reach: s by the first lines, and the same share of the rest by each further set.
+    fn open_on_tops(&mut self, ridges: &Ridges, face: Face, seen: &Pose) {
+        if !self.state.healthy {
+            return;
+        }
+        let sets = self.sear.sets_with(ridges, face, seen, self.state.stretch.lateral);
+        let reached = 1.0 - libm::pow(1.0 - ridges.share(), sets as f64);
+        let first = sets == 1;
+        for patch in on_face(&self.model, face) {
+            let node = self.model.patches()[patch].node as usize;
+            let (open, browning) = (self.state.open[node], self.state.browning[node]);
+            // What has browned elsewhere is open.
+            let before = if first && open == 1.0 { browning } else { open };
+            self.state.open[node] = before.max(reached);
+        }
+    }
+
+    /// Tans the part of a patch over a groove for the time between two updates: like a strip, by the groove's conductance.
+    pub(crate) fn tan_between(
+        &mut self,
+        near: &NearPatch,
+        face: &FaceContact,
+        mean: f64,
+        (pan, ridges, state): (&PanModel, &Ridges, &PanState),
+        room: &Room,
+    ) {
+        let (node, metal) = (self.node_of(near.patch), state.metal_at(&near.located));
+        if !self.state.healthy || self.state.open[node] >= 1.0 {
+            return;
+        }
+        let gap = PatchGap { thickness: self.gap_below(near, mean), pan: metal, wetness: 0.0 };
+        let groove = ridges.over_groove(&room.contact, face, &gap, &self.across_groove(pan, metal, node));
+        let tanned = (1.0 - self.wetness(node)) * self.browned_dry(groove, metal);
+        self.state.open[node] += (1.0 - self.state.open[node]) * tanned;
+    }
+
+    /// Browning between two updates of a dry crust that boils below, given the conductance from the metal [-].
+    fn browned_dry(&self, conductance: f64, metal: f64) -> f64 {
+        let below = self.model.description().crust.conductivity_w_mk / STRIP;
+        let surface = (conductance * metal + below * BOILING) / (conductance + below);
+        let look = REFRESH_TICKS as f64 * TICK_S;
+        if surface > BOILING { self.model.browning().advance((0.0, 0.0), surface, DRY, 1.0, look).0 } else { 0.0 }
     }
 
     /// Area mean of a field of the nodes over the lower or the upper face of the rest shape.
@@ -213,12 +266,7 @@ impl Piece {
         let metal = pan.metal_at(located);
         let gap = PatchGap { thickness: mean + (off - given).max(0.0), pan: metal, wetness: 0.0 };
         let top = film.conductance(&room.contact, &gap) * share;
-        let below = self.model.description().crust.conductivity_w_mk / STRIP;
-        let strip = (top * metal + below * BOILING) / (top + below);
-        let look = REFRESH_TICKS as f64 * TICK_S;
-        let gained =
-            if strip > BOILING { self.model.browning().advance((0.0, 0.0), strip, DRY, 1.0, look).0 } else { 0.0 };
-        self.sear.brown_strip(patch, gained);
+        self.sear.brown_strip(patch, self.browned_dry(top, metal));
     }
 
     /// Darkness of the lines at each node relative to their mean on its face [-]; empty without sear lines.

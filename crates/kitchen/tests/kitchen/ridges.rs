@@ -44,6 +44,27 @@ fn less_heat_enters_on_ridges_than_on_a_plain_pan_as_hot() {
     assert!((0.35..0.85).contains(&(ridged / plain)), "{ridged} {plain}");
 }
 
+/// Ridges brown the share of a face that lies on their tops, in bars; turned across them it gets as much of the rest.
+#[test]
+fn a_face_browns_where_the_tops_are() {
+    let reading = |kitchen: &Kitchen| {
+        let piece = &kitchen.pieces()[0];
+        piece.model.face_reading(&piece.state, piece.up())
+    };
+    let fried = |pan: &str| {
+        let mut kitchen = frying(pan, 230.0, 0.0);
+        apply(&mut kitchen, Command::Hob(1200.0));
+        run(&mut kitchen, 150.0);
+        reading(&kitchen)
+    };
+    let (bars, plain) = (fried(GRILL), fried("cast-iron-26"));
+    assert!((100.0 * 5.0 / 12.0 - 10.0..100.0 * 5.0 / 12.0 + 10.0).contains(&bars.browned_pct), "{bars:?}");
+    assert!(plain.browned_pct > 90.0, "{plain:?}");
+    // Between the bars the face is as pale as it was: the mean is lighter than a whole crust.
+    assert!(bars.lab.0[0] > plain.lab.0[0] + 4.0, "{bars:?} {plain:?}");
+    assert!(bars.browning < 0.55 && bars.charred_pct <= bars.browned_pct, "{bars:?}");
+}
+
 fn lines(kitchen: &Kitchen, face: Face) -> Vec<SearLines> {
     kitchen.pieces()[0].all_sear_lines(face)
 }

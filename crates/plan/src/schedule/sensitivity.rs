@@ -1,6 +1,6 @@
 //! How much a plan depends on what a kitchen does differently.
 
-use saute_kitchen::Library;
+use saute_kitchen::{Library, PieceOrder};
 use serde::{Deserialize, Serialize};
 
 use crate::goal::{Outcome, Shortfall};
@@ -55,9 +55,6 @@ pub struct Sensitivity {
     pub is_met: bool,
 }
 
-/// Temperatures at which food may go into the pan [°C] (those of recipes).
-const INITIAL_C: [f64; 2] = [0.0, 60.0];
-
 /// Returns the job of a schedule without a change.
 pub(crate) fn base(order: &Order, schedule: &Schedule, mesh: Mesh) -> Job {
     Job { order: order.clone(), schedule: schedule.clone(), pull: Pull::AtItsTime, mesh }
@@ -69,7 +66,8 @@ pub(crate) fn changed(job: Job, change: Change, library: &Library) -> Job {
     match change {
         Change::ThicknessMm(mm) => Job { order: order.with_thickness(order.thickness_mm() + mm, library), ..job },
         Change::InitialK(k) => {
-            let initial_c = (order.initial_c + k).clamp(INITIAL_C[0], INITIAL_C[1]);
+            let [least, most] = PieceOrder::INITIAL_C;
+            let initial_c = (order.initial_c + k).clamp(least, most);
             Job { order: Order { initial_c, ..order.clone() }, ..job }
         }
         Change::PowerPct(pct) => {

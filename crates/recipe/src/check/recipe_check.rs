@@ -156,15 +156,19 @@ impl Check<'_> {
         };
         self.check_id(&entry.id)?;
         let size_mm = self.size(entry, description)?;
-        let initial =
-            entry.initial_c.as_ref().map_or(Ok(5.0), |c| self.input.ranged("food.initial_c", c, 0.0, 60.0))?;
+        let initial = self.initial_c(entry, description, rules)?;
+        let (finest, coarsest) = (*PieceOrder::COARSENESS.start(), *PieceOrder::COARSENESS.end());
+        let coarseness = entry
+            .coarseness
+            .as_ref()
+            .map_or(Ok(1.0), |c| self.input.ranged("food.coarseness", c, finest, coarsest))?;
         Ok(PieceOrder {
             id: entry.id.get_ref().clone(),
             kind: entry.kind.get_ref().clone(),
             size: size_mm.map(|v| v * 1e-3),
             temperature: kelvin(initial),
             seed: u64::from(entry.seed.unwrap_or(1)),
-            coarseness: 1.0,
+            coarseness,
             rules,
             mesh: match entry.mesh.unwrap_or_default() {
                 MeshName::Default => MeshSize::Default,
@@ -172,6 +176,25 @@ impl Check<'_> {
             },
             outline: entry.outline.unwrap_or_default(),
         })
+    }
+
+    /// Temperature of a food [°C]; below the beginning of freezing only where its file says how it freezes.
+    fn initial_c(&self, entry: &FoodEntry, food: &FoodDescription, rules: Rules) -> Checked<f64> {
+        let Some(given) = &entry.initial_c else { return Ok(5.0) };
+        let [least, most] = PieceOrder::INITIAL_C;
+        let celsius = self.input.ranged("food.initial_c", given, least, most)?;
+        let (message, remedy) = match (rules, &food.freezing) {
+            _ if celsius >= 0.0 => return Ok(celsius),
+            (Rules::Full, Some(_)) => return Ok(celsius),
+            (Rules::Full, None) => (
+                format!("food.initial_c = {celsius}: the file of {} has no table [freezing]", entry.kind.get_ref()),
+                "write 0 or more, or add [freezing] with begins_c and bound_share to the food",
+            ),
+            (Rules::Paper2013, _) => {
+                (format!("food.initial_c = {celsius}: the rules of 2013 know no ice"), "write 0 or more, or leave preset out")
+            }
+        };
+        self.input.error(given.span().start, message, remedy)
     }
 
     fn check_id(&self, id: &Spanned<String>) -> Checked<()> {

@@ -85,8 +85,11 @@ pub struct FoodEntry {
     #[schemars(with = "Option<Vec<f64>>")]
     pub size_mm: Option<Spanned<Vec<f64>>>,
     /// Temperature at which it goes into the pan [°C]; 5 by default.
-    #[schemars(with = "Option<f64>", range(min = 0, max = 60))]
+    #[schemars(with = "Option<f64>", range(min = -25, max = 60))]
     pub initial_c: Option<Spanned<f64>>,
+    /// Spacing of its mesh relative to the default [-]; 1 by default. A result that has settled hardly changes at 0.5.
+    #[schemars(with = "Option<f64>", range(min = 0.5, max = 8))]
+    pub coarseness: Option<Spanned<f64>>,
     /// Seed of its natural variation; 1 by default. The pieces of a group have seeds that follow each other.
     pub seed: Option<u32>,
     /// Makes a group of so many pieces, which are called id.1, id.2 and so on; one piece with the plain id where it is not

@@ -31,7 +31,9 @@ fn holds_the_state(file: &Vtu, kitchen: &Kitchen, section: &str) {
     let mass = sum("water_kg") + sum("lean_solids_kg") + sum("fat_kg");
     assert!((mass / piece.mass() - 1.0).abs() < 1e-12, "{mass} kg");
     assert_eq!(file.reals("browning"), state.browning);
-    assert_eq!(file.reals("changed.myosin"), state.changed[0]);
+    for (name, share) in piece.model.kinetics().names().into_iter().zip(&state.changed) {
+        assert_eq!(&file.reals(&format!("changed.{name}")), share);
+    }
     let units = ["temperature_c", "temperature_k", "water_kg", "enthalpy_j", "volume_m3", "browning"];
     assert_eq!(units.map(|name| file.unit(name)), ["°C", "K", "kg", "J", "m³", ""]);
     assert_eq!(file.section("temperature_c"), section);

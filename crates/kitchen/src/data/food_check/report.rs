@@ -93,7 +93,7 @@ impl FoodReport {
             FoodModel::build(food, &library.kinetics[&food.kinetics], &library.components, &spec)
         };
         let model = build(1.0)?;
-        work::check(&model)?;
+        work::check(&model, 1.0)?;
         let volume: f64 = model.mesh().volumes().iter().sum();
         let lean = [food.lean.water, food.lean.lean_solids(), food.lean.fat];
         Ok(Self {
