@@ -105,12 +105,7 @@ const LAST_CELL: u32 = (HOTTEST - COLDEST - 1) as u32;
 impl Properties {
     /// Tabulates the properties every kelvin from −40 to 450 °C; enthalpies are zero at 0 °C. Without `freezing` the water
     /// stays liquid.
-    pub fn new(
-        components: &Components,
-        lean: &Composition,
-        melting: &FatMelting,
-        freezing: Option<&Freezing>,
-    ) -> Self {
+    pub fn new(components: &Components, lean: &Composition, melting: &FatMelting, freezing: Option<&Freezing>) -> Self {
         let solids = [
             (&components.protein, lean.protein),
             (&components.carbohydrate, lean.carbohydrate),

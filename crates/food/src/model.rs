@@ -97,7 +97,8 @@ impl FoodModel {
         let simple = (rules == Rules::Paper2013).then(|| simplified(description, kinetics, components));
         let (description, kinetics) = simple.as_ref().map_or((description, kinetics), |(d, k)| (d, k));
         let mut shape = RestShape::new(body, rules);
-        let properties = Properties::new(components, &description.lean, &description.fat_melting, description.freezing.as_ref());
+        let properties =
+            Properties::new(components, &description.lean, &description.fat_melting, description.freezing.as_ref());
         let tissue = NodeTissue::new(description, &properties, &shape, seed);
         tissue.part_sheaths(&mut shape.mesh);
         Ok(Self {

@@ -88,7 +88,8 @@ impl Check<'_> {
             let why = self.library.absence("foods", id.get_ref(), "is not a food");
             return self.input.error(id.span().start, format!("food = \"{}\" {why}", id.get_ref()), remedy);
         };
-        let properties = Properties::new(&self.library.components, &food.lean, &food.fat_melting, food.freezing.as_ref());
+        let properties =
+            Properties::new(&self.library.components, &food.lean, &food.fat_melting, food.freezing.as_ref());
         let fractions = [food.lean.water, food.lean.lean_solids(), food.lean.fat];
         let density = 1.0 / properties.volume(&fractions, kelvin(20.0));
         let masses = fractions.map(|x| x * density);

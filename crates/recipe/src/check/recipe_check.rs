@@ -158,10 +158,8 @@ impl Check<'_> {
         let size_mm = self.size(entry, description)?;
         let initial = self.initial_c(entry, description, rules)?;
         let (finest, coarsest) = (*PieceOrder::COARSENESS.start(), *PieceOrder::COARSENESS.end());
-        let coarseness = entry
-            .coarseness
-            .as_ref()
-            .map_or(Ok(1.0), |c| self.input.ranged("food.coarseness", c, finest, coarsest))?;
+        let coarseness =
+            entry.coarseness.as_ref().map_or(Ok(1.0), |c| self.input.ranged("food.coarseness", c, finest, coarsest))?;
         Ok(PieceOrder {
             id: entry.id.get_ref().clone(),
             kind: entry.kind.get_ref().clone(),
@@ -190,9 +188,10 @@ impl Check<'_> {
                 format!("food.initial_c = {celsius}: the file of {} has no table [freezing]", entry.kind.get_ref()),
                 "write 0 or more, or add [freezing] with begins_c and bound_share to the food",
             ),
-            (Rules::Paper2013, _) => {
-                (format!("food.initial_c = {celsius}: the rules of 2013 know no ice"), "write 0 or more, or leave preset out")
-            }
+            (Rules::Paper2013, _) => (
+                format!("food.initial_c = {celsius}: the rules of 2013 know no ice"),
+                "write 0 or more, or leave preset out",
+            ),
         };
         self.input.error(given.span().start, message, remedy)
     }

