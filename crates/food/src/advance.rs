@@ -44,6 +44,8 @@ pub struct Surroundings<'a> {
     pub touch: &'a [Touch],
     /// Air zones; [`Patch::air`] is the index of the zone in front of a patch.
     pub air: &'a [FreeAir],
+    /// Pressure of a press on the piece [Pa]; 0 without one.
+    pub pressed: f64,
 }
 
 /// Heat and mass exchanged between a piece and its surroundings in one tick.
@@ -132,6 +134,8 @@ impl FoodSolver {
         if due && state.ticks > 0 {
             change(model, state, dt * REFRESH_TICKS as f64);
             total.drip = model.release_juice(state, dt * REFRESH_TICKS as f64);
+            total.drip += model.squeeze(state, around.pressed, dt * REFRESH_TICKS as f64);
+            total.drip += model.bleed(state, dt * REFRESH_TICKS as f64);
             total.rendered = model.release_fat(state, dt * REFRESH_TICKS as f64);
             if model.shape.contracts && state.ticks.is_multiple_of(SHAPE_TICKS) {
                 model.shrink(state);

@@ -42,7 +42,7 @@
 //!     vapour_density: 0.01,
 //!     mass_transfer: 4.0e-3,
 //! };
-//! let around = Surroundings { touch: &touch, air: &[air; 3] };
+//! let around = Surroundings { touch: &touch, air: &[air; 3], pressed: 0.0 };
 //!
 //! let mut solver = FoodSolver::default();
 //! let before = state.total_enthalpy();

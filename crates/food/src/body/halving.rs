@@ -168,7 +168,7 @@ impl RestShape {
     }
 
     /// Distance of a node of the rest shape from the middle along the long axis [m].
-    fn along(&self, node: usize) -> f64 {
+    pub(crate) fn along(&self, node: usize) -> f64 {
         match self.mesh.layout() {
             Layout::Along(mesh, _) => mesh.levels[node / mesh.nodes_per_level()] - 0.5 * mesh.thickness(),
             Layout::Upright(_) | Layout::Cells(_) => self.mesh.position(node)[self.long_axis()],

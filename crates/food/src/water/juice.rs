@@ -18,6 +18,13 @@ pub struct Runoff {
     pub enthalpy: f64,
 }
 
+impl core::ops::AddAssign for Runoff {
+    fn add_assign(&mut self, other: Self) {
+        self.mass += other.mass;
+        self.enthalpy += other.enthalpy;
+    }
+}
+
 impl FoodModel {
     /// Releases and moves juice for `dt` [s] and returns the juice that ran off.
     ///

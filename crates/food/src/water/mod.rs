@@ -14,6 +14,7 @@ pub mod juice;
 mod juice_flow;
 mod juice_way;
 pub mod sorption;
+mod squeezed;
 mod transport;
 pub mod vapour;
 

@@ -99,7 +99,7 @@ impl<'a> Run<'a> {
             touch[patch] = Touch::Contact { conductance: h, temperature: ZERO_C + plate_c };
         }
         for _ in 0..(seconds / self.dt).round() as usize {
-            let around = Surroundings { touch: &touch, air: &[air; 3] };
+            let around = Surroundings { touch: &touch, air: &[air; 3], pressed: 0.0 };
             let exchange = self.solver.advance(self.model, &mut self.state, &around, self.dt);
             self.passed.contact += self.solver.contact_heat.iter().sum::<f64>();
             self.passed.air += exchange.air;

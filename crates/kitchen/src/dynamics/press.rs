@@ -53,6 +53,11 @@ impl World {
         press.onset >= 1.0
     }
 
+    /// Force of the press on a body [N]; 0 without one.
+    pub(crate) fn pressing(&self, key: u32) -> f64 {
+        self.press.as_ref().filter(|press| press.key == key).map_or(0.0, |press| press.newtons * press.onset)
+    }
+
     /// Returns true until the hand has lifted off.
     pub(super) fn is_pressing(&self) -> bool {
         self.press.is_some()

@@ -481,9 +481,11 @@ impl Piece {
         self.board.absorb(&room.board, taken, dt);
     }
 
-    /// Advances the food by one tick with its contacts and the air at its faces.
-    pub(crate) fn advance(&mut self, air: [FreeAir; 3], dt: f64) -> Exchange {
-        let around = Surroundings { touch: &self.touch, air: &air };
+    /// Advances the food by one tick with its contacts, the air at its faces and the force of a press on it [N].
+    pub(crate) fn advance(&mut self, air: [FreeAir; 3], force: f64, dt: f64) -> Exchange {
+        let area = || self.model.patches_below(self.up()).map(|i| self.patch_area(i)).sum::<f64>();
+        let pressed = if force > 0.0 { force / area().max(1e-6) } else { 0.0 };
+        let around = Surroundings { touch: &self.touch, air: &air, pressed };
         let exchange = self.solver.advance(&self.model, &mut self.state, &around, dt);
         self.on_pan.since += dt;
         self.vapour_flow = exchange.evaporated.max(0.0) / dt;

@@ -244,8 +244,9 @@ impl Kitchen {
         };
         self.meet(fixed, index, under, lapse);
         let air = self.air_round(fixed, &self.pieces[index]);
+        let force = self.world.pressing(self.pieces[index].key);
         let piece = &mut self.pieces[index];
-        let exchange = piece.advance(air, lapse.s());
+        let exchange = piece.advance(air, force, lapse.s());
         let exchanges = piece.in_pan() && piece.state.healthy;
         let condensed = if exchanges { self.exchange_with_media(fixed, index, lapse) } else { Runoff::default() };
         let piece = &mut self.pieces[index];

@@ -137,7 +137,7 @@ impl<'a> Cooking<'a> {
     fn step(&mut self) {
         self.events();
         self.meet();
-        let around = Surroundings { touch: &self.touch, air: &self.air };
+        let around = Surroundings { touch: &self.touch, air: &self.air, pressed: 0.0 };
         let before = self.to_target();
         let exchange = self.solver.advance(&self.body.model, &mut self.state, &around, self.dt);
         self.steps += 1;

@@ -3,3 +3,4 @@
 mod knife;
 mod led_turner;
 mod press;
+mod squeeze;
