@@ -134,7 +134,7 @@ impl FoodSolver {
         if due && state.ticks > 0 {
             change(model, state, dt * REFRESH_TICKS as f64);
             total.drip = model.release_juice(state, dt * REFRESH_TICKS as f64);
-            total.drip += model.squeeze(state, around.pressed, dt * REFRESH_TICKS as f64);
+            total.drip += model.press(state, around.pressed, dt * REFRESH_TICKS as f64);
             total.drip += model.bleed(state, dt * REFRESH_TICKS as f64);
             total.rendered = model.release_fat(state, dt * REFRESH_TICKS as f64);
             if model.shape.contracts && state.ticks.is_multiple_of(SHAPE_TICKS) {

@@ -14,6 +14,8 @@ pub struct Stretch {
     /// Height of the middle of the bottom face above the plane of its rim [m]; negative if the top face is hollow, 0 in bodies
     /// other than slices.
     pub dome: f64,
+    /// Logarithmic strain through the thickness that presses have left [-].
+    pub flattened: f64,
 }
 
 /// Node fields of a piece, its stretch ratios and the masses that have left it.
@@ -78,7 +80,7 @@ impl FoodState {
             lethality: zeros(),
             oiled: zeros(),
             open: vec![1.0; n],
-            stretch: Stretch { lateral: 1.0, axial: vec![1.0; n], dome: 0.0 },
+            stretch: Stretch { lateral: 1.0, axial: vec![1.0; n], dome: 0.0, flattened: 0.0 },
             evaporated: 0.0,
             dripped: 0.0,
             rendered: 0.0,
@@ -109,6 +111,7 @@ impl FoodState {
         self.open.clone_from(&other.open);
         self.stretch.axial.clone_from(&other.stretch.axial);
         (self.stretch.lateral, self.stretch.dome) = (other.stretch.lateral, other.stretch.dome);
+        self.stretch.flattened = other.stretch.flattened;
         (self.evaporated, self.dripped, self.rendered) = (other.evaporated, other.dripped, other.rendered);
         (self.ticks, self.healthy) = (other.ticks, other.healthy);
     }
@@ -130,7 +133,7 @@ impl FoodState {
     pub(crate) fn is_finite(&self) -> bool {
         let Self { juice, rising, fat, peak, changed, browning, charring, lethality, stretch, .. } = self;
         let fields = [juice, rising, fat, peak, browning, charring, lethality, &stretch.axial];
-        let scalars = [stretch.lateral, stretch.dome, self.evaporated, self.dripped, self.rendered];
+        let scalars = [stretch.lateral, stretch.dome, stretch.flattened, self.evaporated, self.dripped, self.rendered];
         self.has_finite_heat() && fields.into_iter().chain(changed).all(|f| all_finite(f)) && all_finite(&scalars)
     }
 

@@ -134,8 +134,9 @@ impl FoodModel {
 
 impl Stretch {
     /// Sets the lateral stretch from a logarithmic contraction; `axial` holds relative volumes and becomes the axial stretch.
+    /// What presses have taken from the thickness widens both other directions.
     fn contract_across(&mut self, contraction: f64) {
-        self.lateral = exp(-contraction);
+        self.lateral = exp(0.5 * self.flattened - contraction);
         let area_stretch = self.lateral * self.lateral;
         self.axial.iter_mut().for_each(|a| *a /= area_stretch);
     }

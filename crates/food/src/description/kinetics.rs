@@ -128,6 +128,10 @@ sourced_table! {
         /// Share of a bending stress that remains after a minute [-].
         #[schemars(range(min = 0.01, max = 1.0), example = 0.4)]
         relaxed_share: f64,
+        /// Share of the strain under a press that stays when it ends [-]; 0.1 by default.
+        #[serde(default = "springs_back")]
+        #[schemars(range(min = 0.0, max = 1.0), example = 0.1)]
+        set_share: f64,
     }
 }
 
@@ -222,6 +226,11 @@ pub struct Kinetics {
     pub hardness: Hardness,
     /// Juiciness.
     pub juiciness: Juiciness,
+}
+
+/// Share of the strain under a press that stays [-] (chosen: whole flesh springs back).
+fn springs_back() -> f64 {
+    0.1
 }
 
 /// Returns the schema of a number for each name of a table, with its range.

@@ -1,4 +1,4 @@
-//! Juice that leaves otherwise than by itself: under a press, and out of a fresh cut.
+//! Juice that leaves otherwise than by itself, under a press and out of a fresh cut, and the shape that a press leaves.
 //!
 //! Only free juice can be squeezed out: flesh that holds its water, as all raw flesh does, gives none. Juice that leaves takes
 //! its own heat with it, so that nothing is cooled by its leaving.
@@ -25,17 +25,37 @@ const STATED_C: f64 = 65.0;
 /// Distance beyond which a cut draws no juice [m] (chosen: the width of a few bundles).
 const DRAWN_M: f64 = 0.015;
 
+/// Largest strain that presses leave [-] (chosen: a smashed patty has little more than half its thickness).
+const FLATTEST: f64 = 0.5;
+
 impl FoodModel {
+    /// Presses a piece under a pressure [Pa] for `dt` [s]; returns the juice that ran off.
+    pub(crate) fn press(&self, state: &mut FoodState, pressure: f64, dt: f64) -> Runoff {
+        if pressure <= 0.0 {
+            return Runoff::default();
+        }
+        self.flatten(state, pressure, dt);
+        self.squeeze(state, pressure, dt)
+    }
+
+    /// Flattens a piece: its strain ε creeps towards the share s of the elastic one that stays, dε/dt = (s p/E − ε)/τ, and
+    /// never back.
+    fn flatten(&self, state: &mut FoodState, pressure: f64, dt: f64) {
+        let stays = self.kinetics.texture.set_share * pressure / (1e3 * self.elastic_modulus_kpa(state));
+        let left = stays.min(FLATTEST) - state.stretch.flattened;
+        if self.shape.contracts && left > 0.0 {
+            state.stretch.flattened += left * dt / (SQUEEZED_S + dt);
+        }
+    }
+
     /// Squeezes free juice out of a piece under a pressure [Pa] for `dt` [s].
     ///
     /// dF/dt = −F/τ · p/(p + p½): the loss rises with the force and levels off.
-    pub(crate) fn squeeze(&self, state: &mut FoodState, pressure: f64, dt: f64) -> Runoff {
+    fn squeeze(&self, state: &mut FoodState, pressure: f64, dt: f64) -> Runoff {
         let rate = dt / SQUEEZED_S * pressure / (pressure + HALF_PA);
         let mut runoff = Runoff::default();
-        if rate > 0.0 {
-            (0..state.juice.len()).for_each(|node| self.let_out(state, node, rate, &mut runoff));
-            state.dripped += runoff.mass;
-        }
+        (0..state.juice.len()).for_each(|node| self.let_out(state, node, rate, &mut runoff));
+        state.dripped += runoff.mass;
         runoff
     }
 

@@ -229,12 +229,36 @@ impl Piece {
         self.state.open[node] += (1.0 - self.state.open[node]) * tanned;
     }
 
+    /// Temperature of a crust that boils below, given the conductance from the metal [K].
+    fn crust_between(&self, conductance: f64, metal: f64) -> f64 {
+        let below = self.model.description().crust.conductivity_w_mk / STRIP;
+        (conductance * metal + below * BOILING) / (conductance + below)
+    }
+
     /// Browning between two updates of a dry crust that boils below, given the conductance from the metal [-].
     fn browned_dry(&self, conductance: f64, metal: f64) -> f64 {
-        let below = self.model.description().crust.conductivity_w_mk / STRIP;
-        let surface = (conductance * metal + below * BOILING) / (conductance + below);
+        let surface = self.crust_between(conductance, metal);
+        if surface > BOILING { self.browned_at((0.0, 0.0), surface).0 } else { 0.0 }
+    }
+
+    /// Browning and charring of a dry crust at a temperature [K] after the time between two updates [-].
+    fn browned_at(&self, before: (f64, f64), surface: f64) -> (f64, f64) {
         let look = REFRESH_TICKS as f64 * TICK_S;
-        if surface > BOILING { self.model.browning().advance((0.0, 0.0), surface, DRY, 1.0, look).0 } else { 0.0 }
+        self.model.browning().advance(before, surface, DRY, 1.0, look)
+    }
+
+    /// Browns a bar by as much as its ridge makes it hotter than the mean of ridge and groove, by which the node browns.
+    fn brown_bar(&mut self, node: usize, top: f64, metal: f64) {
+        let (open, bar) = (self.state.open[node], self.crust_between(top, metal));
+        let mean = self.state.temperature[node];
+        if !self.state.healthy || bar <= mean || mean <= BOILING {
+            return;
+        }
+        let before = (self.state.browning[node] / open, self.state.charring[node] / open);
+        let (on_bar, on_mean) = (self.browned_at(before, bar), self.browned_at(before, mean));
+        let dry = open * (1.0 - self.wetness(node));
+        self.state.browning[node] += dry * (on_bar.0 - on_mean.0).max(0.0);
+        self.state.charring[node] += dry * (on_bar.1 - on_mean.1).max(0.0);
     }
 
     /// Area mean of a field of the nodes over the lower or the upper face of the rest shape.
@@ -267,6 +291,7 @@ impl Piece {
         let gap = PatchGap { thickness: mean + (off - given).max(0.0), pan: metal, wetness: 0.0 };
         let top = film.conductance(&room.contact, &gap) * share;
         self.sear.brown_strip(patch, self.browned_dry(top, metal));
+        self.brown_bar(self.node_of(near.patch), top, metal);
     }
 
     /// Darkness of the lines at each node relative to their mean on its face [-]; empty without sear lines.
