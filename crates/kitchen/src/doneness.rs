@@ -7,6 +7,7 @@ use saute_food::{FoodModel, Rules, Scale};
 
 use crate::Piece;
 use crate::data::library::DEFAULT_SCALE;
+use crate::kelvin;
 
 /// Returns the scales that say anything about a food, in their order: those made for its kinetics, else every scale that
 /// is made for none and whose change they contain.
@@ -67,7 +68,14 @@ pub fn at_core(piece: &Piece, scale: &Scale) -> f64 {
     }
 }
 
-/// Returns the class of the core of a piece.
+/// Word for a core that is still ice, whatever the scale.
+pub const FROZEN: &str = "frozen";
+
+/// Returns the class of the core of a piece; [`FROZEN`] while it is colder than the beginning of freezing.
 pub fn core_class<'a>(piece: &Piece, scale: &'a Scale) -> &'a str {
+    let freezing = piece.model.description().freezing.as_ref();
+    if freezing.is_some_and(|ice| piece.core() < kelvin(ice.begins_c)) {
+        return FROZEN;
+    }
     scale.name_of(at_core(piece, scale))
 }

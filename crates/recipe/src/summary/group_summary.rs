@@ -5,6 +5,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use saute_food::Scale;
+use saute_kitchen::doneness::FROZEN;
 use serde::Serialize;
 
 use crate::recipe::Group;
@@ -101,7 +102,9 @@ impl Pieces<'_> {
             let shares = |of: fn(&ScaleReading) -> &ClassShares| self.shares(|p| of(&p.doneness.0[k].1));
             let scale = scales.iter().find(|s| s.id == *id);
             let at_core = self.mean(|p| p.doneness.0[k].1.at_core);
-            let class = scale.map_or(reading.class.as_str(), |s| s.name_of(at_core)).to_owned();
+            let frozen = self.0.iter().all(|p| p.doneness.0[k].1.class == FROZEN);
+            let class = if frozen { FROZEN } else { scale.map_or(reading.class.as_str(), |s| s.name_of(at_core)) };
+            let class = class.to_owned();
             let (section_pct, volume_pct) = (shares(|r| &r.section_pct), shares(|r| &r.volume_pct));
             (id.clone(), ScaleReading { label: reading.label.clone(), class, at_core, section_pct, volume_pct })
         };

@@ -5,6 +5,7 @@ mod conditions;
 #[path = "../../../kitchen/tests/kitchen/draws/mod.rs"]
 mod draws;
 mod ends;
+mod frozen;
 mod recipes;
 mod repeat;
 mod sessions;

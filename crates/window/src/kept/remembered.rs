@@ -5,6 +5,7 @@ use std::ops::RangeInclusive;
 use serde_json::{Map, Value};
 
 use crate::settings::Settings;
+use saute_kitchen::PieceOrder;
 use saute_mirror::rig::MARKS;
 use saute_mirror::settings::WIDEST_MM;
 
@@ -42,7 +43,8 @@ impl Settings {
             && self.kitchen.as_ref().is_none_or(|kitchen| kitchen.text.len() < LONGEST_KITCHEN)
             && self.plan.crust_pct.is_none_or(|pct| (0.0..=100.0).contains(&pct))
             && self.plan.most_flips <= crate::plan::choice::MOST_FLIPS
-            && [choice.initial_c, choice.preheat_c].iter().all(|c| GOAL.contains(c))
+            && GOAL.contains(&choice.preheat_c)
+            && (PieceOrder::INITIAL_C[0]..=PieceOrder::INITIAL_C[1]).contains(&choice.initial_c)
             && choice.size_mm.iter().all(|mm| SIZE_MM.contains(mm))
             && mirror.eye_distance_mm.is_none_or(|mm| (0.0..=WIDEST_MM).contains(&mm))
             && { moved }.all(|(mark, at)| *mark < MARKS && at.iter().all(|share| SHARE.contains(share)))

@@ -58,7 +58,7 @@ fn food_and_pan(state: &WindowState, choice: &mut SteakChoice, stills: &mut Stil
     if let Some(food) = library.foods.get(&choice.kind) {
         sizes(ui, food, &mut choice.size_mm, l);
     }
-    temperature(ui, l.text("pantry.start_temperature"), &mut choice.initial_c, 0.0, 30.0, fahrenheit);
+    temperature(ui, l.text("pantry.start_temperature"), &mut choice.initial_c, -25.0, 30.0, fahrenheit);
     plan_it(l.called("noun", &noun(library, &choice.kind)), ui, acts, l);
     ui.separator();
     ui.heading(l.text("pantry.hob"));

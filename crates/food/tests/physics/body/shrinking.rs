@@ -4,12 +4,13 @@ use saute_food::{FoodState, ZERO_C};
 
 use crate::run::{FLIPPED, Run, UP, kitchen_air, lean, model, swept_mesh};
 
-/// A uniformly cooked piece with the given shares of the changes and of the raw water left.
+/// A uniformly cooked piece with the given shares of myosin, collagen, actin and myoglobin changed and of the raw water left.
 fn uniform(changed: [f64; 4], water: f64) -> (f64, f64, f64) {
     let steak = lean();
     let mut state = FoodState::raw(steak, ZERO_C + 60.0);
-    for (field, share) in state.changed.iter_mut().zip(changed) {
-        field.fill(share);
+    for (name, share) in ["myosin", "collagen", "actin", "myoglobin"].iter().zip(changed) {
+        let place = steak.kinetics().names().into_iter().position(|own| own == *name).expect("change");
+        state.changed[place].fill(share);
     }
     state.water.iter_mut().for_each(|w| *w *= water);
     steak.shrink(&mut state);

@@ -11,7 +11,8 @@ fn cooked(kind: &str, size_mm: &str, initial_c: f64, steps: &[&str]) -> Summary 
         "max_s = 3600\n[pan]\nkind = \"cast-iron-26\"\ninitial_c = 160\n[[food]]\nid = \"food\"\nkind = \"{kind}\"\n\
          outline = \"plain\"\nsize_mm = {size_mm}\ninitial_c = {initial_c}\ncoarseness = 2\n{steps}"
     );
-    let mut cook = Cook::new(Recipe::parse(&text, "squeeze.toml", &library).expect("parses"), &library).expect("begins");
+    let mut cook =
+        Cook::new(Recipe::parse(&text, "squeeze.toml", &library).expect("parses"), &library).expect("begins");
     while cook.stopped().is_none() {
         cook.advance().expect("runs");
     }
@@ -38,7 +39,10 @@ fn pressed_patty(newtons: f64) -> (f64, f64) {
         ],
     );
     let food = &summary.foods[0];
-    println!("{newtons} N: {:.2} g of juice, {:.0} s, {:.1} %", food.water_g.dripped, summary.simulated_s, food.lost_pct);
+    println!(
+        "{newtons} N: {:.2} g of juice, {:.0} s, {:.1} %",
+        food.water_g.dripped, summary.simulated_s, food.lost_pct
+    );
     (food.water_g.dripped, summary.simulated_s)
 }
 
@@ -57,7 +61,8 @@ fn raw_meat_loses_nothing_under_a_press() {
         let steps = ["put = \"food\"", press, "after_s = 5; end = true"];
         cooked("beef-lean", "[90, 60, 25]", 5.0, &steps).foods[0].lost_pct
     };
-    let (pressed, left) = (fried("press = { food = \"food\", n = 100, for_s = 20 }"), fried("after_s = 20; hob_w = 10"));
+    let (pressed, left) =
+        (fried("press = { food = \"food\", n = 100, for_s = 20 }"), fried("after_s = 20; hob_w = 10"));
     assert!((pressed - left).abs() < 1.0, "{pressed} {left}");
 }
 

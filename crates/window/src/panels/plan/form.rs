@@ -22,7 +22,7 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     if let Some(food) = library.foods.get(&choice.kind) {
         sizes(ui, food, &mut choice.size_mm, l);
     }
-    temperature(ui, l.text("pantry.start_temperature"), &mut choice.initial_c, 0.0, 30.0, settings.fahrenheit);
+    temperature(ui, l.text("pantry.start_temperature"), &mut choice.initial_c, -25.0, 30.0, settings.fahrenheit);
     ui.heading(l.text("plan.target"));
     target(state, ui, &choice, &mut plan);
     crust_and_flips(state, ui, &choice, &mut plan);
