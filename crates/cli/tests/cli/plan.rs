@@ -81,7 +81,7 @@ fn wrong_options_are_named_with_a_remedy() {
             &["--food", "beef-lean", "--target", "rare", "--size-mm", "120,80,8"],
             &["--size-mm", "thickness", "10 to 60 mm"],
         ),
-        (&["--food", "beef-lean", "--target", "rare", "--initial-c", "90"], &["--initial-c 90", "0 to 60"]),
+        (&["--food", "beef-lean", "--target", "rare", "--initial-c", "90"], &["--initial-c 90", "-25 to 60"]),
         (&["--food", "beef-lean", "--target", "pink"], &["--target pink", "medium-rare"]),
         (&["--food", "beef-lean", "--target", "core=hot"], &["--target core=hot", "core=54"]),
         (

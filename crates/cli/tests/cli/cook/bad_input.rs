@@ -27,7 +27,7 @@ const WRONG: [Wrong; 29] = [
     wrong("[60, 50, 15]", "[60e9, 50, 15]", 9, &["length", "30 to 190 mm"]),
     wrong("[60, 50, 15]", "[nan, 50, 15]", 9, &["length", "30 to 190 mm"]),
     wrong("[60, 50, 15]", "[60, 50]", 9, &["three numbers"]),
-    wrong("initial_c = 5\n", "initial_c = -300\n", 10, &["initial_c", "0 to 60"]),
+    wrong("initial_c = 5\n", "initial_c = -300\n", 10, &["initial_c", "-25 to 60"]),
     wrong("hob_w = 1100", "hob_w = 9000", 12, &["hob_w", "0 to 3500"]),
     wrong("hob_w = 1100", "hob_w = -1", 12, &["hob_w", "0 to 3500"]),
     wrong("hob_w = 1100", "hob_w = \"high\"", 12, &["string"]),
