@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::change::colour::{Appearance, Lab};
 use crate::change::doneness::{MOST_CLASSES, Measure, Scale, Shares};
-use crate::description::{MOST_CHANGES, PerChange};
+use crate::description::{Effects, MOST_CHANGES, PerChange};
 use crate::model::FoodModel;
 use crate::state::FoodState;
 
@@ -121,8 +121,8 @@ impl FoodModel {
     }
 
     /// A base value plus the contributions of the changes of a node.
-    fn with_changes(&self, base: f64, contributions: &PerChange, state: &FoodState, node: usize) -> f64 {
-        state.changed.iter().zip(contributions).fold(base, |sum, (x, c)| sum + c * x[node])
+    fn with_changes(&self, base: f64, contributions: &Effects, state: &FoodState, node: usize) -> f64 {
+        contributions.of(&state.changed).fold(base, |sum, (x, c)| sum + c * x[node])
     }
 
     /// Elastic modulus of a node [kPa].
@@ -155,7 +155,7 @@ impl FoodModel {
 
     /// Angle of the curl [rad]: difference of contraction over the depth, times the length.
     pub fn curl(&self, state: &FoodState) -> f64 {
-        if self.response.curl.iter().all(|c| *c == 0.0) {
+        if self.response.curl.is_empty() {
             return 0.0;
         }
         let difference = self.mean_of(|node| self.with_changes(0.0, &self.response.curl, state, node));

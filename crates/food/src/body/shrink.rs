@@ -3,7 +3,7 @@
 use libm::{exp, log};
 use saute_heat::{Layout, SweptMesh};
 
-use crate::description::PerChange;
+use crate::description::Effects;
 use crate::model::FoodModel;
 use crate::state::{FoodState, Stretch};
 use crate::{GRAVITY, ZERO_C};
@@ -105,7 +105,7 @@ impl FoodModel {
         if volume == 1.0 {
             return 0.0;
         }
-        let sum = |table: &PerChange| -> f64 { state.changed.iter().zip(table).map(|(x, c)| x[node] * c).sum() };
+        let sum = |effects: &Effects| -> f64 { effects.of(&state.changed).map(|(x, c)| x[node] * c).sum() };
         let [across, along] = &self.response.contraction;
         let (a, b) = (-log(1.0 - sum(across)), -log(1.0 - sum(along)));
         let share = if 2.0 * a + b > 1e-9 { a / (2.0 * a + b) } else { 1.0 / 3.0 };

@@ -4,7 +4,7 @@ use crate::ZERO_C;
 use crate::change::browning::Browning;
 use crate::change::changes::ChangeRates;
 use crate::change::colour::Palette;
-use crate::description::{FoodDescription, Kinetics, Lethality, MOST_CHANGES, NoSuchChange, PerChange};
+use crate::description::{Effects, FoodDescription, Kinetics, Lethality, NoSuchChange};
 use crate::table::Table;
 
 /// Rates of the changes, and the contribution of each complete change to texture, shape and colour.
@@ -15,15 +15,15 @@ pub(crate) struct HeatResponse {
     /// Log₁₀ reduction of pathogens against temperature [1/s].
     pub(crate) lethality: Table,
     /// Contribution to the elastic modulus [kPa].
-    pub(crate) modulus: PerChange,
+    pub(crate) modulus: Effects,
     /// Contribution to the hardness index [-].
-    pub(crate) hardness: PerChange,
+    pub(crate) hardness: Effects,
     /// Contribution to the juiciness factor [-].
-    pub(crate) juiciness: PerChange,
+    pub(crate) juiciness: Effects,
     /// Contraction across and along the fibres [-].
-    pub(crate) contraction: [PerChange; 2],
+    pub(crate) contraction: [Effects; 2],
     /// Difference of contraction between belly and back [-].
-    pub(crate) curl: PerChange,
+    pub(crate) curl: Effects,
     pub(crate) palette: Palette,
 }
 
@@ -35,14 +35,14 @@ impl HeatResponse {
             rates: ChangeRates::new(kinetics),
             browning: Browning::new(&kinetics.browning, &kinetics.charring),
             lethality: lethality(&kinetics.lethality),
-            modulus: kinetics.in_order("texture", &kinetics.texture.change_kpa)?,
-            hardness: kinetics.in_order("hardness", &kinetics.hardness.change)?,
-            juiciness: kinetics.in_order("juiciness", &kinetics.juiciness.change)?,
+            modulus: kinetics.effects("texture", &kinetics.texture.change_kpa)?,
+            hardness: kinetics.effects("hardness", &kinetics.hardness.change)?,
+            juiciness: kinetics.effects("juiciness", &kinetics.juiciness.change)?,
             contraction: [
-                kinetics.in_order("shrinkage", &shrinkage.across)?,
-                kinetics.in_order("shrinkage", &shrinkage.along)?,
+                kinetics.effects("shrinkage", &shrinkage.across)?,
+                kinetics.effects("shrinkage", &shrinkage.along)?,
             ],
-            curl: kinetics.curl.as_ref().map_or(Ok([0.0; MOST_CHANGES]), |c| kinetics.in_order("curl", &c.change))?,
+            curl: kinetics.curl.as_ref().map_or(Ok(Effects::default()), |c| kinetics.effects("curl", &c.change))?,
             palette: Palette::new(&food.colour, food.second_colour(), kinetics)?,
         })
     }

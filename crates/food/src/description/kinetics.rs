@@ -280,4 +280,29 @@ impl Kinetics {
         }
         Ok(ordered)
     }
+
+    /// Returns the values of a table for the changes that it names, by their place.
+    ///
+    /// # Errors
+    /// As [`Self::in_order`].
+    pub(crate) fn effects(&self, table: &'static str, values: &BTreeMap<String, f64>) -> Result<Effects, NoSuchChange> {
+        let ordered = self.in_order(table, values)?;
+        Ok(Effects(ordered.into_iter().enumerate().filter(|(_, value)| *value != 0.0).collect()))
+    }
+}
+
+/// What complete changes contribute to a property: the place of each change that does, and its contribution.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Effects(Vec<(usize, f64)>);
+
+impl Effects {
+    /// The node fields of the changes that contribute, each with its contribution.
+    pub(crate) fn of<'a>(&'a self, changed: &'a [Vec<f64>]) -> impl Iterator<Item = (&'a [f64], f64)> {
+        self.0.iter().map(|(place, value)| (changed[*place].as_slice(), *value))
+    }
+
+    /// Returns true if no change contributes.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
 }

@@ -13,6 +13,7 @@ use serde::Deserialize;
 
 use crate::body::form::Form;
 
+pub(crate) use kinetics::Effects;
 pub use kinetics::{
     BrowningRate, Change, CharringRate, Curl, FatRelease, Hardness, Juiciness, Kinetics, Lethality, MOST_CHANGES,
     NoSuchChange, PerChange, Shrinkage, Texture, WaterHolding,

@@ -69,7 +69,7 @@ impl FoodModel {
     /// Shares of the raw water that the changes squeeze out of a block of nodes from `first` on [-].
     fn squeezed(&self, state: &FoodState, first: usize) -> [f64; BLOCK] {
         let mut squeezed = [0.0; BLOCK];
-        for (x, s) in state.changed.iter().zip(&self.water.squeeze) {
+        for (x, s) in self.water.squeeze.of(&state.changed) {
             squeezed.iter_mut().zip(&x[first..]).for_each(|(sum, x)| *sum += s * x);
         }
         squeezed

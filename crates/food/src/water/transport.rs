@@ -3,7 +3,7 @@
 use crate::ZERO_C;
 use crate::body::rest_shape::RestShape;
 use crate::change::changes::arrhenius;
-use crate::description::{FoodDescription, Kinetics, NoSuchChange, PerChange, WaterHolding};
+use crate::description::{Effects, FoodDescription, Kinetics, NoSuchChange, WaterHolding};
 use crate::paper_2013::{BOILING, Rules};
 use crate::table::Table;
 use crate::water::fat::FatRates;
@@ -23,7 +23,7 @@ pub(crate) struct WaterTransport {
     /// Rate at which water that is no longer held becomes free juice, against temperature [1/s].
     pub(crate) release: Table,
     /// Share of the raw water that each complete change squeezes out at least [-].
-    pub(crate) squeeze: PerChange,
+    pub(crate) squeeze: Effects,
     pub(crate) fat_rates: FatRates,
     /// Nodes from which juice runs off, with their area [m²].
     pub(crate) outlets: Vec<(u32, f64)>,
@@ -49,7 +49,7 @@ impl WaterTransport {
             vapour: Table::new(250.0, 380.0, 0.5, saturation_density),
             held: Table::new(ZERO_C, ZERO_C + 120.0, 0.5, |t| held_share(holding, t - ZERO_C)),
             release: release(holding),
-            squeeze: kinetics.in_order("water_holding", &holding.change)?,
+            squeeze: kinetics.effects("water_holding", &holding.change)?,
             fat_rates: FatRates::new(&kinetics.fat_release, &food.fat_melting, &shape.mesh),
             outlets: juice_outlets(shape),
             outwards: shape.mesh.cells().map(|cells| juice_ways(cells, fibres)).unwrap_or_default(),
