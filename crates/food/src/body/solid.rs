@@ -116,12 +116,20 @@ impl FoodModel {
             let share = 0.5 - 0.5 * libm::cos(core::f64::consts::PI * (i as f64 + 0.25) / (STRIPS as f64 + 0.5));
             low + share * (high - low)
         };
-        let edges: Vec<Vec<[f64; 3]>> = (0..=STRIPS).map(|i| self.edge_at(mesh, cut(i), state, &flat)).collect();
+        let rim = mesh.section.rim();
+        let edges: Vec<Vec<[f64; 3]>> =
+            (0..=STRIPS).map(|i| self.edge_at((mesh, &rim), cut(i), state, &flat)).collect();
         edges.windows(2).map(|pair| pair.concat()).collect()
     }
 
     /// The four corners of the slice in a plane across its length [m].
-    fn edge_at(&self, mesh: &SweptMesh, x: f64, state: &FoodState, flat: &[[f64; 3]]) -> Vec<[f64; 3]> {
+    fn edge_at(
+        &self,
+        (mesh, rim): (&SweptMesh, &[u32]),
+        x: f64,
+        state: &FoodState,
+        flat: &[[f64; 3]],
+    ) -> Vec<[f64; 3]> {
         let last = mesh.levels.len() - 1;
         let points = &self.shape.outline.points;
         let sides = (0..points.len()).map(|i| (points[i], points[(i + 1) % points.len()]));
@@ -133,7 +141,7 @@ impl FoodModel {
             crossings.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), y| (low.min(y), high.max(y)));
         let lateral = state.stretch.lateral;
         let corner = |y: f64, level: usize| {
-            let z = flat[mesh.node(level, rim_column(mesh, [x, y]))][2];
+            let z = flat[mesh.node(level, rim_column(mesh, rim, [x, y]))][2];
             [x * lateral, y * lateral, z]
         };
         [low, high].into_iter().flat_map(|y| [0, last].map(|level| corner(y, level))).collect()
@@ -166,12 +174,11 @@ impl FoodModel {
 }
 
 /// The column of the rim nearest to a point of the section.
-fn rim_column(mesh: &SweptMesh, p: [f64; 2]) -> usize {
+fn rim_column(mesh: &SweptMesh, rim: &[u32], p: [f64; 2]) -> usize {
     let distance = |i: &u32| {
         let q = mesh.section.points[*i as usize];
         libm::hypot(p[0] - q[0], p[1] - q[1])
     };
-    let rim = mesh.section.rim();
     rim.iter().copied().min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or(0) as usize
 }
 

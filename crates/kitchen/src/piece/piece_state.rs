@@ -357,8 +357,9 @@ impl Piece {
             let face = self.face_contact(&near, pan, room);
             mean = face.mean_gap(&room.contact);
             for n in &near {
-                self.oil(n, mean, pan_state, room);
-                self.touch[n.patch as usize] = self.pan_touch(n, &face, mean, (pan, pan_state), room);
+                let gap = self.gap_below(n, mean);
+                self.oil(n, lifted_share(gap - mean, room), pan_state, room);
+                self.touch[n.patch as usize] = self.pan_touch(n, &face, gap, (pan, pan_state), room);
                 if let Some(ridges) = pan.ridges.filter(|_| self.state.ticks.is_multiple_of(REFRESH_TICKS)) {
                     self.sear_strip(n, &face, mean, (&ridges, pan_state), room);
                     self.tan_between(n, &face, mean, (pan, &ridges, pan_state), room);
@@ -371,11 +372,11 @@ impl Piece {
         }
     }
 
-    /// Oils the node of a patch that lies in a film; the film does not reach a patch that is lifted off it.
-    fn oil(&mut self, near: &NearPatch, mean: f64, pan: &PanState, room: &Room) {
+    /// Oils the node of a patch that lies in a film; the film does not reach the share of a patch that is lifted off it.
+    fn oil(&mut self, near: &NearPatch, lifted: f64, pan: &PanState, room: &Room) {
         let film = pan.oil_film(&near.located);
         let node = self.node_of(near.patch);
-        let lies = 1.0 - self.lifted_share(near, mean, room);
+        let lies = 1.0 - lifted;
         let covers = lies * film / (film + 1e-3 * room.oil.clinging_mm);
         // A frozen piece no longer changes.
         if self.state.healthy {
@@ -404,15 +405,14 @@ impl Piece {
 
     /// Share of a patch near the pan that is lifted off it by more than the gap of a face that lies [-].
     pub(crate) fn lifted_share(&self, near: &NearPatch, mean: f64, room: &Room) -> f64 {
-        let (lift, from) = (self.gap_below(near, mean) - mean, 1e-3 * room.contact.gap_mm);
-        if lift > from { 1.0 - from / lift } else { 0.0 }
+        lifted_share(self.gap_below(near, mean) - mean, room)
     }
 
     fn pan_touch(
         &self,
         near: &NearPatch,
         face: &FaceContact,
-        mean: f64,
+        thickness: f64,
         (pan_model, pan): (&PanModel, &PanState),
         room: &Room,
     ) -> Touch {
@@ -420,7 +420,7 @@ impl Piece {
         let face = FaceContact { film: pan.oil_film(located), ..*face };
         let temperature = pan.metal_at(located);
         let surface = &self.model.description().surface;
-        let gap = PatchGap { thickness: self.gap_below(near, mean), pan: temperature, wetness: self.wetness(node) };
+        let gap = PatchGap { thickness, pan: temperature, wetness: self.wetness(node) };
         let top = face.conductance(contact, &gap) * surface.contact_share;
         let ridges = pan_model.ridges.filter(|_| located.nodes.iter().all(|n| (*n as usize) < pan_model.floor_nodes));
         let Some(ridges) = ridges else { return Touch::Contact { conductance: top, temperature } };
@@ -502,3 +502,9 @@ impl Piece {
         self.solver.give(&mut self.state, node, heat);
     }
 }
+/// Share of a patch that is lifted off the pan by more than the gap of a face that lies, given how far it is lifted [m] [-].
+fn lifted_share(lift: f64, room: &Room) -> f64 {
+    let from = 1e-3 * room.contact.gap_mm;
+    if lift > from { 1.0 - from / lift } else { 0.0 }
+}
+
