@@ -507,4 +507,3 @@ fn lifted_share(lift: f64, room: &Room) -> f64 {
     let from = 1e-3 * room.contact.gap_mm;
     if lift > from { 1.0 - from / lift } else { 0.0 }
 }
-

@@ -266,10 +266,9 @@ fn vegetables_darken_steadily_with_the_pan() {
         let pan = format!("kind = \"carbon-steel-26\"; initial_c = {pan_c}");
         let foods = format!("id = \"food\"; kind = \"{kind}\"; count = 3");
         let held = format!("hob_w = {{ hold_c = {pan_c}, w = 2000 }}");
-        let deeds =
-            [held.as_str(), "put = \"food\"", "after_s = 180; flip = \"food\"", "after_s = 180; end = true"];
+        let deeds = [held.as_str(), "put = \"food\"", "after_s = 180; flip = \"food\"", "after_s = 180; end = true"];
         let summary = cooked(&library, &recipe(&pan, &foods, &steps(&deeds)));
-        let faces = summary.foods.iter().flat_map(|food| [food.surfaces.top.lab.0[0], food.surfaces.bottom.lab.0[0]]);
+        let faces = summary.foods.iter().flat_map(|food| [food.surfaces.top.lab[0], food.surfaces.bottom.lab[0]]);
         faces.sum::<f64>() / (2 * summary.foods.len()) as f64
     };
     for kind in ["leek-ring", "carrot-coin"] {
