@@ -111,7 +111,7 @@ class Kitchen:
         pan_c: Optional[float] = None,
         seed: Optional[int] = None,
         id: Optional[str] = None,
-        coarseness: float = 1.0,
+        coarseness: Optional[float] = None,
         data: Optional[Union[str, PathLike[str]]] = None,
     ) -> None: ...
     def step(self, n: int = 1) -> None: ...

@@ -141,9 +141,12 @@ impl Properties {
         (cell.enthalpy(masses, share), cell.capacity(masses))
     }
 
-    /// Specific enthalpy of liquid water above 0 °C [J/kg].
+    /// Specific enthalpy of liquid water above 0 °C [J/kg], also where the water of the food is ice.
     #[inline]
     pub fn water_enthalpy(&self, temperature: f64) -> f64 {
+        if temperature < ZERO_C {
+            return (temperature - ZERO_C) * self.heat[(-COLDEST) as usize].rise[0];
+        }
         let (index, share) = self.place(temperature);
         self.heat[index].from[0] + share * self.heat[index].rise[0]
     }

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use saute_food::body::halving::CutError;
-use saute_food::{BuildError, FoodModel, MeshSize, OutlineKind, PieceSpec, Rules};
+use saute_food::{BuildError, FoodDescription, FoodModel, MeshSize, OutlineKind, PieceSpec, Rules};
 use serde::{Deserialize, Serialize};
 
 use crate::bytes::{FoodKey, Models};
@@ -128,6 +128,9 @@ pub enum SetupError {
     /// Unknown food.
     #[error("there is no food \"{0}\"; there are: {1}")]
     NoSuchFood(String, String),
+    /// A food begins as ice whose file does not say how it freezes, or by rules that know no ice.
+    #[error("\"{0}\" cannot begin below 0 °C: its file has no table [freezing], or it follows the rules of 2013")]
+    NoIce(String),
     /// An oil that every kitchen needs is set aside.
     #[error(transparent)]
     Oil(#[from] LibraryError),
@@ -213,6 +216,10 @@ impl Kitchen {
 
     /// Adds a piece, with known models, to which one that had to be built is added.
     pub fn add_with(&mut self, library: &Library, order: &PieceOrder, models: &mut Models) -> Result<(), SetupError> {
+        let freezes = |food: &FoodDescription| order.rules == Rules::Full && food.freezing.is_some();
+        if order.temperature < crate::kelvin(0.0) && !library.foods.get(&order.kind).is_none_or(freezes) {
+            return Err(SetupError::NoIce(order.kind.clone()));
+        }
         let food = FoodKey::ordered(order, library);
         let parts = models.food(&food, &self.fixed, library)?;
         let piece = Piece::new((order, food.data_hash), self.next_key, parts, &self.fixed.room);

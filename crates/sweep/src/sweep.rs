@@ -44,7 +44,7 @@ pub struct Sweep {
     library: Arc<Library>,
     factors: Vec<Factor>,
     for_s: f64,
-    coarseness: f64,
+    coarseness: Option<f64>,
     columns: Vec<Heading>,
     doubts: Vec<InputError>,
     manifest: Manifest,
@@ -80,7 +80,7 @@ impl Sweep {
         let varied = factors.iter().map(|f| f.path.clone()).collect();
         let mut sweep = Self {
             for_s: ranged("for_s", &spec.for_s, f64::INFINITY, 0.1, 86_400.0)?,
-            coarseness: ranged("coarseness", &spec.coarseness, 1.0, 1.0, 8.0)?,
+            coarseness: spec.coarseness.as_ref().map(|c| input.ranged("coarseness", c, 1.0, 8.0)).transpose()?,
             manifest: Manifest::new(hash(text, &base, &documents), spec.recipe.get_ref(), varied, design, rows),
             text: text.to_owned(),
             file: file.to_owned(),
@@ -253,7 +253,9 @@ impl Sweep {
         let text = toml::to_string(&recipe).map_err(|e| e.to_string())?;
         let mut recipe =
             Recipe::parse(&text, &self.base.file, &library).map_err(|e| format!("{}; {}", e.message, e.remedy))?;
-        recipe.foods.iter_mut().for_each(|food| food.coarseness = self.coarseness);
+        if let Some(coarseness) = self.coarseness {
+            recipe.foods.iter_mut().for_each(|food| food.coarseness = coarseness);
+        }
         Ok((recipe, library))
     }
 

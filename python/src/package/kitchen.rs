@@ -94,12 +94,12 @@ fn tick(kitchen: &mut Kitchen, before: &mut FoodVelocities) {
     }
 }
 
-/// Builds a kitchen, with the models that are known.
-fn built(source: &Source, coarseness: f64, library: &Library) -> PyResult<Kitchen> {
+/// Builds a kitchen, with the models that are known; the mesh is that of the recipe unless a coarseness is given.
+fn built(source: &Source, coarseness: Option<f64>, library: &Library) -> PyResult<Kitchen> {
     let recipe = source.recipe(library)?;
     let mut kitchen = recipe.empty_kitchen(library).map_err(|error| errors::setup(&error, &recipe.file))?;
     for food in &recipe.foods {
-        let order = PieceOrder { coarseness, ..food.clone() };
+        let order = PieceOrder { coarseness: coarseness.unwrap_or(food.coarseness), ..food.clone() };
         let added = with_models(|models| kitchen.add_with(library, &order, models));
         added.map_err(|error| errors::setup(&error, &recipe.file))?;
     }
@@ -117,7 +117,7 @@ impl PyKitchen {
     #[new]
     #[pyo3(signature = (
         recipe = None, *, food = None, hob = None, pan = None, size_mm = None, initial_c = None, pan_c = None, seed = None, id = None,
-        coarseness = 1.0, data = None
+        coarseness = None, data = None
     ))]
     #[allow(clippy::too_many_arguments, reason = "keywords of Python")]
     fn new(
@@ -131,11 +131,13 @@ impl PyKitchen {
         pan_c: Option<f64>,
         seed: Option<u32>,
         id: Option<&str>,
-        coarseness: f64,
+        coarseness: Option<f64>,
         data: Option<PathBuf>,
     ) -> PyResult<Self> {
         let allowed = PieceOrder::COARSENESS;
-        expected::ranged(coarseness, "coarseness", [*allowed.start(), *allowed.end()])?;
+        if let Some(coarseness) = coarseness {
+            expected::ranged(coarseness, "coarseness", [*allowed.start(), *allowed.end()])?;
+        }
         let shelf = Shelf::of(data)?;
         let others =
             [food, hob, pan].iter().any(Option::is_some) || size_mm.is_some() || initial_c.is_some() || pan_c.is_some();

@@ -3,6 +3,8 @@
 //! Only free juice can be squeezed out: flesh that holds its water, as all raw flesh does, gives none. Juice that leaves takes
 //! its own heat with it, so that nothing is cooled by its leaving.
 
+use saute_heat::Layout;
+
 use crate::ZERO_C;
 use crate::change::changes::arrhenius;
 use crate::model::FoodModel;
@@ -38,12 +40,15 @@ impl FoodModel {
         self.squeeze(state, pressure, dt)
     }
 
-    /// Flattens a piece: its strain ε creeps towards the share s of the elastic one that stays, dε/dt = (s p/E − ε)/τ, and
+    /// Flattens a slice that is not ice: its strain ε creeps towards the share s of the elastic one that stays, dε/dt = (s p/E − ε)/τ, and
     /// never back.
     fn flatten(&self, state: &mut FoodState, pressure: f64, dt: f64) {
         let stays = self.kinetics.texture.set_share * pressure / (1e3 * self.elastic_modulus_kpa(state));
         let left = stays.min(FLATTEST) - state.stretch.flattened;
-        if self.shape.contracts && left > 0.0 {
+        let ice = self.description.freezing.as_ref();
+        let frozen = ice.is_some_and(|ice| self.core_temperature(state) < ZERO_C + ice.begins_c);
+        let is_slice = matches!(self.shape.mesh.layout(), Layout::Upright(_));
+        if self.shape.contracts && is_slice && !frozen && left > 0.0 {
             state.stretch.flattened += left * dt / (SQUEEZED_S + dt);
         }
     }

@@ -481,10 +481,12 @@ impl Piece {
         self.board.absorb(&room.board, taken, dt);
     }
 
-    /// Advances the food by one tick with its contacts, the air at its faces and the force of a press on it [N].
+    /// Advances the food by one tick with its contacts, the air at its faces and the force of a press on it [N], which a slice
+    /// on its edge does not feel.
     pub(crate) fn advance(&mut self, air: [FreeAir; 3], force: f64, dt: f64) -> Exchange {
         let area = || self.model.patches_below(self.up()).map(|i| self.patch_area(i)).sum::<f64>();
-        let pressed = if force > 0.0 { force / area().max(1e-6) } else { 0.0 };
+        let lies = !self.model.mesh().is_slice() || self.up()[2].abs() > 0.7;
+        let pressed = if lies && force > 0.0 { force / area().max(1e-6) } else { 0.0 };
         let around = Surroundings { touch: &self.touch, air: &air, pressed };
         let exchange = self.solver.advance(&self.model, &mut self.state, &around, dt);
         self.on_pan.since += dt;

@@ -9,7 +9,7 @@
 
 use glam::DVec3;
 use saute_food::advance::REFRESH_TICKS;
-use saute_food::{Face, FoodModel};
+use saute_food::{Face, FoodModel, Rules};
 use serde::{Deserialize, Serialize};
 
 use crate::TICK_S;
@@ -27,11 +27,13 @@ const MOST_SETS: usize = 3;
 const ALIKE: f64 = 0.14;
 /// Cosine of the tilt above which a piece does not lie on its lower or upper face [-] (chosen: 45°).
 const FLAT: f64 = 0.7;
+/// Browning below which a place counts as raw [-] (chosen: not seen).
+const UNBROWNED: f64 = 0.02;
 /// Temperature of boiling water below a strip's crust [K] (100 °C).
 const BOILING: f64 = 373.15;
-/// Thickness of a strip's crust [m] (chosen: a line that has just browned; only ratios between strips depend on it).
+/// Thickness of a strip's crust [m] (chosen: a line that has just browned).
 const STRIP: f64 = 0.3e-3;
-/// Water activity of a strip's crust [-] (chosen: at the fastest browning; it cancels in ratios).
+/// Water activity of a strip's crust [-] (chosen: at the fastest browning).
 const DRY: f64 = 0.65;
 
 /// Parallel lines on a face, in the rest frame of the body as seen from +z.
@@ -194,19 +196,21 @@ impl Piece {
     }
 
     /// Opens the share of a face that tops reach: s by the first lines, and the same share of the rest by each further set.
+    /// What browned before, elsewhere, stays open.
     fn open_on_tops(&mut self, ridges: &Ridges, face: Face, seen: &Pose) {
-        if !self.state.healthy {
+        if !self.state.healthy || self.model.rules() != Rules::Full {
             return;
         }
         let sets = self.sear.sets_with(ridges, face, seen, self.state.stretch.lateral);
         let reached = 1.0 - libm::pow(1.0 - ridges.share(), sets as f64);
-        let first = sets == 1;
         for patch in on_face(&self.model, face) {
             let node = self.model.patches()[patch].node as usize;
             let (open, browning) = (self.state.open[node], self.state.browning[node]);
-            // What has browned elsewhere is open.
-            let before = if first && open == 1.0 { browning } else { open };
-            self.state.open[node] = before.max(reached);
+            if open < 1.0 {
+                self.state.open[node] = open.max(reached);
+            } else if browning < UNBROWNED {
+                self.state.open[node] = reached;
+            }
         }
     }
 
@@ -251,7 +255,7 @@ impl Piece {
     fn brown_bar(&mut self, node: usize, top: f64, metal: f64) {
         let (open, bar) = (self.state.open[node], self.crust_between(top, metal));
         let mean = self.state.temperature[node];
-        if !self.state.healthy || bar <= mean || mean <= BOILING {
+        if !self.state.healthy || open >= 1.0 || bar <= mean || mean <= BOILING {
             return;
         }
         let before = (self.state.browning[node] / open, self.state.charring[node] / open);
@@ -291,7 +295,10 @@ impl Piece {
         let gap = PatchGap { thickness: mean + (off - given).max(0.0), pan: metal, wetness: 0.0 };
         let top = film.conductance(&room.contact, &gap) * share;
         self.sear.brown_strip(patch, self.browned_dry(top, metal));
-        self.brown_bar(self.node_of(near.patch), top, metal);
+        // Bars are on faces that lie.
+        if SearRecord::face_below(self.up()).is_some() {
+            self.brown_bar(self.node_of(near.patch), top, metal);
+        }
     }
 
     /// Darkness of the lines at each node relative to their mean on its face [-]; empty without sear lines.

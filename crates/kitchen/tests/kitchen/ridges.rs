@@ -65,6 +65,32 @@ fn a_face_browns_where_the_tops_are() {
     assert!(bars.browning < 0.55 && bars.charred_pct <= bars.browned_pct, "{bars:?}");
 }
 
+/// By the rules of 2013 a face browns as a whole, as it did.
+#[test]
+fn the_rules_of_2013_know_no_bars() {
+    let mut kitchen = Kitchen::new(&library(), GRILL, kelvin(280.0)).expect("pan");
+    let order = PieceOrder {
+        id: "steak".into(),
+        kind: "beef-lean".into(),
+        size: [0.06, 0.05, 0.012],
+        temperature: kelvin(15.0),
+        seed: 1,
+        coarseness: 2.0,
+        rules: Rules::Paper2013,
+        mesh: MeshSize::Default,
+        outline: OutlineKind::Plain,
+    };
+    kitchen.add(&library(), &order).expect("food");
+    apply(&mut kitchen, Command::Put { food: "steak".into(), at: [0.0, 0.0], heap: false });
+    run(&mut kitchen, 60.0);
+    assert!(kitchen.pieces()[0].state.open.iter().all(|open| *open == 1.0));
+    // And no ice, by whichever door it comes.
+    let frozen = PieceOrder { id: "frozen".into(), temperature: kelvin(-18.0), ..order };
+    let refused = kitchen.add(&library(), &frozen).expect_err("no ice in 2013");
+    assert!(refused.to_string().contains("below 0 °C"), "{refused}");
+    kitchen.add(&library(), &PieceOrder { rules: Rules::Full, ..frozen }).expect("freezes");
+}
+
 fn lines(kitchen: &Kitchen, face: Face) -> Vec<SearLines> {
     kitchen.pieces()[0].all_sear_lines(face)
 }

@@ -66,7 +66,9 @@ pub(crate) fn changed(job: Job, change: Change, library: &Library) -> Job {
     match change {
         Change::ThicknessMm(mm) => Job { order: order.with_thickness(order.thickness_mm() + mm, library), ..job },
         Change::InitialK(k) => {
-            let [least, most] = PieceOrder::INITIAL_C;
+            let [frozen, most] = PieceOrder::INITIAL_C;
+            // Food from the refrigerator is compared with colder food, not with ice.
+            let least = if order.initial_c < 0.0 { frozen } else { 0.0 };
             let initial_c = (order.initial_c + k).clamp(least, most);
             Job { order: Order { initial_c, ..order.clone() }, ..job }
         }

@@ -21,7 +21,7 @@ pub struct SpecFile {
     /// Simulated time after which a row ends if its recipe has not ended [s]; none by default.
     #[schemars(with = "Option<f64>", range(min = 0.1, max = 86400))]
     pub for_s: Option<Spanned<f64>>,
-    /// Spacing of the foods' meshes relative to the default [-]; 1 by default.
+    /// Spacing of the foods' meshes relative to the default [-]; those of the recipe by default.
     #[schemars(with = "Option<f64>", range(min = 1, max = 8))]
     pub coarseness: Option<Spanned<f64>>,
     /// Rows in one Parquet file [-]; about a 64th of all by default, at least 16 and at most 4096.

@@ -1,8 +1,8 @@
 //! Choosing the food and the pan.
 
 use egui::{RichText, Ui, vec2};
-use saute_kitchen::Library;
 use saute_kitchen::food::FoodDescription;
+use saute_kitchen::{Library, PieceOrder};
 
 use crate::act::{Act, Acts, AppAct, Card, CookAct, Setting};
 use crate::panels::memory::PanelMemory;
@@ -58,7 +58,8 @@ fn food_and_pan(state: &WindowState, choice: &mut SteakChoice, stills: &mut Stil
     if let Some(food) = library.foods.get(&choice.kind) {
         sizes(ui, food, &mut choice.size_mm, l);
     }
-    temperature(ui, l.text("pantry.start_temperature"), &mut choice.initial_c, -25.0, 30.0, fahrenheit);
+    let coldest = coldest(library, &choice.kind);
+    temperature(ui, l.text("pantry.start_temperature"), &mut choice.initial_c, coldest, 30.0, fahrenheit);
     plan_it(l.called("noun", &noun(library, &choice.kind)), ui, acts, l);
     ui.separator();
     ui.heading(l.text("pantry.hob"));
@@ -226,6 +227,12 @@ pub(super) fn slider(ui: &mut Ui, name: &str, value: &mut f64, low: f64, high: f
     let response = ui.add(egui::Slider::new(value, low..=high).fixed_decimals(0).suffix(suffix));
     let shown = *value;
     response.widget_info(|| egui::WidgetInfo::slider(true, shown, name));
+}
+
+/// Coldest start of a food [°C]: below 0 only where its file says how it freezes.
+pub(super) fn coldest(library: &Library, kind: &str) -> f64 {
+    let freezes = library.foods.get(kind).is_some_and(|food| food.freezing.is_some());
+    if freezes { PieceOrder::INITIAL_C[0] } else { 0.0 }
 }
 
 pub(super) fn temperature(ui: &mut Ui, name: &str, celsius: &mut f64, low: f64, high: f64, fahrenheit: bool) {

@@ -5,6 +5,10 @@ use saute_recipe::{Cook, Recipe, Summary};
 
 /// Cooks one piece in a pan by steps, one a line.
 fn cooked(kind: &str, size_mm: &str, initial_c: f64, steps: &[&str]) -> Summary {
+    ended(kind, size_mm, initial_c, steps).summary(0.0)
+}
+
+fn ended(kind: &str, size_mm: &str, initial_c: f64, steps: &[&str]) -> Cook {
     let library = Library::embedded().expect("embedded data");
     let steps: String = steps.iter().map(|step| format!("[[step]]\n{}\n", step.replace("; ", "\n"))).collect();
     let text = format!(
@@ -16,7 +20,7 @@ fn cooked(kind: &str, size_mm: &str, initial_c: f64, steps: &[&str]) -> Summary 
     while cook.stopped().is_none() {
         cook.advance().expect("runs");
     }
-    cook.summary(0.0)
+    cook
 }
 
 /// A patty that is pressed twice for half a minute with a force [N], each time when its core has 60 °C or more, and taken
@@ -88,4 +92,15 @@ fn a_steak_that_is_cut_at_once_runs_more_than_one_that_has_rested() {
     };
     let (at_once, rested) = (on_board(2.0), on_board(300.0));
     assert!(at_once > 1.2 * rested, "{at_once} {rested} g");
+}
+
+/// Ice does not give way under a press; a raw patty does.
+#[test]
+fn a_press_flattens_minced_meat_but_no_ice() {
+    let flattened = |initial_c: f64| {
+        let steps = ["hob_w = 500", "put = \"food\"", "press = { food = \"food\", n = 60, for_s = 15 }", "end = true"];
+        ended("beef-patty", "[90, 20]", initial_c, &steps).kitchen.pieces()[0].state.stretch.flattened
+    };
+    let (raw, frozen) = (flattened(5.0), flattened(-18.0));
+    assert!(raw > 0.1 && frozen == 0.0, "{raw} {frozen}");
 }

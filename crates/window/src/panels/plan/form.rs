@@ -4,7 +4,7 @@ use egui::{RichText, TextEdit, Ui, vec2};
 use saute_plan::schedule::asked::{scale_for, scales_for};
 
 use crate::act::{Act, Acts, AppAct, LearnAct, Setting};
-use crate::panels::pantry::{pans, sizes, slider, temperature};
+use crate::panels::pantry::{coldest, pans, sizes, slider, temperature};
 use crate::panels::window_state::WindowState;
 use crate::plan::PlanAct;
 use crate::plan::choice::{MOST_FLIPS, PlanChoice};
@@ -22,7 +22,8 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     if let Some(food) = library.foods.get(&choice.kind) {
         sizes(ui, food, &mut choice.size_mm, l);
     }
-    temperature(ui, l.text("pantry.start_temperature"), &mut choice.initial_c, -25.0, 30.0, settings.fahrenheit);
+    let coldest = coldest(library, &choice.kind);
+    temperature(ui, l.text("pantry.start_temperature"), &mut choice.initial_c, coldest, 30.0, settings.fahrenheit);
     ui.heading(l.text("plan.target"));
     target(state, ui, &choice, &mut plan);
     crust_and_flips(state, ui, &choice, &mut plan);
