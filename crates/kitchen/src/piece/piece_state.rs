@@ -175,6 +175,8 @@ impl Piece {
             }
         })?;
         Arc::make_mut(&mut self.uneven).resize(model.patches().len(), 0.0);
+        // It may be stored before its next tick, with a contact of each patch.
+        self.touch.resize(model.patches().len(), Touch::default());
         self.model = Arc::new(model);
         self.solver = FoodSolver::default();
         self.shape.update(&self.model, &self.state);
