@@ -133,9 +133,8 @@ impl FoodSolver {
         let due = state.ticks.is_multiple_of(REFRESH_TICKS);
         if due && state.ticks > 0 {
             change(model, state, dt * REFRESH_TICKS as f64);
-            total.drip = model.release_juice(state, dt * REFRESH_TICKS as f64);
-            total.drip += model.press(state, around.pressed, dt * REFRESH_TICKS as f64);
-            total.drip += model.bleed(state, dt * REFRESH_TICKS as f64);
+            total.drip = model.release_juice(state, around.pressed, dt * REFRESH_TICKS as f64);
+            model.flatten(state, around.pressed, dt * REFRESH_TICKS as f64);
             total.rendered = model.release_fat(state, dt * REFRESH_TICKS as f64);
             if model.shape.contracts && state.ticks.is_multiple_of(SHAPE_TICKS) {
                 model.shrink(state);
@@ -387,8 +386,7 @@ fn brown(model: &FoodModel, state: &mut FoodState, i: usize, dt: f64) {
     }
     let activity = model.water.isotherm.activity(state.water[i] / model.tissue.lean_solids[i]);
     // What lies over a groove neither browns nor chars: both are means over the whole face.
-    let open = state.open[i];
-    let before = (state.browning[i] / open, state.charring[i] / open);
+    let (open, before) = (state.open[i], state.crust(i));
     let (browning, charring) =
         model.response.browning.advance(before, t, activity, model.tissue.charring_solids(i), dt);
     (state.browning[i], state.charring[i]) = (open * browning, open * charring);

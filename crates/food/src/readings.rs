@@ -3,6 +3,7 @@
 use saute_heat::{Cut, CutPoint, Layout};
 use serde::{Deserialize, Serialize};
 
+use crate::ZERO_C;
 use crate::change::colour::{Appearance, Lab};
 use crate::change::doneness::{MOST_CLASSES, Measure, Scale, Shares};
 use crate::description::{Effects, MOST_CHANGES, PerChange};
@@ -39,6 +40,12 @@ impl FoodModel {
         self.at_core(&state.temperature)
     }
 
+    /// Returns true while the core is colder than the beginning of freezing.
+    pub fn core_is_ice(&self, state: &FoodState) -> bool {
+        let freezing = self.description.freezing.as_ref();
+        freezing.is_some_and(|ice| self.core_temperature(state) < ZERO_C + ice.begins_c)
+    }
+
     /// Area-mean temperature of the lower face [K].
     ///
     /// `up` is the world's upward direction in the body frame; the opposite direction gives the upper face.
@@ -69,9 +76,9 @@ impl FoodModel {
             reading.temperature += share * state.temperature[node];
             reading.browning += share * state.browning[node];
             reading.moisture += share * state.water[node] / self.tissue.initial_water[node];
-            let open = state.open[node];
-            reading.browned_pct += 100.0 * share * open * f64::from(u8::from(state.browning[node] > 0.5 * open));
-            reading.charred_pct += 100.0 * share * open * f64::from(u8::from(state.charring[node] > 0.2 * open));
+            let (open, (browning, charring)) = (state.open[node], state.crust(node));
+            reading.browned_pct += 100.0 * share * open * f64::from(u8::from(browning > 0.5));
+            reading.charred_pct += 100.0 * share * open * f64::from(u8::from(charring > 0.2));
         }
         // Rounding may carry the sum of the shares above 100.
         reading.browned_pct = reading.browned_pct.min(100.0);
@@ -92,7 +99,7 @@ impl FoodModel {
     /// Mean colour of the lean flesh and the fat of a node: of a face on ridges, of the bars and of what is between them.
     pub fn node_colour(&self, state: &FoodState, node: usize) -> Lab {
         let (mut seen, open) = (self.appearance(state, node), state.open[node]);
-        (seen.browning, seen.charring) = (seen.browning / open, seen.charring / open);
+        (seen.browning, seen.charring) = state.crust(node);
         let bars = self.colour_of(seen, node);
         if open == 1.0 {
             return bars;

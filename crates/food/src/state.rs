@@ -110,9 +110,7 @@ impl FoodState {
         self.oiled.clone_from(&other.oiled);
         self.open.clone_from(&other.open);
         self.stretch.axial.clone_from(&other.stretch.axial);
-        (self.stretch.lateral, self.stretch.dome) = (other.stretch.lateral, other.stretch.dome);
-        self.stretch.flattened = other.stretch.flattened;
-        (self.evaporated, self.dripped, self.rendered) = (other.evaporated, other.dripped, other.rendered);
+        self.set_scalars(other.scalars());
         (self.ticks, self.healthy) = (other.ticks, other.healthy);
     }
 
@@ -133,8 +131,26 @@ impl FoodState {
     pub(crate) fn is_finite(&self) -> bool {
         let Self { juice, rising, fat, peak, changed, browning, charring, lethality, stretch, .. } = self;
         let fields = [juice, rising, fat, peak, browning, charring, lethality, &stretch.axial];
-        let scalars = [stretch.lateral, stretch.dome, stretch.flattened, self.evaporated, self.dripped, self.rendered];
-        self.has_finite_heat() && fields.into_iter().chain(changed).all(|f| all_finite(f)) && all_finite(&scalars)
+        self.has_finite_heat()
+            && fields.into_iter().chain(changed).all(|f| all_finite(f))
+            && all_finite(&self.scalars())
+    }
+
+    /// Returns what belongs to no node: lateral stretch, dome and flattening; masses evaporated, dripped and rendered.
+    pub(crate) fn scalars(&self) -> [f64; 6] {
+        let Stretch { lateral, dome, flattened, .. } = self.stretch;
+        [lateral, dome, flattened, self.evaporated, self.dripped, self.rendered]
+    }
+
+    /// Sets what belongs to no node, in the order of [`Self::scalars`].
+    pub(crate) fn set_scalars(&mut self, scalars: [f64; 6]) {
+        let Stretch { lateral, dome, flattened, .. } = &mut self.stretch;
+        [*lateral, *dome, *flattened, self.evaporated, self.dripped, self.rendered] = scalars;
+    }
+
+    /// Browning and charring of the part of a node's face that has come to brown [-].
+    pub fn crust(&self, node: usize) -> (f64, f64) {
+        (self.browning[node] / self.open[node], self.charring[node] / self.open[node])
     }
 
     /// Returns true if it has a value for each node and change of a model.

@@ -7,7 +7,6 @@ use saute_food::{FoodModel, Rules, Scale};
 
 use crate::Piece;
 use crate::data::library::DEFAULT_SCALE;
-use crate::kelvin;
 
 /// Returns the scales that say anything about a food, in their order: those made for its kinetics, else every scale that
 /// is made for none and whose change they contain.
@@ -73,9 +72,5 @@ pub const FROZEN: &str = "frozen";
 
 /// Returns the class of the core of a piece; [`FROZEN`] while it is colder than the beginning of freezing.
 pub fn core_class<'a>(piece: &Piece, scale: &'a Scale) -> &'a str {
-    let freezing = piece.model.description().freezing.as_ref();
-    if freezing.is_some_and(|ice| piece.core() < kelvin(ice.begins_c)) {
-        return FROZEN;
-    }
-    scale.name_of(at_core(piece, scale))
+    if piece.model.core_is_ice(&piece.state) { FROZEN } else { scale.name_of(at_core(piece, scale)) }
 }

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use saute_food::body::halving::CutError;
-use saute_food::{BuildError, FoodDescription, FoodModel, MeshSize, OutlineKind, PieceSpec, Rules};
+use saute_food::{BuildError, FoodModel, MeshSize, OutlineKind, PieceSpec, Rules};
 use serde::{Deserialize, Serialize};
 
 use crate::bytes::{FoodKey, Models};
@@ -14,6 +14,7 @@ use crate::dynamics::{Gesture, Hand, PanShape, Pose, Task, World};
 use crate::hands::command::{Command, Refused};
 use crate::hands::pan_hold::PanHold;
 use crate::hands::second_hand::SecondHand;
+use crate::kelvin;
 use crate::pan::cloth::Cloth;
 use crate::pan::food_load::FoodLoad;
 use crate::pan::hob::HobDescription;
@@ -216,8 +217,8 @@ impl Kitchen {
 
     /// Adds a piece, with known models, to which one that had to be built is added.
     pub fn add_with(&mut self, library: &Library, order: &PieceOrder, models: &mut Models) -> Result<(), SetupError> {
-        let freezes = |food: &FoodDescription| order.rules == Rules::Full && food.freezing.is_some();
-        if order.temperature < crate::kelvin(0.0) && !library.foods.get(&order.kind).is_none_or(freezes) {
+        let food = library.foods.get(&order.kind);
+        if order.temperature < kelvin(0.0) && food.is_some_and(|food| !food.may_be_ice(order.rules)) {
             return Err(SetupError::NoIce(order.kind.clone()));
         }
         let food = FoodKey::ordered(order, library);

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::FoodSolver;
 use crate::model::FoodModel;
-use crate::state::{FoodState, Stretch};
+use crate::state::FoodState;
 use crate::water::films::{Films, SavedBlock};
 
 /// What of a [`FoodSolver`] does not follow from its model and its state.
@@ -28,7 +28,7 @@ pub struct SavedSolver {
 struct SavedSound {
     /// Node fields that differ.
     fields: Vec<Option<Vec<f64>>>,
-    /// Lateral stretch, dome and flattening; masses evaporated, dripped and rendered.
+    /// What belongs to no node.
     scalars: [f64; 6],
     ticks: u64,
     healthy: bool,
@@ -44,11 +44,7 @@ impl SavedSound {
         let differing = |(sound, state): (&Vec<f64>, &Vec<f64>)| (!same_bits(sound, state)).then(|| sound.clone());
         Self {
             fields: sound.fields().into_iter().zip(state.fields()).map(differing).collect(),
-            scalars: {
-                let stretch = &sound.stretch;
-                let shape = [stretch.lateral, stretch.dome, stretch.flattened];
-                [shape[0], shape[1], shape[2], sound.evaporated, sound.dripped, sound.rendered]
-            },
+            scalars: sound.scalars(),
             ticks: sound.ticks,
             healthy: sound.healthy,
         }
@@ -63,8 +59,7 @@ impl SavedSound {
         for (field, saved) in fields.iter_mut().zip(self.fields) {
             **field = saved.unwrap_or_else(|| std::mem::take(*field));
         }
-        let Stretch { lateral, dome, flattened, .. } = &mut sound.stretch;
-        [*lateral, *dome, *flattened, sound.evaporated, sound.dripped, sound.rendered] = self.scalars;
+        sound.set_scalars(self.scalars);
         (sound.ticks, sound.healthy) = (self.ticks, self.healthy);
         Some(sound)
     }

@@ -12,6 +12,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::body::form::Form;
+use crate::paper_2013::Rules;
 
 pub(crate) use kinetics::Effects;
 pub use kinetics::{
@@ -115,6 +116,11 @@ pub struct FoodDescription {
 }
 
 impl FoodDescription {
+    /// Returns true if a piece may begin as ice: its file says how it freezes, and its rules know ice.
+    pub fn may_be_ice(&self, rules: Rules) -> bool {
+        rules == Rules::Full && self.freezing.is_some()
+    }
+
     /// Raw colour of the second tissue, L*, a*, b*; none in foods without it.
     pub fn second_colour(&self) -> Option<[f64; 3]> {
         let sheaths = || self.sheaths.as_ref().map(|s| s.colour);

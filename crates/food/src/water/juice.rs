@@ -18,13 +18,6 @@ pub struct Runoff {
     pub enthalpy: f64,
 }
 
-impl core::ops::AddAssign for Runoff {
-    fn add_assign(&mut self, other: Self) {
-        self.mass += other.mass;
-        self.enthalpy += other.enthalpy;
-    }
-}
-
 impl FoodModel {
     /// Releases and moves juice for `dt` [s] and returns the juice that ran off.
     ///
@@ -34,8 +27,9 @@ impl FoodModel {
     /// that level to the other face. A boiling node lets a share of the arriving juice pass to the face as liquid. Flesh that
     /// has dried below its capacity takes juice up. On a face juice forms a film; beyond the largest film it runs off. In a
     /// body along stations the fibres run along the path, and juice also runs off the skin. In a body of cells juice follows
-    /// the fibres or the shortest way to the skin.
-    pub fn release_juice(&self, state: &mut FoodState, dt: f64) -> Runoff {
+    /// the fibres or the shortest way to the skin. A press of the pressure `pressed` [Pa] squeezes free juice out, and fresh
+    /// cuts bleed.
+    pub fn release_juice(&self, state: &mut FoodState, pressed: f64, dt: f64) -> Runoff {
         let reach = 1e-6 * self.kinetics.water_holding.juice_speed_um_s * dt;
         let mut runoff = Runoff::default();
         match &self.shape.mesh {
@@ -52,6 +46,8 @@ impl FoodModel {
         for &(node, area) in &self.water.outlets {
             self.run_off(state, node as usize, area, &mut runoff);
         }
+        self.squeeze(state, pressed, dt, &mut runoff);
+        self.bleed(state, dt, &mut runoff);
         state.dripped += runoff.mass;
         runoff
     }
@@ -107,13 +103,18 @@ impl FoodModel {
     /// Removes the juice beyond the largest film on a face.
     fn run_off(&self, state: &mut FoodState, face: usize, area: f64, runoff: &mut Runoff) {
         let film = self.kinetics.water_holding.film_kg_m2 * area;
-        let excess = (state.juice[face] - film).max(0.0);
+        self.let_out(state, face, film, runoff);
+    }
+
+    /// Lets the free juice of a node out but for what is `left` [kg], at its own temperature.
+    pub(crate) fn let_out(&self, state: &mut FoodState, node: usize, left: f64, runoff: &mut Runoff) {
+        let excess = (state.juice[node] - left).max(0.0);
         if excess > 0.0 {
-            let enthalpy = excess * self.properties.water_enthalpy(state.temperature[face]);
-            state.rising[face] *= film / state.juice[face];
-            state.juice[face] -= excess;
-            state.water[face] -= excess;
-            state.enthalpy[face] -= enthalpy;
+            let enthalpy = excess * self.properties.water_enthalpy(state.temperature[node]);
+            state.rising[node] *= left / state.juice[node];
+            state.juice[node] -= excess;
+            state.water[node] -= excess;
+            state.enthalpy[node] -= enthalpy;
             runoff.mass += excess;
             runoff.enthalpy += enthalpy;
         }

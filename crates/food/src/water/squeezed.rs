@@ -31,69 +31,48 @@ const DRAWN_M: f64 = 0.015;
 const FLATTEST: f64 = 0.5;
 
 impl FoodModel {
-    /// Presses a piece under a pressure [Pa] for `dt` [s]; returns the juice that ran off.
-    pub(crate) fn press(&self, state: &mut FoodState, pressure: f64, dt: f64) -> Runoff {
-        if pressure <= 0.0 {
-            return Runoff::default();
-        }
-        self.flatten(state, pressure, dt);
-        self.squeeze(state, pressure, dt)
-    }
-
-    /// Flattens a slice that is not ice: its strain ε creeps towards the share s of the elastic one that stays, dε/dt = (s p/E − ε)/τ, and
-    /// never back.
-    fn flatten(&self, state: &mut FoodState, pressure: f64, dt: f64) {
-        let stays = self.kinetics.texture.set_share * pressure / (1e3 * self.elastic_modulus_kpa(state));
-        let left = stays.min(FLATTEST) - state.stretch.flattened;
-        let ice = self.description.freezing.as_ref();
-        let frozen = ice.is_some_and(|ice| self.core_temperature(state) < ZERO_C + ice.begins_c);
+    /// Flattens a slice that is not ice under a pressure [Pa] for `dt` [s].
+    ///
+    /// Its strain ε creeps towards the share s of the elastic one that stays, dε/dt = (s p/E − ε)/τ, and never back.
+    pub(crate) fn flatten(&self, state: &mut FoodState, pressure: f64, dt: f64) {
         let is_slice = matches!(self.shape.mesh.layout(), Layout::Upright(_));
-        if self.shape.contracts && is_slice && !frozen && left > 0.0 {
-            state.stretch.flattened += left * dt / (SQUEEZED_S + dt);
+        if pressure <= 0.0 || !self.shape.contracts || !is_slice || self.core_is_ice(state) {
+            return;
         }
+        let stays = self.kinetics.texture.set_share * pressure / (1e3 * self.elastic_modulus_kpa(state));
+        let more = stays.min(FLATTEST) - state.stretch.flattened;
+        state.stretch.flattened += more.max(0.0) * dt / (SQUEEZED_S + dt);
     }
 
     /// Squeezes free juice out of a piece under a pressure [Pa] for `dt` [s].
     ///
     /// dF/dt = −F/τ · p/(p + p½): the loss rises with the force and levels off.
-    fn squeeze(&self, state: &mut FoodState, pressure: f64, dt: f64) -> Runoff {
+    pub(crate) fn squeeze(&self, state: &mut FoodState, pressure: f64, dt: f64, runoff: &mut Runoff) {
+        if pressure <= 0.0 {
+            return;
+        }
         let rate = dt / SQUEEZED_S * pressure / (pressure + HALF_PA);
-        let mut runoff = Runoff::default();
-        (0..state.juice.len()).for_each(|node| self.let_out(state, node, rate, &mut runoff));
-        state.dripped += runoff.mass;
-        runoff
+        for node in 0..state.juice.len() {
+            let left = state.juice[node] / (1.0 + rate);
+            self.let_out(state, node, left, runoff);
+        }
     }
 
     /// Lets free juice bleed from a halved piece towards its fresh faces for `dt` [s]: dF/dt = −F v(T)/d at a distance d.
-    pub(crate) fn bleed(&self, state: &mut FoodState, dt: f64) -> Runoff {
-        let mut runoff = Runoff::default();
-        let Some(cut) = self.halved_at() else { return runoff };
-        let speed = THROUGH_CLEFTS * 1e-6 * self.kinetics.water_holding.juice_speed_um_s;
-        let speed = arrhenius(THICKENS_KJ_MOL, STATED_C, speed);
+    pub(crate) fn bleed(&self, state: &mut FoodState, dt: f64, runoff: &mut Runoff) {
+        let Some(cut) = self.halved_at() else { return };
+        let at_stated = THROUGH_CLEFTS * 1e-6 * self.kinetics.water_holding.juice_speed_um_s;
+        let speed = arrhenius(THICKENS_KJ_MOL, STATED_C, at_stated);
         for node in 0..state.juice.len() {
+            if state.juice[node] <= 0.0 {
+                continue;
+            }
             let away = libm::fabs(self.shape.along(node) - cut.at);
-            if state.juice[node] > 0.0 && away < DRAWN_M {
+            if away < DRAWN_M {
                 let rate = speed(state.temperature[node].max(ZERO_C)) * dt / away.max(1e-4);
-                self.let_out(state, node, rate, &mut runoff);
+                let left = state.juice[node] / (1.0 + rate);
+                self.let_out(state, node, left, runoff);
             }
         }
-        state.dripped += runoff.mass;
-        runoff
-    }
-
-    /// Lets a share rate/(1 + rate) of a node's free juice out, at its own temperature.
-    fn let_out(&self, state: &mut FoodState, node: usize, rate: f64, runoff: &mut Runoff) {
-        if state.juice[node] <= 0.0 {
-            return;
-        }
-        let share = rate / (1.0 + rate);
-        let mass = share * state.juice[node];
-        let enthalpy = mass * self.properties.water_enthalpy(state.temperature[node]);
-        state.juice[node] -= mass;
-        state.rising[node] -= share * state.rising[node];
-        state.water[node] -= mass;
-        state.enthalpy[node] -= enthalpy;
-        runoff.mass += mass;
-        runoff.enthalpy += enthalpy;
     }
 }

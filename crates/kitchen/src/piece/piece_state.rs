@@ -359,8 +359,8 @@ impl Piece {
             let face = self.face_contact(&near, pan, room);
             mean = face.mean_gap(&room.contact);
             for n in &near {
-                self.oil(n, self.lifted_share(n, mean, room), pan_state, room);
                 let gap = self.gap_below(n, mean);
+                self.oil(n, lifted_share(gap - mean, room), pan_state, room);
                 self.touch[n.patch as usize] = self.pan_touch(n, &face, gap, (pan, pan_state), room);
                 if let Some(ridges) = pan.ridges.filter(|_| self.state.ticks.is_multiple_of(REFRESH_TICKS)) {
                     self.sear_strip(n, &face, mean, (&ridges, pan_state), room);
@@ -506,6 +506,7 @@ impl Piece {
         self.solver.give(&mut self.state, node, heat);
     }
 }
+
 /// Share of a patch that is lifted off the pan by more than the gap of a face that lies, given how far it is lifted [m] [-].
 fn lifted_share(lift: f64, room: &Room) -> f64 {
     let from = 1e-3 * room.contact.gap_mm;

@@ -258,7 +258,7 @@ impl Piece {
         if !self.state.healthy || open >= 1.0 || bar <= mean || mean <= BOILING {
             return;
         }
-        let before = (self.state.browning[node] / open, self.state.charring[node] / open);
+        let before = self.state.crust(node);
         let (on_bar, on_mean) = (self.browned_at(before, bar), self.browned_at(before, mean));
         let dry = open * (1.0 - self.wetness(node));
         self.state.browning[node] += dry * (on_bar.0 - on_mean.0).max(0.0);

@@ -139,16 +139,22 @@ fn a_kitchen_restored_at_any_instant_goes_on_as_the_one_that_never_stopped() {
     assert!(count("SAUTE_RANDOM_INSTANTS", 20) < 10 * DEEDS || seen.iter().all(|seen| *seen > 0), "{seen:?}");
 }
 
-/// A piece that has just been cut can be stored before the next tick.
-#[test]
-fn a_kitchen_is_restored_right_after_a_cut() {
-    let library = Library::embedded().expect("embedded data");
-    let mut kitchen = dish(&library);
+/// The dish with one of its pieces on the board, and that piece.
+fn with_one_on_the_board(library: &Library) -> (Kitchen, String) {
+    let mut kitchen = dish(library);
     let food = kitchen.pieces()[3].id.clone();
     kitchen.apply(&Command::Rest { food: food.clone(), on: RestOn::Board }).expect("rest");
     while kitchen.busy() {
         kitchen.step();
     }
+    (kitchen, food)
+}
+
+/// A piece that has just been cut can be stored before the next tick.
+#[test]
+fn a_kitchen_is_restored_right_after_a_cut() {
+    let library = Library::embedded().expect("embedded data");
+    let (mut kitchen, food) = with_one_on_the_board(&library);
     kitchen.step();
     kitchen.apply(&Command::Halve { food, at: 0.0 }).expect("cut");
     let bytes = kitchen.to_bytes();
@@ -159,12 +165,7 @@ fn a_kitchen_is_restored_right_after_a_cut() {
 #[test]
 fn models_are_built_again_to_the_last_bit() {
     let library = Library::embedded().expect("embedded data");
-    let mut kitchen = dish(&library);
-    let food = kitchen.pieces()[3].id.clone();
-    kitchen.apply(&Command::Rest { food: food.clone(), on: RestOn::Board }).expect("rest");
-    while kitchen.busy() {
-        kitchen.step();
-    }
+    let (mut kitchen, food) = with_one_on_the_board(&library);
     kitchen.apply(&Command::Halve { food, at: 0.002 }).expect("halves");
     kitchen.step();
     let bytes = kitchen.to_bytes();

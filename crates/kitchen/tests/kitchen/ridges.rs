@@ -12,20 +12,27 @@ use crate::stove::{apply, library, run};
 
 const GRILL: &str = "cast-iron-grill-26";
 
-fn frying(pan: &str, pan_c: f64, seconds: f64) -> Kitchen {
-    let mut kitchen = Kitchen::new(&library(), pan, kelvin(pan_c)).expect("pan");
-    let order = PieceOrder {
+fn steak(rules: Rules) -> PieceOrder {
+    PieceOrder {
         id: "steak".into(),
         kind: "beef-lean".into(),
         size: [0.09, 0.06, 0.015],
         temperature: kelvin(15.0),
         seed: 1,
         coarseness: 2.0,
-        rules: Rules::Full,
+        rules,
         mesh: MeshSize::Default,
         outline: OutlineKind::Plain,
-    };
-    kitchen.add(&library(), &order).expect("food");
+    }
+}
+
+fn frying(pan: &str, pan_c: f64, seconds: f64) -> Kitchen {
+    frying_by(Rules::Full, pan, pan_c, seconds)
+}
+
+fn frying_by(rules: Rules, pan: &str, pan_c: f64, seconds: f64) -> Kitchen {
+    let mut kitchen = Kitchen::new(&library(), pan, kelvin(pan_c)).expect("pan");
+    kitchen.add(&library(), &steak(rules)).expect("food");
     apply(&mut kitchen, Command::Put { food: "steak".into(), at: [0.0, 0.0], heap: false });
     run(&mut kitchen, seconds);
     kitchen
@@ -68,24 +75,10 @@ fn a_face_browns_where_the_tops_are() {
 /// By the rules of 2013 a face browns as a whole, as it did.
 #[test]
 fn the_rules_of_2013_know_no_bars() {
-    let mut kitchen = Kitchen::new(&library(), GRILL, kelvin(280.0)).expect("pan");
-    let order = PieceOrder {
-        id: "steak".into(),
-        kind: "beef-lean".into(),
-        size: [0.06, 0.05, 0.012],
-        temperature: kelvin(15.0),
-        seed: 1,
-        coarseness: 2.0,
-        rules: Rules::Paper2013,
-        mesh: MeshSize::Default,
-        outline: OutlineKind::Plain,
-    };
-    kitchen.add(&library(), &order).expect("food");
-    apply(&mut kitchen, Command::Put { food: "steak".into(), at: [0.0, 0.0], heap: false });
-    run(&mut kitchen, 60.0);
+    let mut kitchen = frying_by(Rules::Paper2013, GRILL, 280.0, 60.0);
     assert!(kitchen.pieces()[0].state.open.iter().all(|open| *open == 1.0));
     // And no ice, by whichever door it comes.
-    let frozen = PieceOrder { id: "frozen".into(), temperature: kelvin(-18.0), ..order };
+    let frozen = PieceOrder { id: "frozen".into(), temperature: kelvin(-18.0), ..steak(Rules::Paper2013) };
     let refused = kitchen.add(&library(), &frozen).expect_err("no ice in 2013");
     assert!(refused.to_string().contains("below 0 °C"), "{refused}");
     kitchen.add(&library(), &PieceOrder { rules: Rules::Full, ..frozen }).expect("freezes");

@@ -176,19 +176,20 @@ impl Check<'_> {
         })
     }
 
-    /// Temperature of a food [°C]; below the beginning of freezing only where its file says how it freezes.
+    /// Temperature of a food [°C]; below 0 only where it may be ice.
     fn initial_c(&self, entry: &FoodEntry, food: &FoodDescription, rules: Rules) -> Checked<f64> {
         let Some(given) = &entry.initial_c else { return Ok(5.0) };
         let [least, most] = PieceOrder::INITIAL_C;
         let celsius = self.input.ranged("food.initial_c", given, least, most)?;
-        let (message, remedy) = match (rules, &food.freezing) {
-            _ if celsius >= 0.0 => return Ok(celsius),
-            (Rules::Full, Some(_)) => return Ok(celsius),
-            (Rules::Full, None) => (
+        if celsius >= 0.0 || food.may_be_ice(rules) {
+            return Ok(celsius);
+        }
+        let (message, remedy) = match rules {
+            Rules::Full => (
                 format!("food.initial_c = {celsius}: the file of {} has no table [freezing]", entry.kind.get_ref()),
                 "write 0 or more, or add [freezing] with begins_c and bound_share to the food",
             ),
-            (Rules::Paper2013, _) => (
+            Rules::Paper2013 => (
                 format!("food.initial_c = {celsius}: the rules of 2013 know no ice"),
                 "write 0 or more, or leave preset out",
             ),

@@ -103,8 +103,8 @@ impl Pieces<'_> {
             let scale = scales.iter().find(|s| s.id == *id);
             let at_core = self.mean(|p| p.doneness.0[k].1.at_core);
             let frozen = self.0.iter().all(|p| p.doneness.0[k].1.class == FROZEN);
-            let class = if frozen { FROZEN } else { scale.map_or(reading.class.as_str(), |s| s.name_of(at_core)) };
-            let class = class.to_owned();
+            let of_mean = || scale.map_or(reading.class.as_str(), |s| s.name_of(at_core));
+            let class = if frozen { FROZEN } else { of_mean() }.to_owned();
             let (section_pct, volume_pct) = (shares(|r| &r.section_pct), shares(|r| &r.volume_pct));
             (id.clone(), ScaleReading { label: reading.label.clone(), class, at_core, section_pct, volume_pct })
         };

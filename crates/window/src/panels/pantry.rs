@@ -1,7 +1,7 @@
 //! Choosing the food and the pan.
 
 use egui::{RichText, Ui, vec2};
-use saute_kitchen::food::FoodDescription;
+use saute_kitchen::food::{FoodDescription, Rules};
 use saute_kitchen::{Library, PieceOrder};
 
 use crate::act::{Act, Acts, AppAct, Card, CookAct, Setting};
@@ -231,7 +231,7 @@ pub(super) fn slider(ui: &mut Ui, name: &str, value: &mut f64, low: f64, high: f
 
 /// Coldest start of a food [°C]: below 0 only where its file says how it freezes.
 pub(super) fn coldest(library: &Library, kind: &str) -> f64 {
-    let freezes = library.foods.get(kind).is_some_and(|food| food.freezing.is_some());
+    let freezes = library.foods.get(kind).is_some_and(|food| food.may_be_ice(Rules::Full));
     if freezes { PieceOrder::INITIAL_C[0] } else { 0.0 }
 }
 
