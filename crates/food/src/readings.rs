@@ -26,6 +26,8 @@ pub struct FaceReading {
     pub lab: Lab,
     /// Area with browning above 0.5 [%].
     pub browned_pct: f64,
+    /// Area browned where the metal reaches it [%]: on ridges, of the bars; else the same as what is browned of the whole.
+    pub crust_pct: f64,
     /// Area with charring above 0.2 [%].
     pub charred_pct: f64,
     /// Mean browning [-].
@@ -58,11 +60,11 @@ impl FoodModel {
         sum / area
     }
 
-    /// Mean browning of the lower face [-], with `up` as in [`Self::face_temperature`].
+    /// Mean browning of the lower face where the metal reaches it [-], with `up` as in [`Self::face_temperature`].
     pub fn face_browning(&self, state: &FoodState, up: [f64; 3]) -> f64 {
         let whole: f64 = self.patches_below(up).map(|i| self.shape.patches[i].area).sum();
         let below = self.patches_below(up).map(|i| &self.shape.patches[i]);
-        below.fold(0.0, |sum, patch| sum + patch.area / whole * state.browning[patch.node as usize])
+        below.fold(0.0, |sum, patch| sum + patch.area / whole * state.crust(patch.node as usize).0)
     }
 
     /// Returns area means and shares of the lower face, with `up` as in [`Self::face_temperature`].
@@ -77,10 +79,13 @@ impl FoodModel {
             reading.browning += share * state.browning[node];
             reading.moisture += share * state.water[node] / self.tissue.initial_water[node];
             let (open, (browning, charring)) = (state.open[node], state.crust(node));
-            reading.browned_pct += 100.0 * share * open * f64::from(u8::from(browning > 0.5));
+            let crust = 100.0 * share * f64::from(u8::from(browning > 0.5));
+            reading.crust_pct += crust;
+            reading.browned_pct += open * crust;
             reading.charred_pct += 100.0 * share * open * f64::from(u8::from(charring > 0.2));
         }
         // Rounding may carry the sum of the shares above 100.
+        reading.crust_pct = reading.crust_pct.min(100.0);
         reading.browned_pct = reading.browned_pct.min(100.0);
         reading.charred_pct = reading.charred_pct.min(100.0);
         reading

@@ -29,7 +29,7 @@ pub struct Situation {
     pub smoke_mg_s: f64,
     /// Mean temperature of the piece's underside [°C].
     pub underside_c: f64,
-    /// Mean browning index of its underside and of its upper side [-].
+    /// Mean browning index of its underside and of its upper side, on ridges of the bars [-].
     pub browning: [f64; 2],
     /// Time since it was last flipped [s]; none if it never was.
     pub since_flip_s: Option<f64>,

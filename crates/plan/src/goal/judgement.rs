@@ -42,7 +42,7 @@ pub struct Judgement {
     pub score: Score,
     /// Thickness of what is beyond the class of the goal, below each face, on the line through the core [mm].
     pub grey_mm: [f64; 2],
-    /// Browned share of each face [%].
+    /// Browned share of each face, on ridges of the bars [%].
     pub crust_pct: [f64; 2],
     /// Charred share of each face [%].
     pub charred_pct: [f64; 2],
@@ -62,7 +62,7 @@ impl Judgement {
             let up = first.up().map(|u| if below { u } else { -u });
             first.model.face_reading(&first.state, up)
         });
-        let crust_pct = faces.map(|face| face.browned_pct);
+        let crust_pct = faces.map(|face| face.crust_pct);
         let shortfalls = Shortfall::of(&outcome, goal);
         let evidence = Evidence {
             outcome: &outcome,

@@ -15,11 +15,11 @@ pub struct Outcome {
     /// What the scale of the goal measures at the core [°C or %].
     pub at_core: f64,
     /// Share of the section in the class of the goal, by the highest temperature reached or by the share of the change; for a
-    /// goal of the faces, browned share of them [%].
+    /// goal of the faces, browned share of them, on ridges of the bars [%].
     pub target_share_pct: f64,
     /// Share of the section that is beyond the class of the goal: the grey band [%].
     pub beyond_pct: f64,
-    /// Browned share of the two faces [%].
+    /// Browned share of the two faces, on ridges of the bars [%].
     pub crust_pct: f64,
     /// Browned share of the face with less of it [%].
     pub least_crust_pct: f64,
@@ -47,9 +47,9 @@ impl Outcome {
         let face = |piece: &Piece, below: bool| {
             piece.model.face_reading(&piece.state, piece.up().map(|u| if below { u } else { -u }))
         };
-        let browned = |piece: &Piece| [true, false].map(|below| face(piece, below).browned_pct);
+        let crust = |piece: &Piece| [true, false].map(|below| face(piece, below).crust_pct);
         let charred = |piece: &Piece| [true, false].map(|below| face(piece, below).charred_pct);
-        let both = |piece: &Piece| browned(piece).iter().sum::<f64>() / 2.0;
+        let both = |piece: &Piece| crust(piece).iter().sum::<f64>() / 2.0;
         Self {
             core_peak_c: mean(&|piece| celsius(piece.core_peak.0)),
             at_core: at_core(pieces.iter().copied(), goal, |piece| piece.core_peak.0),
@@ -59,7 +59,7 @@ impl Outcome {
             }),
             beyond_pct: mean(&|piece| shares(piece, goal).iter().skip(goal.class + 1).sum()),
             crust_pct: mean(&both),
-            least_crust_pct: mean(&|piece| browned(piece).iter().copied().fold(100.0, f64::min)),
+            least_crust_pct: mean(&|piece| crust(piece).iter().copied().fold(100.0, f64::min)),
             charred_pct: mean(&|piece| charred(piece).iter().sum::<f64>() / 2.0),
             lost_pct: lost.sum::<f64>() / pieces.len() as f64,
             hottest_c: celsius(floor_peaks(kitchen).fold(0.0, f64::max)),

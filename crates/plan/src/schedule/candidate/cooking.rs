@@ -161,7 +161,7 @@ impl Cooking {
             pan_c: celsius(kitchen.pan_temperature()),
             smoke_mg_s: kitchen.pan_state().smoke_mg_s(),
             core_c: mean(&|p| celsius(p.core())),
-            browned_pct: mean(&|p| p.model.face_reading(&p.state, p.up()).browned_pct),
+            browned_pct: mean(&|p| p.model.face_reading(&p.state, p.up()).crust_pct),
             steam_g_s: 1e3 * pieces.iter().map(|p| p.vapour_flow).sum::<f64>(),
         }
     }

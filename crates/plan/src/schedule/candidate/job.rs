@@ -60,7 +60,7 @@ pub struct Cue {
     pub smoke_mg_s: f64,
     /// Mean temperature of the core [°C].
     pub core_c: f64,
-    /// Browned share of the face on the pan [%].
+    /// Browned share of the face on the pan, on ridges of the bars [%].
     pub browned_pct: f64,
     /// Steam that leaves the food: the strength of the hiss [g/s].
     pub steam_g_s: f64,
