@@ -4,9 +4,9 @@
 // Files of one build belong together; the version keeps a browser's cache from mixing two.
 const version = new URL(import.meta.url).search;
 const place = (file) => new URL(`./${file}${version}`, import.meta.url).href;
-const FILES = ["download", "graphics", "cover", "words", "host", "kept_cook", "kept_study", "controls", "offline", "errands"];
+const FILES = ["download", "graphics", "cover", "words", "host", "kept_cook", "kept_study", "controls", "offline", "errands", "entered"];
 const parts = await Promise.all(FILES.map((file) => import(place(`${file}.js`))));
-const { fetchFile, withProgress, backends, prepare, agreeOnPixels, Cover, words, Host, KeptCook, KeptStudy, Controls, Errands, takeNewVersion, keepForOffline } = Object.assign({}, ...parts);
+const { fetchFile, withProgress, backends, prepare, agreeOnPixels, Cover, words, Host, KeptCook, KeptStudy, Controls, Errands, takeNewVersion, keepForOffline, waitToBeEntered, letTabLeave } = Object.assign({}, ...parts);
 
 const asked = new URLSearchParams(location.search);
 // Without a language in the address the kitchen takes the remembered one, else the browser's.
@@ -50,6 +50,9 @@ async function load() {
 function freshCanvas(backend) {
   const canvas = document.createElement("canvas");
   canvas.id = "canvas";
+  canvas.setAttribute("role", "application");
+  canvas.setAttribute("aria-label", cover.words.picture);
+  canvas.setAttribute("aria-describedby", "told");
   canvas.addEventListener("webglcontextlost", startAgain, { once: true });
   document.getElementById("stage").replaceChildren(canvas);
   prepare(canvas, backend);
@@ -137,7 +140,12 @@ async function main() {
 
 window.addEventListener("hashchange", () => page?.open_link(location.hash));
 window.addEventListener("pagehide", () => page?.keep_now());
-document.addEventListener("visibilitychange", () => document.hidden && page?.keep_now());
+document.addEventListener("visibilitychange", () => {
+  page?.be_seen(!document.hidden);
+  if (document.hidden) page?.keep_now();
+});
+letTabLeave(() => page);
+if (isEmbedded) waitToBeEntered();
 window.addEventListener("saute-lost", startAgain);
 window.addEventListener("saute-font", offerFont);
 window.addEventListener("error", noticeStop);

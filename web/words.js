@@ -8,6 +8,7 @@ const ENGLISH = {
   loaded: (done, all) => `${done} of ${all} MB`,
   preparing: "Preparing the kitchen",
   typed: "What is typed into the picture",
+  picture: "The kitchen. Tab goes from control to control; after Escape it leaves.",
   tilt: "Let this page feel how the phone is held",
   no_graphics:
     "This browser offers neither WebGPU nor WebGL 2, and the kitchen is drawn with one of them. Update the browser, " +
@@ -26,6 +27,7 @@ const JAPANESE = {
   loaded: (done, all) => `${all} MB のうち ${done} MB`,
   preparing: "台所を準備中",
   typed: "画面への文字入力",
+  picture: "台所。Tab で次の操作へ進み、Escape の後の Tab で外へ出ます。",
   tilt: "スマホの傾きを読むことを許可",
   no_graphics:
     "このブラウザーでは WebGPU も WebGL 2 も使えないため、台所を描けません。ブラウザーを新しくするか、設定で" +

@@ -32,6 +32,17 @@ async function setSlider(page, name, value) {
   }, value);
 }
 
+/** Goes by Tab until the picture no longer has the keys; false if it keeps them. */
+async function leavesByTab(page) {
+  const inPicture = () => page.evaluate(() => document.activeElement.matches("#canvas, input[autocapitalize]"));
+  await page.locator("#canvas").focus();
+  for (let presses = 0; presses < 150 && (await inPicture()); presses++) await press(page, "Tab");
+  const left = !(await inPicture());
+  // And comes back.
+  await page.locator("#canvas").focus();
+  return left;
+}
+
 const CASES = [["en", "dark", "reduce", "Movement: Reduced"], ["ja", "light", "no-preference", "動き: なめらか"]];
 
 for (const [lang, colorScheme, reducedMotion, motion] of CASES) {
@@ -39,6 +50,7 @@ for (const [lang, colorScheme, reducedMotion, motion] of CASES) {
     const { page, close } = await visit(there.browser, `${there.host.address}?lang=${lang}`, { colorScheme, reducedMotion });
     await page.waitForFunction(() => document.querySelectorAll("#controls button").length > 20);
     assert.deepEqual(await violations(page), []);
+    assert.ok(await leavesByTab(page), "the keyboard can leave the picture");
     // With panels and a card open.
     await press(page, "n");
     await draws(page, 3);

@@ -127,15 +127,27 @@ test("without WebGPU an address that asks for it gets WebGL 2", async () => {
 test("a frame of another site cooks, and keeps nothing", async () => {
   const root = mkdtempSync(join(tmpdir(), "saute-frame-"));
   const frame = `<iframe src="${host.address}?embed&recipe=medium" width="800" height="600" title="A pan"></iframe>`;
-  writeFileSync(join(root, "index.html"), `<!doctype html><title>Another site</title><link rel="icon" href="data:,">${frame}`);
+  const host_page = `<input id="answer" autofocus><p>${frame}<p style="height: 3000px">`;
+  writeFileSync(join(root, "index.html"), `<!doctype html><title>Another site</title><link rel="icon" href="data:,">${host_page}`);
   const other = await serve(root);
   const { page, seen, close } = await watch(browser, other.address);
   try {
     const inside = await (await page.waitForSelector("iframe")).contentFrame();
     const cooks = () => window.saute && JSON.parse(window.saute.stats() || "{}").time_s > 6;
     await inside.waitForFunction(cooks);
-    const { recipe } = await inside.evaluate(() => JSON.parse(window.saute.stats()));
+    const seen_inside = () => inside.evaluate(() => JSON.parse(window.saute.stats()));
+    const { recipe, hob_w } = await seen_inside();
     assert.match(recipe, /medium/i);
+    // Keys and wheel are the host's until somebody comes in.
+    await page.keyboard.type("eee");
+    assert.equal(await page.locator("#answer").inputValue(), "eee");
+    assert.equal((await seen_inside()).hob_w, hob_w);
+    await page.mouse.move(300, 300);
+    await page.mouse.wheel(0, 400);
+    await page.waitForFunction(() => window.scrollY > 100);
+    await page.evaluate(() => window.scrollTo(0, 0));
+    await page.mouse.click(300, 300);
+    assert.equal(await page.evaluate(() => document.activeElement.localName), "iframe");
     const kept = () =>
       Promise.all([indexedDB.databases(), caches.keys(), navigator.serviceWorker.getRegistrations(), Object.keys(localStorage)]);
     assert.deepEqual(await inside.evaluate(kept), [[], [], [], []]);

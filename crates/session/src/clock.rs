@@ -14,12 +14,15 @@ pub const SPEEDS: [f64; 3] = [1.0, 5.0, 20.0];
 /// Simulated time owed beyond which the machine counts as too slow, as wall time at the chosen speed [s] (chosen).
 const LATE_AFTER_S: f64 = 0.4;
 
+/// Most that is owed, as wall time at the chosen speed [s] (chosen: what a person would not notice while it is caught up).
+const MOST_OWED_S: f64 = 1.0;
+
 /// Time closer than this to a whole step counts as reached [s] (chosen: far above rounding, far below a frame).
 const SAME_TIME: f64 = 1e-9;
 
 impl<H: Hands> Session<H> {
     /// Advances by the wall time `wall` at the chosen speed, and computes for no longer than `budget`. The remainder stays
-    /// owed.
+    /// owed, up to a second of wall time: what is beyond it is not cooked, so that nothing burns unseen.
     ///
     /// # Errors
     ///
@@ -49,6 +52,7 @@ impl<H: Hands> Session<H> {
                 break;
             }
         }
+        self.owed_s = self.owed_s.min(MOST_OWED_S * self.speed);
         Ok(())
     }
 

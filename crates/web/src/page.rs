@@ -115,6 +115,20 @@ impl Page {
         }
     }
 
+    /// Notes that the tab is seen, or no longer.
+    pub fn be_seen(&self, seen: bool) {
+        if let Some(mut app) = self.app.get() {
+            app.be_seen(seen);
+            app.wake();
+        }
+    }
+
+    /// Returns true if Tab, or Shift+Tab for `back`, leaves the picture now: no control has the keys, and forward the last one had
+    /// them.
+    pub fn tab_leaves(&self, back: bool) -> bool {
+        self.app.get().is_some_and(|mut app| app.tab_leaves(back))
+    }
+
     /// Opens the cook of a fragment that was put into the page's address.
     pub fn open_link(&self, fragment: &str) {
         if let Some(mut app) = self.app.get() {

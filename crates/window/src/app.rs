@@ -15,6 +15,7 @@ mod pace;
 #[cfg(target_arch = "wasm32")]
 mod page;
 mod sights;
+mod unseen;
 
 use std::sync::Arc;
 

@@ -24,8 +24,6 @@ pub(crate) struct Inbox {
     pub(crate) font: Arc<Mutex<Option<Vec<u8>>>>,
     /// The font that was taken: a picture that begins anew needs it again.
     pub(crate) taken_font: Option<Arc<egui::FontData>>,
-    /// True if time was stopped because the tab was hidden.
-    pub(crate) paused_hidden: bool,
 }
 
 impl Inbox {

@@ -7,17 +7,23 @@ use saute_session::export::Export;
 use crate::app::SauteApp;
 
 /// Keys of what is said once a cook is saved, or cannot be.
-const COOK_SAID: [&str; 2] = ["notice.cook_saved", "notice.cook_not_saved"];
+pub(crate) const COOK_SAID: [&str; 2] = ["notice.cook_saved", "notice.cook_not_saved"];
 
 impl SauteApp {
-    /// Writes the file of the cook by `write`, if there is one, and says where it is or why it is not.
-    pub(crate) fn export_by(&self, what: Export, path: &Path, write: impl FnOnce(&[u8]) -> Result<(), String>) {
+    /// Writes the file of the cook by `write`, if there is one, and says by the keys of both where it is or why it is not.
+    pub(crate) fn export_by(
+        &self,
+        what: Export,
+        path: &Path,
+        said: [&'static str; 2],
+        write: impl FnOnce(&[u8]) -> Result<(), String>,
+    ) {
         let l = self.settings.language;
         let (bytes, leaves_out) = match self.session.exported(what) {
             Ok(made) => made,
             Err(error) => return self.desk.notice.say(l.fill("notice.no_recipe", &[("error", &error)])),
         };
-        if self.say_written(path, write(&bytes), COOK_SAID) && leaves_out {
+        if self.say_written(path, write(&bytes), said) && leaves_out {
             self.say("notice.recipe_leaves_out");
         }
     }

@@ -27,6 +27,9 @@ const STEP_SHARE: f64 = 0.5;
 const LONGEST_STEPPING_S: f64 = 0.15;
 /// Held keys move the pan no further at once than in this time [s] (chosen: a slow frame makes no leap).
 const LONGEST_FRAME_S: f64 = 0.1;
+/// Wall time between two frames that counts at most [s] (chosen: as much as a session may owe). Longer gaps are a tab that was
+/// hidden, or a machine that slept: nobody saw them.
+const LONGEST_GAP_S: f64 = 1.0;
 
 impl SauteApp {
     /// One frame: takes input, lets time pass, shows everything.
@@ -51,6 +54,7 @@ impl SauteApp {
         self.follow_fit(&ctx);
         self.keep_cook(false);
         self.show(ui);
+        self.inputs.tab_end.look(&ctx);
         #[cfg(target_arch = "wasm32")]
         self.show_mirrored();
         self.show_mirror(&ctx);
@@ -162,14 +166,14 @@ impl SauteApp {
 
     fn let_time_pass(&mut self, ctx: &egui::Context) {
         let now = ctx.input(|i| i.time);
-        let wall = now - self.pace.last_time.unwrap_or(now);
+        let wall = (now - self.pace.last_time.unwrap_or(now)).clamp(0.0, LONGEST_GAP_S);
         self.pace.last_time = Some(now);
-        self.take_hands(ctx, wall.clamp(0.0, LONGEST_FRAME_S));
+        self.take_hands(ctx, wall.min(LONGEST_FRAME_S));
         let begun = Instant::now();
         self.session.permits = self.permits();
         // Behind a card nothing is missed; a trial whose time cannot be stopped goes on.
         let waits = self.card_is_open() && self.leads.guided.as_ref().is_none_or(Guided::time_waits);
-        let passes = if waits { 0.0 } else { wall.max(0.0) };
+        let passes = if waits { 0.0 } else { wall };
         let passed = self.session.advance(Duration::from_secs_f64(passes), step_budget(wall));
         self.pace.meter.frame(now, self.session.kitchen.time_s());
         // While time stands still frames come when there is something to see.

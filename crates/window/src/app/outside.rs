@@ -41,6 +41,12 @@ impl SauteApp {
         self.sights.slice
     }
 
+    /// Returns true if Tab, or Shift+Tab for `back`, leaves the picture now: no control has the keys, and forward the last one had
+    /// them.
+    pub fn tab_leaves(&mut self, back: bool) -> bool {
+        self.inputs.tab_end.leaves(back)
+    }
+
     /// Chooses how many pieces the pantry adds at once.
     pub fn set_count(&mut self, count: usize) {
         self.desk.memory.count = count;

@@ -25,6 +25,8 @@ pub(crate) struct Pace {
     pub(crate) lag: Option<Lag>,
     /// What waits until the instant is reached to which time is turned.
     pub(crate) waiting: Vec<Waiting>,
+    /// True if time was stopped because nobody sees the window.
+    pub(crate) stopped_unseen: bool,
     pub(crate) meter: FrameMeter,
 }
 

@@ -16,6 +16,7 @@ pub(crate) mod spoken_range;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod stored_zoom;
 pub(crate) mod system;
+pub(crate) mod tab_end;
 pub mod theme;
 pub mod ways_layout;
 pub(crate) mod ways_view;

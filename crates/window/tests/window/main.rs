@@ -20,5 +20,6 @@ mod steak;
 mod teaching;
 mod time;
 mod touch;
+mod unseen;
 mod views;
 mod ways;

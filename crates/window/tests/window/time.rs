@@ -3,11 +3,11 @@
 use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers, Pos2, pos2};
 use egui_kittest::{Harness, kittest::Queryable};
-use saute_window::SauteApp;
 use saute_window::act::{Act, AppAct, CookAct, TimeAct};
 use saute_window::ui::theme::Theme;
+use saute_window::{SauteApp, Start};
 
-use crate::harness::{click, cook, drag, press, save, steps, window};
+use crate::harness::{click, cook, drag, press, save, steps, window, window_with};
 
 const WIDE: egui::Vec2 = egui::vec2(1280.0, 720.0);
 const PHONE: egui::Vec2 = egui::vec2(390.0, 844.0);
@@ -247,11 +247,29 @@ fn a_cook_is_saved_as_a_whole_or_not_at_all() {
     assert_eq!(std::fs::read(&file).expect("is there"), bytes);
     assert_eq!(std::fs::read_dir(&folder).expect("folder").count(), 1, "nothing half-written is left");
     let opened = saute_recipe::Recording::from_file(&bytes).expect("opens");
-    let mut harness = window(WIDE);
     let session = harness.state_mut().session_mut();
     session.resume(opened.recording).expect("resumes");
     session.finish_travel();
     assert_eq!(hash(&harness), end);
+    std::fs::remove_dir_all(&folder).expect("removes");
+}
+
+/// A system without file dialogs is told from a person who cancels: what is saved goes into the folder of pictures, and no file
+/// that is there is written over.
+#[test]
+fn without_a_file_dialog_a_cook_is_saved_with_the_pictures() {
+    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("dialogs-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("folder");
+    let mut harness = window_with(WIDE, Start { pictures: Some(folder.clone()), ..Start::default() });
+    for count in 1..=2 {
+        harness.state_mut().export_without_dialog(saute_session::export::Export::Cook);
+        steps(&mut harness, 2);
+        assert!(harness.query_by_label_contains("This system shows no file dialogs: saved in ").is_some());
+        assert_eq!(std::fs::read_dir(&folder).expect("folder").count(), count);
+    }
+    // Both can be opened again: they are listed.
+    assert!(harness.state().settings().recent.iter().all(|file| file.is_file()));
+    assert_eq!(harness.state().settings().recent.len(), 2);
     std::fs::remove_dir_all(&folder).expect("removes");
 }
 

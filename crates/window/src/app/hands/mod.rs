@@ -18,6 +18,7 @@ use crate::input::pad_input::Pad;
 use crate::input::pan_keys::PanKeys;
 use crate::input::pouring::Portion;
 use crate::input::tool_hand::ToolHand;
+use crate::ui::tab_end::TabEnd;
 
 /// What keys, mouse and gamepad hold from frame to frame.
 #[derive(Default)]
@@ -27,4 +28,6 @@ pub(crate) struct Inputs {
     /// Portion that is poured at once.
     pub(crate) portion: Portion,
     pub(crate) pad: Pad,
+    /// Where the Tab key has come to.
+    pub(crate) tab_end: TabEnd,
 }

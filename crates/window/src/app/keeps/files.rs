@@ -1,7 +1,9 @@
 //! Files of the system: dialogs that open a recipe and save a cook, the recipes opened before, the folder of pictures.
 
 use crate::app::SauteApp;
-use crate::kept::files::{Asked, Dialog, read};
+use crate::app::export::COOK_SAID;
+use crate::kept::files::dialog_errors;
+use crate::kept::files::{Answer, Asked, Dialog, free_path, read};
 use crate::kept::session_file::write_whole;
 use crate::plan::PlanFile;
 use saute_session::export::Export;
@@ -11,6 +13,8 @@ use std::sync::mpsc::channel;
 
 /// Recipes that are remembered at most (chosen: what is seen without scrolling).
 const REMEMBERED: usize = 5;
+/// Key of what is said once a file is saved without a dialog.
+const SAVED_WITHOUT_DIALOG: &str = "notice.no_dialog_saved";
 
 impl SauteApp {
     /// Opens the system's file dialog for a recipe.
@@ -36,12 +40,12 @@ impl SauteApp {
         let ctx = ctx.clone();
         let dialog = self.dialog_for(asked);
         let begun = std::thread::Builder::new().name("file-dialog".to_owned()).spawn(move || {
-            let chosen = match asked {
+            let answer = dialog_errors::show(|| match asked {
                 Asked::Open => dialog.pick_file(),
                 Asked::Save(_) | Asked::SavePlan(_) => dialog.save_file(),
-            };
+            });
             // Nobody waits for the answer once the window is closed.
-            let _ = send.send(chosen);
+            let _ = send.send(answer);
             ctx.request_repaint();
         });
         match begun {
@@ -70,13 +74,16 @@ impl SauteApp {
         let Some((asked, answer)) = &self.keeps.dialog.0 else { return };
         let asked = *asked;
         match answer.try_recv() {
-            Ok(chosen) => {
+            Ok(answer) => {
                 self.keeps.dialog = Dialog::default();
-                match (chosen, asked) {
-                    (Some(path), Asked::Open) => self.open_file(&path),
-                    (Some(path), Asked::Save(what)) => self.save_export(what, &path),
-                    (Some(path), Asked::SavePlan(file)) => self.save_plan_at(file, &path),
-                    (None, _) => {}
+                match (answer, asked) {
+                    (Answer::Chosen(path), Asked::Open) => self.open_file(&path),
+                    (Answer::Chosen(path), Asked::Save(what)) => self.save_export(what, &path),
+                    (Answer::Chosen(path), Asked::SavePlan(file)) => self.save_plan_at(file, &path),
+                    (Answer::Cancelled, _) => {}
+                    (Answer::NotShown, Asked::Open) => self.say_how_to_open(),
+                    (Answer::NotShown, Asked::Save(what)) => self.export_without_dialog(what),
+                    (Answer::NotShown, Asked::SavePlan(file)) => self.save_plan_without_dialog(file),
                 }
             }
             Err(std::sync::mpsc::TryRecvError::Empty) => {}
@@ -87,26 +94,60 @@ impl SauteApp {
     /// Writes a file that is made of the cook, and says so; or says why it cannot.
     pub fn save_export(&mut self, what: Export, path: &Path) {
         let path = if path.extension().is_some() { path.to_owned() } else { path.with_extension(what.ending()) };
-        self.export_by(what, &path, |bytes| write_whole(&path, bytes).map_err(|error| error.to_string()));
+        self.export_to(what, &path, COOK_SAID);
+    }
+
+    /// Writes a file that is made of the cook where no dialog can ask for its place: into the folder of pictures.
+    pub fn export_without_dialog(&mut self, what: Export) {
+        let path = free_path(&self.pictures_folder(), &what.file_name(self.settings.language));
+        self.export_to(what, &path, [SAVED_WITHOUT_DIALOG, COOK_SAID[1]]);
+        if path.exists() {
+            self.remember(&path);
+        }
+    }
+
+    fn export_to(&self, what: Export, path: &Path, said: [&'static str; 2]) {
+        self.export_by(what, path, said, |bytes| write_whole(path, bytes).map_err(|error| error.to_string()));
     }
 
     /// Writes a file that is made of a plan, and says so; or says why it cannot.
     pub fn save_plan_at(&mut self, file: PlanFile, path: &Path) {
         let path = if path.extension().is_some() { path.to_owned() } else { path.with_extension(file.ending()) };
+        self.write_plan(file, &path, PlanFile::SAID);
+    }
+
+    /// Writes a file that is made of a plan where no dialog can ask for its place: into the folder of pictures.
+    fn save_plan_without_dialog(&mut self, file: PlanFile) {
+        let path = free_path(&self.pictures_folder(), &file.file_name(self.settings.language));
+        self.write_plan(file, &path, [SAVED_WITHOUT_DIALOG, PlanFile::SAID[1]]);
+    }
+
+    fn write_plan(&mut self, file: PlanFile, path: &Path, said: [&'static str; 2]) {
         let Some(bytes) = self.plan_file(file) else { return };
-        let written = write_whole(&path, &bytes).map_err(|error| error.to_string());
-        self.say_written(&path, written, PlanFile::SAID);
+        let written = write_whole(path, &bytes).map_err(|error| error.to_string());
+        self.say_written(path, written, said);
+    }
+
+    /// Says how a file is opened where no dialog can be shown.
+    fn say_how_to_open(&self) {
+        let folder = self.pictures_folder();
+        self.desk.notice.say(self.settings.language.fill("notice.no_dialog_open", &[("folder", &folder.display())]));
     }
 
     /// Opens a recipe's file and remembers it.
     pub(crate) fn open_file(&mut self, path: &Path) {
         let read = read(path);
         if read.is_ok() {
-            self.settings.recent.retain(|file| file != path);
-            self.settings.recent.insert(0, path.to_owned());
-            self.settings.recent.truncate(REMEMBERED);
+            self.remember(path);
         }
         self.take_file(&path.display().to_string(), read);
+    }
+
+    /// Lists a file first among those that were opened before.
+    fn remember(&mut self, path: &Path) {
+        self.settings.recent.retain(|file| file != path);
+        self.settings.recent.insert(0, path.to_owned());
+        self.settings.recent.truncate(REMEMBERED);
     }
 
     /// The folder into which pictures are saved.

@@ -1,7 +1,8 @@
 //! What the browser does for the window: events to the page, files, downloads.
 
 use crate::app::SauteApp;
-use crate::browser::{Inbox, announce, document, download, element, shown};
+use crate::app::export::COOK_SAID;
+use crate::browser::{Inbox, announce, download, element, shown};
 use crate::plan::PlanFile;
 use crate::ui::japanese_font;
 use js_sys::Uint8Array;
@@ -25,23 +26,11 @@ impl SauteApp {
         }
     }
 
-    /// Pauses while the tab is hidden, and says so once it is seen again.
-    fn pause_hidden(&mut self) {
-        let hidden = document().is_some_and(|document| document.hidden());
-        if hidden && !self.session.paused {
-            self.session.set_paused(true);
-            self.page.inbox.paused_hidden = true;
-        } else if !hidden && std::mem::take(&mut self.page.inbox.paused_hidden) {
-            self.say("notice.hidden");
-        }
-    }
-
     pub(crate) fn want_font(&mut self) {
         announce(FONT_WANTED);
     }
 
     pub(crate) fn take_inbox(&mut self, ctx: &egui::Context) {
-        self.pause_hidden();
         let (files, font) = self.page.inbox.take();
         if let Some(bytes) = font {
             self.page.inbox.taken_font = Some(Arc::new(egui::FontData::from_owned(bytes)));
@@ -63,7 +52,7 @@ impl SauteApp {
     /// Hands the browser a file that is made of the cook.
     pub(crate) fn export(&mut self, what: Export, _: &egui::Context) {
         let name = what.file_name(self.settings.language);
-        self.export_by(what, Path::new(&name), |bytes| download(&name, what.media_type(), bytes));
+        self.export_by(what, Path::new(&name), COOK_SAID, |bytes| download(&name, what.media_type(), bytes));
     }
 
     /// Hands the browser a file that is made of a plan.
