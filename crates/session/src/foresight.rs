@@ -3,11 +3,11 @@
 use std::sync::Arc;
 
 use saute_kitchen::advice::{Advice, FORECAST_HIGH_K, Goal, advise};
-use saute_kitchen::celsius;
 use saute_kitchen::doneness::{ScaleChoice, at_core, fitting};
 use saute_kitchen::food::Scale;
 use saute_kitchen::food::change::doneness::Measure;
 use saute_kitchen::piece::carry_over::foreseen_peak;
+use saute_kitchen::{Place, celsius};
 
 use super::Session;
 use crate::hands::Hands;
@@ -21,7 +21,19 @@ pub struct Forecast {
     pub in_s: f64,
 }
 
+/// Least rise of a resting core that is spoken of [K] (chosen: as much as the forecast is wrong).
+const RISES_K: f64 = 0.5;
+
 impl<H: Hands> Session<H> {
+    /// Returns how high the core of food that was taken out still rises [°C]; none once it is near its highest, or cools.
+    pub fn rises_to_c(&self) -> Option<f64> {
+        let piece = self.steak().filter(|piece| matches!(piece.place, Place::Rest(_)))?;
+        let (peak, _) = foreseen_peak(&piece.model, &piece.state, self.kitchen.room());
+        let (rises_to_c, core_c) = (celsius(peak) - FORECAST_HIGH_K, celsius(piece.core()));
+        let is_at_peak = piece.core() > piece.core_peak.0 - RISES_K;
+        (is_at_peak && rises_to_c > core_c + RISES_K).then_some(rises_to_c)
+    }
+
     /// Returns the forecast for taking the food out now; updated every simulated second.
     pub fn forecast(&mut self) -> Option<Forecast> {
         let piece = self.steak().filter(|p| p.in_pan())?;

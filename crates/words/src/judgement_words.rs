@@ -70,6 +70,24 @@ impl ResultWords {
     }
 }
 
+impl ResultWords {
+    /// The words while the food still rests, given how high its core rises [°C]: nothing is missed yet, and nothing is met.
+    #[must_use]
+    pub fn while_it_rests(self, rises_to_c: f64, speech: Speech) -> Self {
+        let l = speech.language;
+        let verdict = l.fill("result.resting", &[("core", &speech.temperature(rises_to_c))]);
+        let better = [self.better[0].clone(), l.text("better.rest_longer").to_owned()];
+        Self {
+            is_met: false,
+            verdict,
+            missed: Vec::new(),
+            score: l.text("result.score_later").to_owned(),
+            better,
+            ..self
+        }
+    }
+}
+
 /// Time from which a span is told in minutes, and to what it is rounded then [s] (chosen: nobody pulls by the second after minutes).
 const MINUTES_S: f64 = 120.0;
 const HALF_MINUTE_S: f64 = 30.0;

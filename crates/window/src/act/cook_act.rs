@@ -41,6 +41,8 @@ pub enum CookAct {
     Portion,
     /// Lid on or off.
     Lid,
+    /// Wipes the empty pan.
+    Wipe,
     /// The phone holds the pan, or no longer.
     #[cfg(target_arch = "wasm32")]
     TiltPhone,
@@ -88,6 +90,7 @@ impl CookAct {
             Self::Pour(Pourable::Water) => does(Subject::Food, "key.water"),
             Self::Portion => holds(Subject::Food, "key.portion"),
             Self::Lid => does(Subject::Food, "key.lid"),
+            Self::Wipe => does(Subject::Food, "key.wipe"),
             #[cfg(target_arch = "wasm32")]
             Self::TiltPhone => holds(Subject::Tool, Traits::NO_WORDS),
             Self::Tool => holds(Subject::Tool, "key.tool"),

@@ -62,6 +62,7 @@ fn cook() -> Vec<CookAct> {
         CookAct::Pour(_) => CookAct::Pour(Pourable::Oil),
         CookAct::Portion => CookAct::Portion,
         CookAct::Lid => CookAct::Lid,
+        CookAct::Wipe => CookAct::Wipe,
         CookAct::Tool => CookAct::Tool,
         CookAct::ToolBy(_) => CookAct::ToolBy(0.01),
         CookAct::RollBy(_) => CookAct::RollBy(0.1),

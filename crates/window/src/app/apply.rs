@@ -51,6 +51,7 @@ impl SauteApp {
             CookAct::Pour(what) => self.pour(what),
             CookAct::Portion => self.next_portion(),
             CookAct::Lid => self.turn_lid(),
+            CookAct::Wipe => self.command(&Command::Wipe),
             #[cfg(target_arch = "wasm32")]
             CookAct::TiltPhone => self.tilt_phone(),
             CookAct::Tool => self.choose_tool(),

@@ -57,7 +57,7 @@ fn standing(state: &WindowState, ui: &Ui, acts: &mut Acts, layout: &Layout) {
     });
 }
 
-fn says_what_holds(state: &WindowState) -> bool {
+pub(crate) fn says_what_holds(state: &WindowState) -> bool {
     state.session.kitchen.rules() == Rules::Paper2013 || state.settings.view != View::Look
 }
 

@@ -1,14 +1,13 @@
 //! What is inside now: the cut, doneness, temperatures, the goal and the curves.
 
 use egui::{RichText, Ui, vec2};
-use saute_kitchen::advice::{Advice, class_goal};
+use saute_kitchen::advice::class_goal;
 use saute_kitchen::food::Scale;
 use saute_kitchen::food::change::doneness::Measure;
 use saute_kitchen::{Piece, Place, celsius};
 
-use crate::act::{Act, Acts, AppAct, Card, CookAct, Setting, ViewAct};
+use crate::act::{Act, Acts, AppAct, Card, Setting, ViewAct};
 use crate::learn::goal_choice::named_goal;
-use crate::panels::learn::advice_words::{advice_words, do_it_words};
 use crate::panels::learn::callout::note_control;
 use crate::panels::learn::coach;
 use crate::panels::section_read::Inside;
@@ -22,9 +21,8 @@ use saute_words::clock::clock;
 const CUT_HEIGHT: f32 = 42.0;
 /// Difference of the hottest place of the pan from the mean from which it is shown [K] (chosen: less makes no other crust).
 const UNEVEN_K: f64 = 5.0;
-/// Room for a line of advice [points], and for how many of them there is room in this panel.
-const ADVICE_LINE: f32 = 16.5;
-const ADVICE_LINES: u8 = 4;
+/// Room for the words of the coach: a line of what to perceive, two of what happens [points].
+const COACH_HEIGHT: f32 = 50.0;
 
 /// Shows the panel.
 pub fn show(state: &WindowState, inside: &mut Inside, ui: &mut Ui, acts: &mut Acts) {
@@ -188,8 +186,7 @@ fn tidy(percent: f64) -> f64 {
 
 fn goal(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let Some(scale) = state.scale() else {
-        show_advice(state, ui, ADVICE_LINES, acts);
-        return;
+        return coached(state, ui);
     };
     let l = state.settings.language;
     // Japanese names are wide: the last of them may need a second line.
@@ -220,7 +217,7 @@ fn goal(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
             acts.push(Act::App(AppAct::Set(Setting::Goal(if share { shown } else { state.settings.celsius(shown) }))));
         }
     });
-    show_advice(state, ui, ADVICE_LINES, acts);
+    coached(state, ui);
 }
 
 /// The goal that the cook is judged by.
@@ -249,64 +246,16 @@ fn goals(settings: &Settings, scale: &Scale, ui: &mut Ui, acts: &mut Acts) {
     }
 }
 
-/// Shows what to do next: what is due in the accent, then what to wait for.
-pub fn show_advice(state: &WindowState, ui: &mut Ui, lines: u8, acts: &mut Acts) {
+/// What a coach says of the cook: what to perceive next, and what happens.
+fn coached(state: &WindowState, ui: &mut Ui) {
     // Always the same height, so that what is below stays where it is.
-    let (rect, _) =
-        ui.allocate_exact_size(vec2(ui.available_width(), ADVICE_LINE * f32::from(lines)), egui::Sense::hover());
+    let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), COACH_HEIGHT), egui::Sense::hover());
     let mut child = ui.new_child(egui::UiBuilder::new().max_rect(rect));
     child.set_clip_rect(rect.expand(2.0).intersect(ui.clip_rect()));
     child.spacing_mut().item_spacing.y = 1.0;
-    // Text that can be selected would take the clicks.
-    child.style_mut().interaction.selectable_labels = false;
-    if !state.reads_out() {
-        return;
-    }
-    let coached = state.coaching.is_some();
-    if state.guide_leads && !state.advice.iter().any(|one| one.is_due()) {
+    if state.guide_leads {
         let words = state.settings.language.text("plan.leads");
         child.add(egui::Label::new(RichText::new(words).size(13.0)).truncate()).on_hover_text(words);
-        return coach::show(state, &mut child, lines < ADVICE_LINES);
     }
-    // Below one line of advice the coach speaks; what is due is not left out for that.
-    let due = state.advice.iter().filter(|one| one.is_due()).count();
-    let told = if coached { due.clamp(1, 2) } else { 2 };
-    if let Some(watts) = state.advice.first().and_then(|one| one.hob_w()) {
-        do_it(state, &mut child, watts, rect, acts);
-    }
-    for (place, advice) in state.advice.iter().take(told).enumerate() {
-        // The second one has what the first one leaves, or one line.
-        one_advice(state, &mut child, *advice, [place == 0 && (!coached || told == 1), place > 0 && !coached]);
-    }
-    coach::show(state, &mut child, lines < ADVICE_LINES);
-}
-
-/// One advice: whole, or where it fits, else in one line.
-fn one_advice(state: &WindowState, ui: &mut Ui, advice: Advice, [whole, where_it_fits]: [bool; 2]) {
-    let words = advice_words(advice, state);
-    let text = RichText::new(&words).size(13.5);
-    let text = if advice.is_due() { text.color(theme::of(ui).accent).strong() } else { text };
-    let text = if advice.hob_w().is_some() { text.underline() } else { text };
-    let height = |ui: &Ui| {
-        let text = egui::WidgetText::from(text.clone());
-        text.into_galley(ui, Some(egui::TextWrapMode::Wrap), ui.available_width(), egui::TextStyle::Body).size().y
-    };
-    let whole = whole || (where_it_fits && height(ui) <= ui.available_height());
-    let label = egui::Label::new(text);
-    ui.add(if whole { label } else { label.truncate() }).on_hover_text(words);
-}
-
-/// A click on the place of the advice sets the hob as it says; a finger may miss by a line's distance.
-fn do_it(state: &WindowState, ui: &mut Ui, watts: f64, place: egui::Rect, acts: &mut Acts) {
-    let place = place.expand2(vec2(0.0, (0.5 * (fingers::height(ui, 0.0) - place.height())).max(0.0)));
-    let response = ui.interact(place, ui.scope_id().with("do it"), egui::Sense::click());
-    let name = do_it_words(watts, state);
-    response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Button, true, &name));
-    if response.has_focus() {
-        let line = egui::Stroke::new(2.0, theme::of(ui).text);
-        ui.painter().rect_stroke(place, 4.0, line, egui::StrokeKind::Inside);
-    }
-    if response.on_hover_cursor(egui::CursorIcon::PointingHand).on_hover_text(name).clicked() {
-        acts.push(Act::Cook(CookAct::HobSet(watts)));
-    }
+    coach::show(state, &mut child, false);
 }

@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use crate::panels::cards::result::CutOfResult;
 use crate::panels::guided::Entries;
+use crate::panels::now::time_left::TimeLeft;
 use crate::panels::section_read::Inside;
 use crate::panels::still::Stills;
 use crate::panels::ways::memory::WaysMemory;
@@ -44,6 +45,8 @@ pub struct PanelMemory {
     pub drawer: Drawer,
     /// Groups of which the list shows every piece.
     pub unfolded: BTreeSet<String>,
+    /// How long what is waited for takes.
+    pub now: TimeLeft,
     /// How many pieces the pantry adds at once.
     pub count: usize,
     /// What was typed into the search of the help.
@@ -67,6 +70,7 @@ impl Default for PanelMemory {
             inside: Inside::default(),
             drawer: Drawer::default(),
             unfolded: BTreeSet::new(),
+            now: TimeLeft::default(),
             count: 1,
             search: String::new(),
             stills: Stills::default(),

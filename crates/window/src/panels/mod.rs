@@ -16,6 +16,7 @@ pub mod inside;
 pub mod learn;
 pub mod legend;
 pub mod memory;
+pub mod now;
 pub mod pantry;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod photo_bar;
@@ -64,9 +65,7 @@ pub fn show_all(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts
     if state.reads_out() {
         read_out::show(state, ui, whole);
     }
-    if !state.is_blind() {
-        learn::goal_alarm::show(state, ui, acts, layout);
-    }
+    now::show(state, &mut memory.now, ui, acts, layout);
     learn::callout::show(state, ui, acts, layout);
     let below = plan::strip::show(state, ui, acts, layout);
     badge::show(state, ui, acts, &below);
@@ -159,6 +158,8 @@ fn drawer(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut
         let width = ui.available_width();
         time_strip::show(state, ui, acts, egui::vec2(width, height));
     });
+    now::in_drawer(state, &mut memory.now, ui, acts);
+    ui.add_space(2.0);
     scrolled(ui, |ui| match memory.drawer {
         Drawer::Cook => hob_bar::show(state, ui, acts, true),
         Drawer::Inside | Drawer::Pieces if guided::hides_panel(state, ui) => {}

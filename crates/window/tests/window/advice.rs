@@ -50,7 +50,13 @@ fn cooked(pan: &str, mm: f64) -> Harness<'static, SauteApp> {
     harness.state_mut().act(Act::App(AppAct::Set(Setting::Choice(choice))), &context);
     harness.state_mut().act(Act::Cook(CookAct::SetOut), &context);
     steps(&mut harness, 2);
+    let mut stages = 0;
     while !follow(&mut harness) {
+        // What the line says is looked at: a picture of every second minute.
+        if harness.state().session().kitchen.time_s() >= 100.0 * f64::from(stages) {
+            save(&mut harness, &format!("now-{pan}-{stages}"));
+            stages += 1;
+        }
         (0..50).for_each(|_| harness.state_mut().session_mut().tick().expect("ticks"));
         steps(&mut harness, 2);
         assert!(harness.state().session().kitchen.time_s() < 3600.0, "the advice leads nowhere");

@@ -36,9 +36,13 @@ impl SauteApp {
         let goal = live.map(|live| live.goal().clone()).or_else(|| goal_of(&self.session, &self.settings))?;
         let judgement = self.session.judgement(&goal)?;
         let words = ResultWords::of(&judgement, &goal, &self.session.noun(), self.settings.speech());
-        Some(match live {
-            Some(live) => words.of_plan(live.plan(), &live.kept(&self.session, &judgement), self.settings.speech()),
-            None => words,
+        // A plan says itself when it is served.
+        Some(match (live, self.session.rises_to_c()) {
+            (Some(live), _) => {
+                words.of_plan(live.plan(), &live.kept(&self.session, &judgement), self.settings.speech())
+            }
+            (None, Some(rises_to_c)) => words.while_it_rests(rises_to_c, self.settings.speech()),
+            (None, None) => words,
         })
     }
 

@@ -8,6 +8,7 @@ use saute_kitchen::{EventKind, Holding, Place, celsius};
 use crate::act::{Act, Acts, CookAct, TimeAct};
 use crate::panels::cook::act_button::{button, pressed, why_off};
 use crate::panels::cook::{hob_slider, pour, status, time_strip};
+use crate::panels::learn::coach;
 use crate::panels::window_state::WindowState;
 use crate::ui::bell::{self, Bell};
 use crate::ui::theme;
@@ -30,14 +31,17 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
     if narrow {
         ui.spacing_mut().interact_size.y = theme::TOUCH;
         (ui.spacing_mut().item_spacing, ui.spacing_mut().button_padding.x) = (egui::vec2(6.0, 6.0), 9.0);
-        crate::panels::inside::show_advice(state, ui, 2, acts);
+        coach::show(state, ui, true);
         ui.horizontal_wrapped(|ui| hands(state, ui, acts));
         ui.horizontal_wrapped(|ui| {
             hob_slider::show(state, ui, acts);
             hold(state, ui, acts);
         });
         ui.horizontal_wrapped(|ui| time(state, ui, acts));
-        ui.horizontal_wrapped(|ui| pour::show(state, ui, acts));
+        ui.horizontal_wrapped(|ui| {
+            pour::show(state, ui, acts);
+            cloth(state, ui, acts);
+        });
         if state.turner_in_hand {
             ui.horizontal_wrapped(|ui| pour::turner(state, ui, acts));
         }
@@ -88,6 +92,13 @@ fn hob(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     ui.label(RichText::new(l.text("hob.hob")).color(theme::of(ui).quiet));
     hob_slider::show(state, ui, acts);
     hold(state, ui, acts);
+    cloth(state, ui, acts);
+}
+
+/// Sets the pan onto the wet cloth, and back.
+fn cloth(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+    let on_cloth = state.session.kitchen.cloth().is_some();
+    button(state, ui, acts, state.settings.language.text("hob.cloth"), on_cloth, true, Act::Cook(CookAct::Cloth));
 }
 
 /// The temperatures at which the hob can hold the pan, in a list.
@@ -124,8 +135,7 @@ fn hands(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let some_outside = state.session.its_group().iter().any(outside);
     // Not before the pan is hot: a button that is lit asks to be pressed.
     let next_is_put = state.advice.iter().any(|advice| matches!(advice, Advice::PutIn { .. }));
-    let food_in = l.fill("hob.food_in", &[("food", &capitalised(l.called("noun", &state.session.noun())))]);
-    button(state, ui, acts, &food_in, next_is_put, some_outside, Act::Cook(CookAct::Put));
+    button(state, ui, acts, &food_in(state), next_is_put, some_outside, Act::Cook(CookAct::Put));
     button(state, ui, acts, l.text("hob.flip"), false, in_pan, Act::Cook(CookAct::Flip));
     if matches!(place, Some(Place::Rest(_))) {
         // What lies on the board cannot be taken out, but cut.
@@ -134,12 +144,16 @@ fn hands(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     } else {
         button(state, ui, acts, l.text("hob.take_out"), false, in_pan, Act::Cook(CookAct::Out));
     }
-    let on_cloth = state.session.kitchen.cloth().is_some();
-    button(state, ui, acts, l.text("hob.cloth"), on_cloth, true, Act::Cook(CookAct::Cloth));
     button(state, ui, acts, l.text("hob.restart"), false, true, Act::Cook(CookAct::Restart));
 }
 
-fn capitalised(text: &str) -> String {
+/// What the button says that puts the food in.
+pub(crate) fn food_in(state: &WindowState) -> String {
+    let l = state.settings.language;
+    l.fill("hob.food_in", &[("food", &capitalised(l.called("noun", &state.session.noun())))])
+}
+
+pub(crate) fn capitalised(text: &str) -> String {
     let mut letters = text.chars();
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }

@@ -1,6 +1,7 @@
 //! What goes into the pan and onto it: oil, butter, water, the lid; and which tool is in the hand.
 
 use egui::Ui;
+use saute_kitchen::Piece;
 use saute_kitchen::dynamics::Tool;
 
 use crate::act::{Act, Acts, CookAct, ROLL_STEP, TOOL_STEP};
@@ -20,6 +21,8 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let portion = state.portion.name(l);
     button(state, ui, acts, portion, false, true, Act::Cook(CookAct::Portion));
     button(state, ui, acts, l.text("pour.lid"), lid, true, Act::Cook(CookAct::Lid));
+    let is_empty = !state.session.kitchen.pieces().iter().any(Piece::in_pan);
+    button(state, ui, acts, l.text("pour.wipe"), false, is_empty, Act::Cook(CookAct::Wipe));
     let tool = match state.tool {
         Tool::Tongs => "pour.tongs",
         Tool::Turner => "pour.turner",

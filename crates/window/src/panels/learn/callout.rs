@@ -114,6 +114,11 @@ pub fn note_control(ui: &Ui, act: &Act, rect: Rect) {
     ui.ctx().data_mut(|data| data.insert_temp(id_of(act), rect));
 }
 
+/// Where the control of an act is, if it was shown.
+pub(crate) fn control_rect(ui: &Ui, act: &Act) -> Option<Rect> {
+    ui.ctx().data(|data| data.get_temp::<Rect>(id_of(act)))
+}
+
 fn id_of(act: &Act) -> Id {
     Id::unique(("control", format!("{act:?}")))
 }
@@ -121,7 +126,7 @@ fn id_of(act: &Act) -> Id {
 /// A ring round the control that is meant.
 fn ring(tutorial: &Tutorial, ui: &Ui) {
     let Some(act) = control(tutorial.step()) else { return };
-    let Some(rect) = ui.ctx().data(|data| data.get_temp::<Rect>(id_of(&act))) else { return };
+    let Some(rect) = control_rect(ui, &act) else { return };
     let over = ui.ctx().layer_painter(egui::LayerId::new(egui::Order::Foreground, Id::unique("tutorial-ring")));
     over.rect_stroke(rect.expand(3.0), 10.0, Stroke::new(2.5, theme::of(ui).accent), StrokeKind::Outside);
 }

@@ -3,4 +3,3 @@
 pub mod advice_words;
 pub mod callout;
 pub mod coach;
-pub mod goal_alarm;

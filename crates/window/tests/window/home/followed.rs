@@ -17,8 +17,7 @@ use super::plan::{PHONE, WIDE, act, due, found, plan, plan_for};
 use crate::harness::{WINDOW, save, steps};
 
 /// Beginnings of orders that advice, coach and alarm give.
-const ORDERS: [&str; 6] =
-    ["Take it out now", "Flip the", "turn the hob", "Turn the hob", "Goal reached", "The pan is hot. Put"];
+const ORDERS: [&str; 5] = ["Take it out now", "Flip the", "turn the hob", "Turn the hob", "The pan is hot. Put"];
 
 fn says(harness: &Harness<'static, SauteApp>, words: &str) -> bool {
     harness.query_all_by_label_contains(words).next().is_some()

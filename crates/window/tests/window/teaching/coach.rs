@@ -24,20 +24,20 @@ fn the_coach_says_what_happens_and_what_to_perceive_next_and_can_be_off() {
 }
 
 #[test]
-fn an_alarm_at_the_goal_takes_the_food_out_by_one_click_and_is_gone_then() {
+fn the_line_at_the_goal_takes_the_food_out_by_one_click_and_is_gone_then() {
     for size in [WIDE, PHONE] {
         let mut harness = small_steak(size);
         put_in(&mut harness);
         until(&mut harness, |session| core_c(session) > 30.0);
         command(&mut harness, &Command::Flip { food: "steak".into() });
         steps(&mut harness, 3);
-        assert!(!says(&harness, "Goal reached") && !harness.state().pad_pulses());
+        assert!(!says(&harness, "Take it out now") && !harness.state().pad_pulses());
         until(&mut harness, |session| core_c(session) > 60.0);
         steps(&mut harness, 1);
         assert!(harness.state().pad_pulses(), "a gamepad says it, too");
         steps(&mut harness, 12);
         assert!(!harness.state().pad_pulses(), "once");
-        assert!(says(&harness, "Goal reached: take it out now"));
+        assert!(says(&harness, "Take it out now"));
         save(&mut harness, if size == WIDE { "coach-alarm" } else { "coach-alarm-phone" });
         harness.get_by_label("Take it out: the goal is reached").click();
         harness.state_mut().session_mut().set_paused(false);
@@ -47,7 +47,7 @@ fn an_alarm_at_the_goal_takes_the_food_out_by_one_click_and_is_gone_then() {
         };
         until(&mut harness, out);
         steps(&mut harness, 3);
-        assert!(!says(&harness, "Goal reached"));
+        assert!(!says(&harness, "Take it out now"));
     }
 }
 
@@ -60,7 +60,7 @@ fn without_the_coach_no_gamepad_pulses_at_the_goal() {
     command(&mut harness, &Command::Flip { food: "steak".into() });
     until(&mut harness, |session| core_c(session) > 60.0);
     steps(&mut harness, 1);
-    assert!(!harness.state().pad_pulses() && !says(&harness, "Goal reached"));
+    assert!(!harness.state().pad_pulses());
     set(&mut harness, Setting::Coach(true));
     assert!(harness.state().pad_pulses(), "switched on, it says so");
 }

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use egui::Key;
 use egui_kittest::kittest::Queryable;
-use saute_kitchen::{Command, RestOn};
+use saute_kitchen::{Command, Place, RestOn};
 use saute_plan::goal::{Better, Goal, Judgement, Shortfall, Verdict};
 use saute_window::act::{Act, AppAct, Card, CookAct, Setting};
 use saute_window::learn::goal_choice::goal_of;
@@ -138,10 +138,15 @@ fn food_that_no_button_took_out_has_its_result_too_and_nearly_raw_food_is_told_n
     let rest = Command::Rest { food: "steak".into(), on: RestOn::Board };
     harness.state_mut().session_mut().kitchen.apply(&rest).expect("comes out");
     command(&mut harness, &Command::Hob(0.0));
+    until(&mut harness, |session| session.steak().is_some_and(|steak| matches!(steak.place, Place::Rest(_))));
+    // Who asks before it has rested is told neither that it is missed nor that it is met.
+    act(&mut harness, Act::App(AppAct::Open(Card::Result)));
+    assert!(says(&harness, "Still resting: the core rises to about ") && !says(&harness, "Goal missed"));
+    act(&mut harness, Act::App(AppAct::Shut(Card::Result)));
     until(&mut harness, |session| session.steak().is_some_and(|steak| steak.core() < steak.core_peak.0 - 0.5));
     harness.state_mut().session_mut().set_paused(false);
     steps(&mut harness, 8);
-    assert!(says(&harness, "One thing to do better"), "it opens by itself");
+    assert!(says(&harness, "One thing to do better") && says(&harness, "Goal missed"), "it opens by itself");
     save(&mut harness, "result-raw");
     let better = ResultWords::of(
         &judged(harness.state()),

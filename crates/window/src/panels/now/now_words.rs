@@ -1,0 +1,156 @@
+//! Advice as a verb, a reason and a deed.
+
+use saute_kitchen::advice::{Advice, BROWN, Situation, WARM_ENOUGH_C};
+
+use super::time_left::{Course, TimeLeft};
+use crate::act::{Act, AppAct, Card, CookAct};
+use crate::panels::cook::hob_bar::{capitalised, food_in};
+use crate::panels::learn::advice_words::{advice_words, class_now, do_it_words, resting_words};
+use crate::panels::window_state::WindowState;
+use saute_words::clock::clock;
+
+/// Share of the goal's temperature from which the pace of the core tells how long it takes [-] (chosen: before, it still follows the
+/// first heat of the pan, and a cook was told 5 min and then 12).
+const STEADY: f64 = 0.5;
+
+/// The button of the line.
+pub(super) struct Deed {
+    /// What stands on it.
+    pub text: String,
+    /// What it is called.
+    pub spoken: String,
+    /// What it does.
+    pub act: Act,
+}
+
+/// What the line says.
+pub(super) struct NowWords {
+    /// The verb, or what goes on.
+    pub verb: String,
+    /// Why, or how long.
+    pub why: String,
+    /// Both in one sentence, for those who hear it.
+    pub spoken: String,
+    /// The button.
+    pub deed: Option<Deed>,
+    /// True if somebody should act now.
+    pub is_due: bool,
+}
+
+impl NowWords {
+    /// Words for the most urgent advice.
+    pub fn of(advice: Advice, state: &WindowState, memory: &mut TimeLeft) -> Self {
+        let [verb, why] = Words { state }.of(advice, memory);
+        Self { verb, why, spoken: advice_words(advice, state), deed: deed(advice, state), is_due: advice.is_due() }
+    }
+}
+
+/// What the button does, where there is something to do.
+fn deed(advice: Advice, state: &WindowState) -> Option<Deed> {
+    let l = state.settings.language;
+    let of = |text: String, act: Act| {
+        let spoken = l.fill("advice.do", &[("deed", &text)]);
+        Some(Deed { text, spoken, act })
+    };
+    match advice {
+        Advice::PutIn { .. } => of(food_in(state), Act::Cook(CookAct::Put)),
+        Advice::Flip => of(l.text("hob.flip").to_owned(), Act::Cook(CookAct::Flip)),
+        Advice::TakeOut { .. } | Advice::Ready { .. } => {
+            let deed = of(l.text("hob.take_out").to_owned(), Act::Cook(CookAct::Out))?;
+            Some(Deed { spoken: l.text("coach.take_out_spoken").to_owned(), ..deed })
+        }
+        Advice::Rested { .. } => of(l.text("result.title").to_owned(), Act::App(AppAct::Open(Card::Result))),
+        about_hob => {
+            let watts = about_hob.hob_w()?;
+            let text = if watts == 0.0 { l.text("now.off").to_owned() } else { format!("{watts:.0} W") };
+            Some(Deed { text, spoken: do_it_words(watts, state), act: Act::Cook(CookAct::HobSet(watts)) })
+        }
+    }
+}
+
+/// The words of a state of the window.
+struct Words<'a> {
+    state: &'a WindowState<'a>,
+}
+
+impl Words<'_> {
+    /// Verb and reason.
+    fn of(&self, advice: Advice, memory: &mut TimeLeft) -> [String; 2] {
+        let now = self.state.session.kitchen.time_s();
+        match advice {
+            Advice::TurnOn { power_w } => [self.text("now.turn_on"), self.with_power("now.heats_it", power_w)],
+            Advice::TurnOff => [self.text("now.turn_off"), self.text("now.nothing_left")],
+            Advice::TooCold { .. } => [self.text("now.turn_up"), self.text("now.too_cold")],
+            Advice::TooHot { smokes: true, .. } => [self.text("now.turn_down"), self.text("now.smokes")],
+            Advice::TooHot { hottest_c, .. } => {
+                [self.text("now.turn_down"), self.with_temperature("now.too_hot", hottest_c)]
+            }
+            Advice::BothBrown { .. } => [self.text("now.turn_down"), self.text("now.both_brown")],
+            Advice::TurnDown { .. } => [self.text("now.turn_down"), self.text("now.hot_enough")],
+            Advice::Heating { pan_c, .. } => {
+                let left = memory.until(Course::Pan, now, pan_c, WARM_ENOUGH_C);
+                [self.in_time("now.in_soon", "now.heating", left), self.with_temperature("now.heating_from", pan_c)]
+            }
+            Advice::PutIn { .. } => [self.of_food("now.put_in"), self.text("now.pan_is_hot")],
+            Advice::Flip => [self.of_food("now.flip"), self.text(self.why_flip())],
+            Advice::TakeOut { peak_c } => [self.of_food("now.take_out"), self.with_temperature("now.rests_up", peak_c)],
+            Advice::Ready { .. } => [self.of_food("now.take_out"), self.class("now.core_is")],
+            Advice::WouldPeak { peak_c, .. } => {
+                let goal = self.state.scale().map_or(peak_c, |scale| self.state.settings.goal(&scale));
+                let left = memory.until(Course::Core, now, peak_c, goal).filter(|_| peak_c >= STEADY * goal);
+                [self.in_time("now.out_soon", "now.frying", left), self.with_temperature("now.would_peak", peak_c)]
+            }
+            Advice::NotReady { share_pct, until_pct } => {
+                let [share, goal] = [share_pct, until_pct].map(|pct| format!("{pct:.0}"));
+                let why = self.fill("now.changed", &[("percent", &share), ("goal", &goal)]);
+                [self.class("now.core_is"), why]
+            }
+            Advice::Wet { .. } => [self.text("now.frying"), self.text("now.wet")],
+            Advice::Browns { .. } => [self.text("now.frying"), self.text("now.browns")],
+            Advice::Resting { warms, .. } => {
+                [self.text("now.resting"), self.text(if warms { "now.still_warms" } else { "now.at_highest" })]
+            }
+            Advice::Rested { peak_c } => [self.text("now.rested"), resting_words("now.reached", peak_c, self.state)],
+        }
+    }
+
+    /// Why it is time to flip.
+    fn why_flip(&self) -> &'static str {
+        let session = &self.state.session;
+        let browned = session.steak().map(|piece| Situation::of(&session.kitchen, piece).browning[0]);
+        if browned.is_some_and(|below| below >= BROWN) { "now.brown_below" } else { "now.half_way" }
+    }
+
+    fn text(&self, key: &'static str) -> String {
+        self.state.settings.language.text(key).to_owned()
+    }
+
+    fn fill(&self, key: &'static str, parts: &[(&str, &dyn std::fmt::Display)]) -> String {
+        self.state.settings.language.fill(key, parts)
+    }
+
+    fn with_temperature(&self, key: &'static str, celsius: f64) -> String {
+        self.fill(key, &[("temperature", &self.state.settings.temperature(celsius))])
+    }
+
+    fn with_power(&self, key: &'static str, watts: f64) -> String {
+        self.fill(key, &[("power", &format!("{watts:.0} W"))])
+    }
+
+    fn of_food(&self, key: &'static str) -> String {
+        let l = self.state.settings.language;
+        l.fill(key, &[("food", &l.called("noun", &self.state.session.noun()))])
+    }
+
+    fn class(&self, key: &'static str) -> String {
+        self.fill(key, &[("class", &class_now(self.state))])
+    }
+
+    /// In how long, to ten seconds; what goes on where that is not known.
+    fn in_time(&self, key: &'static str, otherwise: &'static str, left_s: Option<f64>) -> String {
+        let Some(left_s) = left_s else { return self.text(otherwise) };
+        let l = self.state.settings.language;
+        let time = clock(10.0 * (0.1 * left_s).ceil());
+        l.fill(key, &[("food", &capitalised(l.called("noun", &self.state.session.noun()))), ("time", &time)])
+    }
+}
