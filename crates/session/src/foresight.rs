@@ -11,6 +11,7 @@ use saute_kitchen::{Place, celsius};
 
 use super::Session;
 use crate::hands::Hands;
+use crate::kept_order::Moment;
 
 /// Forecast for food that is taken out now.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -61,7 +62,9 @@ impl<H: Hands> Session<H> {
                 Some(Goal::Share { wanted_pct: wanted, reached_pct })
             }
         });
-        self.steak().map_or_else(Vec::new, |piece| advise(&self.kitchen, piece, goal))
+        let advice = self.steak().map_or_else(Vec::new, |piece| advise(&self.kitchen, piece, goal));
+        let now = Moment { hob_w: self.kitchen.hob_w(), time_s: self.kitchen.time_s(), speed: self.speed };
+        self.order.keep(advice, now)
     }
 
     /// Returns the scales of doneness with the one with an id chosen.

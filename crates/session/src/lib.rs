@@ -9,6 +9,7 @@ pub mod forecasts;
 mod foresight;
 pub mod hands;
 mod judging;
+mod kept_order;
 mod mark;
 pub mod permits;
 pub mod plan;
@@ -29,6 +30,7 @@ use saute_study::class::Lesson;
 
 use self::choice::as_recipe;
 use self::hands::{Hands, NoHands};
+use self::kept_order::KeptOrder;
 use self::permits::{NotDone, Permits};
 use self::timeline::Timeline;
 
@@ -82,6 +84,8 @@ pub struct Session<H = NoHands> {
     selected: Option<String>,
     start_mass_g: BTreeMap<String, f64>,
     forecast: Option<(String, u64, Forecast)>,
+    /// The order about the hob that stands.
+    order: KeptOrder,
 }
 
 impl<H: Hands> Session<H> {
@@ -120,6 +124,7 @@ impl<H: Hands> Session<H> {
             selected: None,
             start_mass_g: BTreeMap::new(),
             forecast: None,
+            order: KeptOrder::default(),
         };
         session.begin();
         Ok(session)

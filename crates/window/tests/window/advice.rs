@@ -66,15 +66,14 @@ fn cooked(pan: &str, mm: f64) -> Harness<'static, SauteApp> {
 
 #[test]
 fn whoever_follows_the_words_of_the_window_gets_a_medium_steak() {
-    for (pan, mm) in [("carbon-steel-26", 25.0), ("cast-iron-26", 18.0)] {
-        let mut harness = cooked(pan, mm);
-        let app = harness.state();
-        let (steak, scale) = (app.session().steak().expect("steak"), app.scale().expect("a scale"));
-        assert_eq!(core_class(steak, &scale), "medium", "{pan} {mm} mm");
-        assert!(says(&harness, "medium (Kato & Hasegawa 2013)"), "the window says so too");
-        assert_eq!(app.session().kitchen.hob_w(), 0.0);
-        save(&mut harness, &format!("advice-{pan}"));
-    }
+    let (pan, mm) = ("carbon-steel-26", 25.0);
+    let mut harness = cooked(pan, mm);
+    let app = harness.state();
+    let (steak, scale) = (app.session().steak().expect("steak"), app.scale().expect("a scale"));
+    assert_eq!(core_class(steak, &scale), "medium", "{pan} {mm} mm");
+    assert!(says(&harness, "medium (Kato & Hasegawa 2013)"), "the window says so too");
+    assert_eq!(app.session().kitchen.hob_w(), 0.0);
+    save(&mut harness, &format!("advice-{pan}"));
 }
 
 /// A pan with its film of oil at a temperature.

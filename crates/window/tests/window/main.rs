@@ -13,6 +13,7 @@ mod japanese;
 mod keys;
 mod language;
 mod mirror;
+mod now;
 mod pan;
 mod photo;
 mod settings;
