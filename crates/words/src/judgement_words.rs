@@ -4,15 +4,13 @@ use std::fmt::Display;
 
 use saute_kitchen::data::goals::Counted;
 use saute_kitchen::food::change::doneness::Measure;
-use saute_plan::goal::{Better, Goal, Judgement, Shortfall, Term, TermKind, Verdict};
+use saute_plan::goal::{Better, Goal, Judgement, Shortfall, Verdict};
 
 use crate::language::Language;
+use crate::mark_words::{mark_words, table};
 use crate::speech::Speech;
 
-/// Least value of a term that the table names [-] (chosen: it would print as 0.0).
-const NAMED: f64 = 0.05;
-
-/// A row of the table of the score: what, its value, its weight and its points.
+/// A row of the table of the mark: what, how much of it is reached, its weight and its points.
 pub type TermRow = [String; 4];
 
 /// A result in words.
@@ -24,11 +22,13 @@ pub struct ResultWords {
     pub verdict: String,
     /// What is missing.
     pub missed: Vec<String>,
-    /// The score [points, at most 100].
+    /// The mark [points, at most 100].
     pub points: f64,
-    /// The score in words.
-    pub score: String,
-    /// Heads of the table of the score, and its rows.
+    /// The grade and the mark in words.
+    pub mark: String,
+    /// The heading over how it is counted.
+    pub counted: String,
+    /// Heads of the table of how it is counted, and its rows.
     pub table: (TermRow, Vec<TermRow>),
     /// Names and values of what shows why.
     pub measures: Vec<(String, String)>,
@@ -59,9 +59,10 @@ impl ResultWords {
             is_met,
             verdict: l.fill(key, &[("goal", &name)]),
             missed,
-            points: judgement.score.0,
-            score: teller.score(),
-            table: teller.table(),
+            points: judgement.mark.points(),
+            mark: mark_words(&judgement.mark, l),
+            counted: l.text("mark.counted").to_owned(),
+            table: table(&judgement.mark, goal, l),
             measures: teller.measures(),
             better: [l.text("result.better").to_owned(), teller.better()],
             cut: l.fill("inside.section", &[("food", &l.called("noun", food))]),
@@ -81,7 +82,7 @@ impl ResultWords {
             is_met: false,
             verdict,
             missed: Vec::new(),
-            score: l.text("result.score_later").to_owned(),
+            mark: l.text("result.mark_later").to_owned(),
             better,
             ..self
         }
@@ -149,12 +150,6 @@ impl Teller<'_> {
         self.speech.language.called("class", name).to_owned()
     }
 
-    /// The score, and what would have 100 points.
-    fn score(&self) -> String {
-        let key = if self.goal.counts == Counted::Faces { "result.score_faces" } else { "result.score" };
-        self.fill(key, &[("points", &points(self.judgement.score.0)), ("class", &self.class())])
-    }
-
     fn missing(&self, shortfall: Shortfall) -> String {
         let (outcome, goal) = (&self.judgement.outcome, self.goal);
         let pct = |value: f64| format!("{value:.0}");
@@ -182,45 +177,6 @@ impl Teller<'_> {
                 .fill("result.burnt", &[("share", &pct(outcome.charred_pct)), ("most", &pct(goal.most_charred_pct))]),
             Shortfall::Fire => self.text("result.fire"),
         }
-    }
-
-    fn table(&self) -> (TermRow, Vec<TermRow>) {
-        let heads = ["result.term", "result.value", "result.weight", "result.points"].map(|key| self.text(key));
-        let is_named = |term: &&Term| term.kind == TermKind::Share || term.value >= NAMED;
-        (heads, self.judgement.terms.iter().filter(is_named).map(|term| self.row(term)).collect())
-    }
-
-    fn row(&self, term: &Term) -> TermRow {
-        let unit = match term.kind {
-            TermKind::Share | TermKind::MissingCrust | TermKind::Charred | TermKind::Lost => "\u{a0}%",
-            TermKind::CoreMiss | TermKind::OffAim | TermKind::Hot => "\u{a0}K",
-            TermKind::Flips | TermKind::Fire => "",
-        };
-        let places = if matches!(term.kind, TermKind::Flips | TermKind::Fire) { 0 } else { 1 };
-        let (value, points) = (term.value, term.points());
-        let sign = if points < 0.0 { "−" } else { "" };
-        [
-            self.term(term.kind),
-            format!("{value:.places$}{unit}"),
-            format!("× {}", term.weight.abs()),
-            format!("{sign}{:.1}", points.abs()),
-        ]
-    }
-
-    fn term(&self, kind: TermKind) -> String {
-        let key = match kind {
-            TermKind::Share if self.goal.counts == Counted::Faces => "term.browned",
-            TermKind::Share => return self.fill("term.share", &[("class", &self.class())]),
-            TermKind::MissingCrust => "term.missing_crust",
-            TermKind::Charred => "term.charred",
-            TermKind::CoreMiss => "term.core_miss",
-            TermKind::OffAim => "term.off_aim",
-            TermKind::Lost => "term.lost",
-            TermKind::Hot => "term.hot",
-            TermKind::Flips => "term.flips",
-            TermKind::Fire => "term.fire",
-        };
-        self.text(key)
     }
 
     fn measures(&self) -> Vec<(String, String)> {

@@ -1,10 +1,12 @@
 //! The result of a cook of a plan in words: measured by what the plan promised, not by what another cook could have given.
 
+use saute_plan::goal::mark::Mark;
 use saute_plan::schedule::kept::Kept;
 use saute_plan::schedule::{Deed, Plan};
 
-use crate::judgement_words::{ResultWords, points, span};
+use crate::judgement_words::{ResultWords, span};
 use crate::language::Language;
+use crate::mark_words::whole;
 use crate::speech::Speech;
 use crate::{cue_words, plan_words};
 
@@ -19,8 +21,8 @@ impl ResultWords {
             (false, _) => "result.missed",
         };
         self.verdict = l.fill(key, &[("goal", &goal)]);
-        let [had, promised] = [self.points, plan.score.0].map(points);
-        self.score = l.fill("planned.score", &[("points", &had), ("promised", &promised)]);
+        let promised = whole(&Mark::of(&plan.promised, &plan.order.goal));
+        self.mark = l.fill("planned.mark", &[("mark", &self.mark), ("promised", &promised)]);
         self.better[1] = better(kept, plan, l);
         self
     }

@@ -52,6 +52,9 @@ pub struct GoalDescription {
     /// Share that is to be exceeded or reached [%].
     #[schemars(range(min = 0.0, max = 100.0), example = 40.0)]
     pub least_share_pct: f64,
+    /// Share that a cook can reach who does it best: it has full marks [%]; 50 where none is given.
+    #[schemars(range(min = 1.0, max = 100.0), example = 50.0)]
+    pub full_share_pct: Option<f64>,
     /// Browned share of each face that is wanted [%].
     #[schemars(range(min = 0.0, max = 100.0), example = 60.0)]
     pub crust_pct: f64,

@@ -7,6 +7,7 @@ use saute_kitchen::{Kitchen, Piece, celsius};
 
 use crate::goal::better::Evidence;
 use crate::goal::grey_band::grey_band;
+use crate::goal::mark::Mark;
 use crate::goal::{Better, Course, Goal, Outcome, Score, Shortfall, Term};
 
 /// A cook as it is judged: pieces of one kind, with their masses at the start.
@@ -40,6 +41,8 @@ pub struct Judgement {
     pub terms: [Term; 9],
     /// The score.
     pub score: Score,
+    /// The mark.
+    pub mark: Mark,
     /// Thickness of what is beyond the class of the goal, below each face, on the line through the core [mm].
     pub grey_mm: [f64; 2],
     /// Browned share of each face, on ridges of the bars [%].
@@ -79,6 +82,7 @@ impl Judgement {
             better,
             verdict: if shortfalls.is_empty() { Verdict::Met } else { Verdict::Missed(shortfalls) },
             score: Score::sum(&terms),
+            mark: Mark::of(&outcome, goal),
             grey_mm: grey_band(first, goal).map(|metres| 1e3 * metres),
             charred_pct: faces.map(|face| face.charred_pct),
             energy_kj: 1e-3 * judged.kitchen.energy().hob,

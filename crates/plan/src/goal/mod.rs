@@ -5,6 +5,7 @@ mod better;
 mod course;
 mod grey_band;
 mod judgement;
+pub mod mark;
 mod outcome;
 pub mod score;
 mod target;

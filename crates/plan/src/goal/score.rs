@@ -39,7 +39,7 @@ pub const HOT_C: f64 = 295.0;
 const FLIP: f64 = 0.1;
 const FIRE: f64 = 100.0;
 /// Points of a share that weigh as much as a kelvin [-] (chosen: 5 °C and 25 % are each half of a class).
-const PCT_PER_K: f64 = 5.0;
+pub(crate) const PCT_PER_K: f64 = 5.0;
 
 /// How good a cook is [points]; the highest possible value is 100.
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq, PartialOrd, Serialize)]

@@ -65,6 +65,9 @@ impl FromStr for Wish {
     }
 }
 
+/// Full share of a goal that states none [%] (chosen: verified plans of steaks reach about half of the section).
+const USUAL_FULL_PCT: f64 = 50.0;
+
 /// What a cook is wanted to give. Values of the core are in the unit of the scale [°C or %].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Goal {
@@ -86,6 +89,8 @@ pub struct Goal {
     pub core_counts: bool,
     /// Share that is wanted at least [%].
     pub least_share_pct: f64,
+    /// Share that a cook can reach who does it best [%]: it has full marks.
+    pub full_share_pct: f64,
     /// Charred share of the faces above which the food is burnt [%].
     pub most_charred_pct: f64,
 }
@@ -118,6 +123,7 @@ impl Goal {
             counts: goal.counts,
             core_counts: goal.core_counts,
             least_share_pct: goal.least_share_pct,
+            full_share_pct: goal.full_share_pct.unwrap_or(USUAL_FULL_PCT),
             most_charred_pct: goal.most_charred_pct,
             ..of_class
         })
@@ -164,6 +170,7 @@ impl Goal {
             counts: Counted::Section,
             core_counts: true,
             least_share_pct: 0.0,
+            full_share_pct: USUAL_FULL_PCT,
             most_charred_pct: BURNT_PCT,
         }
     }

@@ -8,6 +8,7 @@ use egui_kittest::{
 };
 use saute_kitchen::Library;
 use saute_kitchen::advice::Advice;
+use saute_plan::goal::mark::Mark;
 use saute_plan::schedule::Plan;
 use saute_window::SauteApp;
 use saute_window::act::{Act, AppAct, CookAct, Setting, TimeAct};
@@ -211,7 +212,8 @@ fn a_plan_that_was_followed_opens_its_result_as_planned_and_cooking_again_can_be
     harness.get_by_label_contains("One thing to do better");
     save(&mut harness, "plan-result");
     harness.get_by_label_contains("Goal met as planned: a core of 46");
-    assert!(says(&harness, &format!("The plan, the best that was found, promised {:.0}.", plan.score.0)));
+    let promised = Mark::of(&plan.promised, &plan.order.goal).points();
+    assert!(says(&harness, &format!("The plan, the best that was found, promised {promised:.0}.")));
     harness.get_by_label("Nothing: it came out as the plan promised.");
     assert!(!says(&harness, "less power") && !says(&harness, "Flip more often"));
     harness.get_by_label("Done").click();

@@ -50,10 +50,16 @@ fn the_result_that_is_switched_off_stays_away_and_one_of_rare_medium_and_overcoo
         steps(&mut harness, 3);
         save(&mut harness, &format!("result-{name}"));
         let judgement = judged(harness.state());
-        let points: f64 = judgement.terms.iter().map(|term| term.value * term.weight).sum();
-        let sign = if points.round() < 0.0 { "−" } else { "" };
-        let score = format!("Score: {sign}{:.0}. 100 would be medium from edge to edge.", points.round().abs());
-        assert!(says(&harness, &score), "{name}: {score}");
+        let mark = judgement.mark;
+        let grade = if mark.points() >= 80.0 {
+            "Just right"
+        } else if mark.points() >= 60.0 {
+            "Nearly"
+        } else {
+            "Not yet"
+        };
+        let words = format!("{grade} · {:.0} of 100", mark.points());
+        assert!(says(&harness, &words) && says(&harness, "How is this counted?"), "{name}: {words}");
         let expected = match name {
             "rare" => Some(Shortfall::Undercooked),
             "overcooked" => Some(Shortfall::Overcooked),
