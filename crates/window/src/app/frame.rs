@@ -79,7 +79,7 @@ impl SauteApp {
     /// Shows the panels and cards; returns what they ask for.
     fn show_panels(&mut self, ui: &mut Ui, layout: &Layout) -> Acts {
         let goal = self.scale().map(|scale| (Arc::clone(&scale), self.settings.goal(&scale)));
-        let (advised, quality) = (self.session.advice(goal), self.quality());
+        let (advised, rise, quality) = (self.session.advice(goal), self.session.rise(), self.quality());
         let keeping = self.keeping();
         // While a plan is kept to, its guide gives the orders.
         let advice = keeping.map_or_else(|| advised.clone(), |keeping| keeping.leaves(&advised));
@@ -121,6 +121,7 @@ impl SauteApp {
             guide_leads: keeping == Some(Keeping::Kept),
             coaching,
             alarm,
+            rise,
             result,
             tutorial: self.leads.learn.tutorial.as_ref(),
             notice: self.desk.notice.current(),

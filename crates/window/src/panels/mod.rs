@@ -159,7 +159,7 @@ fn drawer(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut
         time_strip::show(state, ui, acts, egui::vec2(width, height));
     });
     now::in_drawer(state, &mut memory.now, ui, acts);
-    ui.add_space(2.0);
+    ui.add_space(6.0);
     scrolled(ui, |ui| match memory.drawer {
         Drawer::Cook => hob_bar::show(state, ui, acts, true),
         Drawer::Inside | Drawer::Pieces if guided::hides_panel(state, ui) => {}

@@ -19,6 +19,7 @@ use crate::session::Session;
 use crate::settings::Settings;
 use crate::ui::notice::{Notice, Said};
 use crate::ui::scene_view::SceneView;
+use saute_session::Forecast;
 use saute_session::at_home::fitting::AtHome;
 use saute_session::permits::Permits;
 use saute_session::plan::live::Live;
@@ -76,6 +77,8 @@ pub struct WindowState<'a> {
     pub coaching: Option<Coaching>,
     /// True if the goal is reached, the food is still in the pan and the coach is on.
     pub alarm: bool,
+    /// How high the core of resting food still rises, and in how long.
+    pub rise: Option<Forecast>,
     /// The result in words, while its card is open.
     pub result: Option<ResultWords>,
     /// The tutorial while it runs.

@@ -12,7 +12,7 @@ use saute_kitchen::food::change::doneness::Measure;
 
 use self::now_words::{Deed, NowWords};
 use self::time_left::TimeLeft;
-use crate::act::Acts;
+use crate::act::{Act, Acts, CookAct};
 use crate::panels::learn::callout::control_rect;
 use crate::panels::window_state::WindowState;
 use crate::ui::layout::{GAP, Layout};
@@ -136,7 +136,9 @@ fn core(state: &WindowState) -> Option<[String; 2]> {
 
 /// Lights the control that the button stands for.
 fn ring(words: &NowWords, ui: &Ui) {
-    let Some(rect) = words.deed.as_ref().and_then(|deed| control_rect(ui, &deed.act)) else { return };
+    // Powers have a mark on the slider.
+    let deed = words.deed.as_ref().filter(|deed| !matches!(deed.act, Act::Cook(CookAct::HobSet(_))));
+    let Some(rect) = deed.and_then(|deed| control_rect(ui, &deed.act)) else { return };
     let over = ui.ctx().layer_painter(egui::LayerId::new(egui::Order::Middle, Id::unique("now-ring")));
     over.rect_stroke(rect.expand(2.0), 9.0, Stroke::new(2.0, theme::of(ui).accent), StrokeKind::Outside);
 }

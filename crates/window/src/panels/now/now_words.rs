@@ -7,6 +7,7 @@ use crate::act::{Act, AppAct, Card, CookAct};
 use crate::panels::cook::hob_bar::{capitalised, food_in};
 use crate::panels::learn::advice_words::{advice_words, class_now, do_it_words, resting_words};
 use crate::panels::window_state::WindowState;
+use saute_session::Forecast;
 use saute_words::clock::clock;
 
 /// Share of the goal's temperature from which the pace of the core tells how long it takes [-] (chosen: before, it still follows the
@@ -80,7 +81,10 @@ impl Words<'_> {
         match advice {
             Advice::TurnOn { power_w } => [self.text("now.turn_on"), self.with_power("now.heats_it", power_w)],
             Advice::TurnOff => [self.text("now.turn_off"), self.text("now.nothing_left")],
-            Advice::TooCold { .. } => [self.text("now.turn_up"), self.text("now.too_cold")],
+            Advice::TooCold { .. } => {
+                let is_off = self.state.session.kitchen.hob_w() == 0.0;
+                [self.text(if is_off { "now.turn_on" } else { "now.turn_up" }), self.text("now.too_cold")]
+            }
             Advice::TooHot { smokes: true, .. } => [self.text("now.turn_down"), self.text("now.smokes")],
             Advice::TooHot { hottest_c, .. } => {
                 [self.text("now.turn_down"), self.with_temperature("now.too_hot", hottest_c)]
@@ -107,9 +111,13 @@ impl Words<'_> {
             }
             Advice::Wet { .. } => [self.text("now.frying"), self.text("now.wet")],
             Advice::Browns { .. } => [self.text("now.frying"), self.text("now.browns")],
-            Advice::Resting { warms, .. } => {
-                [self.text("now.resting"), self.text(if warms { "now.still_warms" } else { "now.at_highest" })]
-            }
+            Advice::Resting { .. } => match self.state.rise {
+                Some(Forecast { peak_c, in_s }) => [
+                    self.in_time("now.rests_for", "now.resting", Some(in_s)),
+                    self.with_temperature("now.rises_to", peak_c),
+                ],
+                None => [self.text("now.resting"), self.text("now.at_highest")],
+            },
             Advice::Rested { peak_c } => [self.text("now.rested"), resting_words("now.reached", peak_c, self.state)],
         }
     }
