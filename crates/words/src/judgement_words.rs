@@ -7,11 +7,8 @@ use saute_kitchen::food::change::doneness::Measure;
 use saute_plan::goal::{Better, Goal, Judgement, Shortfall, Verdict};
 
 use crate::language::Language;
-use crate::mark_words::{mark_words, table};
+use crate::mark_words::{TermRow, mark_words, table};
 use crate::speech::Speech;
-
-/// A row of the table of the mark: what, how much of it is reached, its weight and its points.
-pub type TermRow = [String; 4];
 
 /// A result in words.
 #[derive(Clone, Debug, PartialEq)]
@@ -61,7 +58,7 @@ impl ResultWords {
             missed,
             points: judgement.mark.points(),
             mark: mark_words(&judgement.mark, l),
-            counted: l.text("mark.counted").to_owned(),
+            counted: l.text("grade.counted").to_owned(),
             table: table(&judgement.mark, goal, l),
             measures: teller.measures(),
             better: [l.text("result.better").to_owned(), teller.better()],

@@ -10,7 +10,7 @@ pub mod cue_words;
 pub mod guided_words;
 pub mod judgement_words;
 pub mod language;
-mod mark_words;
+pub mod mark_words;
 pub mod next_step;
 pub mod piece_words;
 pub mod plan_words;

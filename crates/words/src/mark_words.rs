@@ -4,17 +4,19 @@ use saute_kitchen::data::goals::Counted;
 use saute_plan::goal::Goal;
 use saute_plan::goal::mark::{Bound, Grade, Mark, Part};
 
-use crate::judgement_words::TermRow;
 use crate::language::Language;
+
+/// A row of the table of the mark: what, how much of it is reached, its weight and its points.
+pub type TermRow = [String; 4];
 
 /// The grade with the points: "Just right · 86".
 pub(crate) fn mark_words(mark: &Mark, l: Language) -> String {
     let key = match mark.grade() {
-        Grade::JustRight => "mark.just_right",
-        Grade::Nearly => "mark.nearly",
-        Grade::NotYet => "mark.not_yet",
+        Grade::JustRight => "grade.just_right",
+        Grade::Nearly => "grade.nearly",
+        Grade::NotYet => "grade.not_yet",
     };
-    l.fill("mark.of_100", &[("grade", &l.text(key)), ("points", &whole(mark))])
+    l.fill("grade.of_100", &[("grade", &l.text(key)), ("points", &whole(mark))])
 }
 
 /// The points without a fraction.
@@ -30,9 +32,9 @@ pub(crate) fn table(mark: &Mark, goal: &Goal, l: Language) -> (TermRow, Vec<Term
         rows.map(|(part, reached, weight)| row(name(*part, goal), (*reached, *weight), l)).collect();
     if (mark.points() - mark.sum()).abs() >= 0.05 {
         let key = match mark.bound {
-            Bound::Met => "mark.met",
-            Bound::Missed => "mark.missed",
-            Bound::Fire => "mark.fire",
+            Bound::Met => "grade.met",
+            Bound::Missed => "grade.missed",
+            Bound::Fire => "grade.fire",
         };
         rows.push([l.text(key).to_owned(), String::new(), String::new(), format!("{:.1}", mark.points())]);
     }
@@ -46,10 +48,10 @@ fn row(name: &'static str, (reached, weight): (f64, f64), l: Language) -> TermRo
 
 fn name(part: Part, goal: &Goal) -> &'static str {
     match part {
-        Part::Core => "mark.core",
-        Part::Even if goal.counts == Counted::Faces => "mark.faces",
-        Part::Even => "mark.even",
-        Part::Crust => "mark.crust",
-        Part::Care => "mark.care",
+        Part::Core => "grade.core",
+        Part::Even if goal.counts == Counted::Faces => "grade.faces",
+        Part::Even => "grade.even",
+        Part::Crust => "grade.crust",
+        Part::Care => "grade.care",
     }
 }

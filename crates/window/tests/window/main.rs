@@ -1,8 +1,8 @@
 //! The window, tested through the window.
 
-mod advice;
 mod at_hand;
 mod contrast;
+mod cook;
 mod foods;
 mod forecasts;
 mod guided;
@@ -13,7 +13,6 @@ mod japanese;
 mod keys;
 mod language;
 mod mirror;
-mod now;
 mod pan;
 mod photo;
 mod settings;
@@ -21,6 +20,5 @@ mod steak;
 mod teaching;
 mod time;
 mod touch;
-mod unseen;
 mod views;
 mod ways;

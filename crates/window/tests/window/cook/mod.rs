@@ -1,0 +1,5 @@
+//! A cook by what the window says, and one that nobody sees.
+
+mod advice;
+mod now;
+mod unseen;
