@@ -80,6 +80,7 @@ impl ResultWords {
             verdict,
             missed: Vec::new(),
             mark: l.text("result.mark_later").to_owned(),
+            table: (self.table.0, Vec::new()),
             better,
             ..self
         }

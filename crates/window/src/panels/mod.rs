@@ -65,7 +65,10 @@ pub fn show_all(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts
     if state.reads_out() {
         read_out::show(state, ui, whole);
     }
-    now::show(state, &mut memory.now, ui, acts, layout);
+    // What is due at the goal is said with the panels hidden, too.
+    if !state.settings.panels_hidden || state.alarm {
+        now::show(state, &mut memory.now, ui, acts, layout);
+    }
     learn::callout::show(state, ui, acts, layout);
     let below = plan::strip::show(state, ui, acts, layout);
     badge::show(state, ui, acts, &below);

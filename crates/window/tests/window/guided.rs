@@ -138,6 +138,7 @@ fn locks_hold(harness: &mut Harness<'static, SauteApp>) {
     assert!(app.said().iter().any(|said| said == "This is locked here."), "{:?}", app.said());
     assert!(harness.query_by_label_contains("°C").is_none(), "no temperature is read");
     save(harness, "study-blind");
+    nothing_is_told_on_a_phone(harness);
     no_card_stops_time(harness);
     press(harness, Key::N);
     for locked in ["20×", "Pause", "Step", "Start over", "Undo", "Temperature", "Cut", "Set out", "Photo"] {
@@ -146,6 +147,20 @@ fn locks_hold(harness: &mut Harness<'static, SauteApp>) {
     assert!(!harness.get_by_label("Steak in").accesskit_node().is_disabled(), "it can be used");
     save(harness, "study-locked-pantry");
     press(harness, Key::N);
+}
+
+/// A narrow window hides the same: neither readings nor the coach's cues.
+fn nothing_is_told_on_a_phone(harness: &mut Harness<'static, SauteApp>) {
+    let size = harness.ctx.content_rect().size();
+    harness.set_size(vec2(390.0, 844.0));
+    // A pan that heats has a cue.
+    press(harness, Key::E);
+    for told in ["°C", "Next to ", "As advised"] {
+        assert!(harness.query_all_by_label_contains(told).next().is_none(), "{told}");
+    }
+    press(harness, Key::Q);
+    harness.set_size(size);
+    steps(harness, 3);
 }
 
 fn enter_real(harness: &mut Harness<'static, SauteApp>) {

@@ -170,8 +170,12 @@ fn measures(ui: &mut Ui, words: &ResultWords) {
 
 fn score(ui: &mut Ui, words: &ResultWords) {
     ui.label(RichText::new(&words.mark).size(17.0).strong());
-    ui.label(RichText::new(&words.counted).size(13.0).color(theme::of(ui).quiet));
     let (heads, rows) = &words.table;
+    // Before the rest is over nothing is counted.
+    if rows.is_empty() {
+        return;
+    }
+    ui.label(RichText::new(&words.counted).size(13.0).color(theme::of(ui).quiet));
     Grid::new("score").num_columns(4).spacing(vec2(10.0, 2.0)).show(ui, |ui| {
         for head in heads {
             ui.label(RichText::new(head).size(12.0).color(theme::of(ui).quiet));

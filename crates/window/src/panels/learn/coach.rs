@@ -11,7 +11,7 @@ const TWO_LINES: f32 = 29.0;
 
 /// Shows both where the coach is on; on a narrow window the cue alone.
 pub fn show(state: &WindowState, ui: &mut Ui, cue_alone: bool) {
-    let Some(coaching) = &state.coaching else { return };
+    let Some(coaching) = state.coaching.as_ref().filter(|_| state.reads_out()) else { return };
     let palette = theme::of(ui);
     let happening = coach_words::happening(coaching, state.settings.speech());
     if let Some(cue) = coach_words::cue(coaching, state.settings.speech()) {

@@ -106,7 +106,9 @@ fn a_fire_is_an_alarm_across_the_window_with_the_things_to_do() {
     let [fire, water] = ["Fire!", "3. Never water"].map(|words| harness.get_by_label(words).rect());
     assert!(WINDOW.contains_rect(fire.union(water)) && fire.top() < 40.0);
     save(&mut harness, "fire");
+    assert!(hob_advice(&harness).is_some());
     press(&mut harness, Key::H);
+    assert!(hob_advice(&harness).is_none(), "the line hides with the panels");
     press(&mut harness, Key::Num2);
     harness.get_by_label("3. Never water");
     harness.get_by_label("1. Lid on").click();

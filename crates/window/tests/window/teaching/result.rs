@@ -148,6 +148,7 @@ fn food_that_no_button_took_out_has_its_result_too_and_nearly_raw_food_is_told_n
     // Who asks before it has rested is told neither that it is missed nor that it is met.
     act(&mut harness, Act::App(AppAct::Open(Card::Result)));
     assert!(says(&harness, "Still resting: the core rises to about ") && !says(&harness, "Goal missed"));
+    assert!(!says(&harness, "How is this counted?"), "no points yet");
     act(&mut harness, Act::App(AppAct::Shut(Card::Result)));
     until(&mut harness, |session| session.steak().is_some_and(|steak| steak.core() < steak.core_peak.0 - 0.5));
     harness.state_mut().session_mut().set_paused(false);
