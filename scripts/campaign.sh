@@ -57,6 +57,7 @@ random_sessions() {
 random_kills() { SAUTE_RANDOM_KILLS="$CAMPAIGN_RANDOM_KILLS" cargo test --release --workspace --test cli killed; }
 
 lit_button() { SAUTE_NOW=all cargo test --release --workspace --test window now:: -- --nocapture; }
+
 plans() { SAUTE_PLANS="$CAMPAIGN_PLANS" cargo test --release --workspace --test plan verified:: -- --nocapture; }
 
 fits() {

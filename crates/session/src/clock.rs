@@ -15,7 +15,7 @@ pub const SPEEDS: [f64; 3] = [1.0, 5.0, 20.0];
 const LATE_AFTER_S: f64 = 0.4;
 
 /// Most that is owed, as wall time at the chosen speed [s] (chosen: what a person would not notice while it is caught up).
-const MOST_OWED_S: f64 = 1.0;
+pub const MOST_OWED_S: f64 = 1.0;
 
 /// Time closer than this to a whole step counts as reached [s] (chosen: far above rounding, far below a frame).
 const SAME_TIME: f64 = 1e-9;

@@ -7,7 +7,7 @@ use saute_kitchen::doneness::{ScaleChoice, at_core, fitting};
 use saute_kitchen::food::Scale;
 use saute_kitchen::food::change::doneness::Measure;
 use saute_kitchen::piece::carry_over::foreseen_peak;
-use saute_kitchen::{Piece, Place, celsius};
+use saute_kitchen::{Place, celsius};
 
 use super::Session;
 use crate::hands::Hands;
@@ -26,18 +26,14 @@ pub struct Forecast {
 const RISES_K: f64 = 0.5;
 
 impl<H: Hands> Session<H> {
-    /// Returns how high the core of food that was taken out still rises [°C]; none once it is near its highest, or cools.
-    pub fn rises_to_c(&self) -> Option<f64> {
-        let piece = self.steak()?;
-        let (peak, in_s) = foreseen_peak(&piece.model, &piece.state, self.kitchen.room());
-        rise(piece, Forecast { peak_c: celsius(peak), in_s }).map(|rise| rise.peak_c)
-    }
-
-    /// Returns how high the core of food that was taken out still rises, and in how long; updated every simulated second.
+    /// Returns how high the core of food that was taken out still rises, and in how long; none once it is near its highest, or
+    /// cools. Updated every simulated second.
     pub fn rise(&mut self) -> Option<Forecast> {
         self.steak().filter(|piece| matches!(piece.place, Place::Rest(_)))?;
-        let found = self.peak_to_come()?;
-        rise(self.steak()?, found)
+        let foreseen = self.peak_to_come()?;
+        let (piece, peak_c) = (self.steak()?, foreseen.peak_c - FORECAST_HIGH_K);
+        let is_at_peak = piece.core() > piece.core_peak.0 - RISES_K;
+        (is_at_peak && peak_c > celsius(piece.core()) + RISES_K).then_some(Forecast { peak_c, ..foreseen })
     }
 
     /// Returns the forecast for taking the food out now; updated every simulated second.
@@ -94,12 +90,4 @@ impl<H: Hands> Session<H> {
         let all = &self.library.scales;
         self.steak().map_or_else(|| all.clone(), |piece| fitting(all, &piece.model).into_iter().cloned().collect())
     }
-}
-
-/// How high the core of a piece still rises, given what is foreseen of it; none of one that was not taken out, or is near its highest.
-fn rise(piece: &Piece, foreseen: Forecast) -> Option<Forecast> {
-    let (peak_c, core_c) = (foreseen.peak_c - FORECAST_HIGH_K, celsius(piece.core()));
-    let is_at_peak = piece.core() > piece.core_peak.0 - RISES_K;
-    let rises = matches!(piece.place, Place::Rest(_)) && is_at_peak && peak_c > core_c + RISES_K;
-    rises.then_some(Forecast { peak_c, ..foreseen })
 }

@@ -43,8 +43,7 @@ impl KeptOrder {
     /// Returns the advice with the order about the hob that stands.
     pub fn keep(&mut self, mut advice: Vec<Advice>, now: Moment) -> Vec<Advice> {
         self.note(now);
-        let place = advice.iter().position(|one| one.hob_w().is_some());
-        let Some(place) = place else {
+        let Some(place) = advice.iter().position(|one| one.hob_w().is_some()) else {
             if let Some(given) = self.given.filter(|given| now.time_s - given.at_s < STANDS_S * now.speed) {
                 let waits = advice.iter().position(|one| !one.is_due()).unwrap_or(advice.len());
                 advice.insert(waits, given.advice);
@@ -54,7 +53,9 @@ impl KeptOrder {
         let ordered = advice[place];
         match self.given {
             Some(given) if is_alike(given.advice, ordered, now.hob_w) => advice[place] = given.advice,
-            _ if self.follows_too_soon(ordered, now) => drop(advice.remove(place)),
+            _ if self.follows_too_soon(ordered, now) => {
+                advice.remove(place);
+            }
             _ => self.given = Some(Given { advice: ordered, hob_w: now.hob_w, at_s: now.time_s }),
         }
         advice

@@ -35,7 +35,7 @@ use self::permits::{NotDone, Permits};
 use self::timeline::Timeline;
 
 pub use self::choice::{STEAK, SteakChoice, noun};
-pub use self::clock::SPEEDS;
+pub use self::clock::{MOST_OWED_S, SPEEDS};
 pub use self::foresight::Forecast;
 pub use self::mark::Mark;
 pub use self::mark::label;

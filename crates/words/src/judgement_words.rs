@@ -19,8 +19,6 @@ pub struct ResultWords {
     pub verdict: String,
     /// What is missing.
     pub missed: Vec<String>,
-    /// The mark [points, at most 100].
-    pub points: f64,
     /// The grade and the mark in words.
     pub mark: String,
     /// The heading over how it is counted.
@@ -56,7 +54,6 @@ impl ResultWords {
             is_met,
             verdict: l.fill(key, &[("goal", &name)]),
             missed,
-            points: judgement.mark.points(),
             mark: mark_words(&judgement.mark, l),
             counted: l.text("grade.counted").to_owned(),
             table: table(&judgement.mark, goal, l),

@@ -17,6 +17,7 @@ use crate::panels::ways::way_words;
 use crate::panels::window_state::WindowState;
 use crate::ui::fingers;
 use crate::ui::layout::Layout;
+use saute_session::MOST_OWED_S;
 use saute_session::forecasts::Shown;
 
 /// Longest that one frame may spend on stepping the world [ms] (chosen: half a frame at 25 frames a second).
@@ -27,9 +28,6 @@ const STEP_SHARE: f64 = 0.5;
 const LONGEST_STEPPING_S: f64 = 0.15;
 /// Held keys move the pan no further at once than in this time [s] (chosen: a slow frame makes no leap).
 const LONGEST_FRAME_S: f64 = 0.1;
-/// Wall time between two frames that counts at most [s] (chosen: as much as a session may owe). Longer gaps are a tab that was
-/// hidden, or a machine that slept: nobody saw them.
-const LONGEST_GAP_S: f64 = 1.0;
 
 impl SauteApp {
     /// One frame: takes input, lets time pass, shows everything.
@@ -80,6 +78,7 @@ impl SauteApp {
     fn show_panels(&mut self, ui: &mut Ui, layout: &Layout) -> Acts {
         let goal = self.scale().map(|scale| (Arc::clone(&scale), self.settings.goal(&scale)));
         let (advised, rise, quality) = (self.session.advice(goal), self.session.rise(), self.quality());
+        let result = if self.desk.card == Some(Card::Result) { self.result_words() } else { None };
         let keeping = self.keeping();
         // While a plan is kept to, its guide gives the orders.
         let advice = keeping.map_or_else(|| advised.clone(), |keeping| keeping.leaves(&advised));
@@ -94,7 +93,6 @@ impl SauteApp {
         let piece = self.session.steak().filter(|_| coach);
         let coaching = piece.and_then(|piece| Coaching::of(&self.session.kitchen, piece, &advised));
         let alarm = coach && advice.iter().any(|one| one.is_goal());
-        let result = if self.desk.card == Some(Card::Result) { self.result_words() } else { None };
         let state = WindowState {
             session: &self.session,
             settings: &self.settings,
@@ -167,7 +165,8 @@ impl SauteApp {
 
     fn let_time_pass(&mut self, ctx: &egui::Context) {
         let now = ctx.input(|i| i.time);
-        let wall = (now - self.pace.last_time.unwrap_or(now)).clamp(0.0, LONGEST_GAP_S);
+        // A longer gap is a tab that was hidden, or a machine that slept: nobody saw it.
+        let wall = (now - self.pace.last_time.unwrap_or(now)).clamp(0.0, MOST_OWED_S);
         self.pace.last_time = Some(now);
         self.take_hands(ctx, wall.min(LONGEST_FRAME_S));
         let begun = Instant::now();

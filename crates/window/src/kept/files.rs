@@ -10,6 +10,9 @@ use std::sync::mpsc::Receiver;
 /// The largest file that is read [bytes] (chosen: far above any recipe, and an hour of a session with the pan in the hand).
 const LARGEST: u64 = 16 << 20;
 
+/// Numbers that are tried for a new file [-] (chosen: nobody looks through more).
+const MOST_NAMES: u32 = 10_000;
+
 /// What a dialog asks for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Asked {
@@ -37,14 +40,17 @@ pub(crate) enum Answer {
 pub(crate) struct Dialog(pub(crate) Option<(Asked, Receiver<Answer>)>);
 
 /// Returns the path of a new file in a folder: the name, with a number where there is such a file.
-pub(crate) fn free_path(folder: &Path, name: &str) -> PathBuf {
+pub(crate) fn free_path(folder: &Path, name: &str) -> Result<PathBuf, String> {
     let named = folder.join(name);
-    let numbered = |n: u32| {
-        let (stem, ending) = (named.file_stem().unwrap_or_default(), named.extension().unwrap_or_default());
-        folder.join(format!("{}-{n}.{}", stem.to_string_lossy(), ending.to_string_lossy()))
-    };
-    let free = std::iter::once(named.clone()).chain((2..10_000).map(numbered)).find(|path| !path.exists());
-    free.unwrap_or(named)
+    let (stem, ending) = (named.file_stem().unwrap_or_default(), named.extension().unwrap_or_default());
+    let (stem, ending) = (stem.to_string_lossy(), ending.to_string_lossy());
+    let numbered = (2..MOST_NAMES).map(|n| folder.join(format!("{stem}-{n}.{ending}")));
+    first_free(folder, std::iter::once(named.clone()).chain(numbered))
+}
+
+/// The first path at which there is no file.
+fn first_free(folder: &Path, mut paths: impl Iterator<Item = PathBuf>) -> Result<PathBuf, String> {
+    paths.find(|path| !path.exists()).ok_or_else(|| format!("{} holds too many files of that name", folder.display()))
 }
 
 pub(crate) fn read(path: &Path) -> Result<Vec<u8>, String> {
@@ -57,9 +63,7 @@ pub(crate) fn read(path: &Path) -> Result<Vec<u8>, String> {
 
 /// Writes a new picture into a folder, as `saute-N` with an ending; returns its path.
 pub(crate) fn write_picture(folder: &Path, ending: &str, bytes: &[u8]) -> Result<PathBuf, String> {
-    let mut paths = (1..10_000).map(|n| folder.join(format!("saute-{n}.{ending}")));
-    let path = paths.find(|path| !path.exists());
-    let path = path.ok_or_else(|| format!("{} holds too many pictures", folder.display()))?;
+    let path = first_free(folder, (1..MOST_NAMES).map(|n| folder.join(format!("saute-{n}.{ending}"))))?;
     std::fs::write(&path, bytes).map_err(|e| format!("{}: {e}", path.display()))?;
     Ok(path)
 }

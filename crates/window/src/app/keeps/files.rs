@@ -99,7 +99,7 @@ impl SauteApp {
 
     /// Writes a file that is made of the cook where no dialog can ask for its place: into the folder of pictures.
     pub fn export_without_dialog(&mut self, what: Export) {
-        let path = free_path(&self.pictures_folder(), &what.file_name(self.settings.language));
+        let Some(path) = self.place_without_dialog(&what.file_name(self.settings.language)) else { return };
         self.export_to(what, &path, [SAVED_WITHOUT_DIALOG, COOK_SAID[1]]);
         if path.exists() {
             self.remember(&path);
@@ -118,7 +118,7 @@ impl SauteApp {
 
     /// Writes a file that is made of a plan where no dialog can ask for its place: into the folder of pictures.
     fn save_plan_without_dialog(&mut self, file: PlanFile) {
-        let path = free_path(&self.pictures_folder(), &file.file_name(self.settings.language));
+        let Some(path) = self.place_without_dialog(&file.file_name(self.settings.language)) else { return };
         self.write_plan(file, &path, [SAVED_WITHOUT_DIALOG, PlanFile::SAID[1]]);
     }
 
@@ -126,6 +126,11 @@ impl SauteApp {
         let Some(bytes) = self.plan_file(file) else { return };
         let written = write_whole(path, &bytes).map_err(|error| error.to_string());
         self.say_written(path, written, said);
+    }
+
+    /// A free place in the folder of pictures; says why there is none.
+    fn place_without_dialog(&self, name: &str) -> Option<PathBuf> {
+        free_path(&self.pictures_folder(), name).map_err(|error| self.say_trouble(&error)).ok()
     }
 
     /// Says how a file is opened where no dialog can be shown.

@@ -30,18 +30,19 @@ impl SauteApp {
     }
 
     /// The result in words; none without food that a scale knows.
-    pub(crate) fn result_words(&self) -> Option<ResultWords> {
+    pub(crate) fn result_words(&mut self) -> Option<ResultWords> {
+        let rise = self.session.rise();
         let live = self.leads.live.as_ref().filter(|live| live.judges(&self.session));
         // A plan is judged by what it was made for.
         let goal = live.map(|live| live.goal().clone()).or_else(|| goal_of(&self.session, &self.settings))?;
         let judgement = self.session.judgement(&goal)?;
         let words = ResultWords::of(&judgement, &goal, &self.session.noun(), self.settings.speech());
         // A plan says itself when it is served.
-        Some(match (live, self.session.rises_to_c()) {
+        Some(match (live, rise) {
             (Some(live), _) => {
                 words.of_plan(live.plan(), &live.kept(&self.session, &judgement), self.settings.speech())
             }
-            (None, Some(rises_to_c)) => words.while_it_rests(rises_to_c, self.settings.speech()),
+            (None, Some(rise)) => words.while_it_rests(rise.peak_c, self.settings.speech()),
             (None, None) => words,
         })
     }
@@ -56,7 +57,7 @@ impl SauteApp {
     }
 
     /// Saves the result as a picture: into the folder of pictures, or as a download of the browser.
-    pub(crate) fn share_result(&self) {
+    pub(crate) fn share_result(&mut self) {
         let l = self.settings.language;
         let Some((words, piece)) = self.result_words().zip(self.session.steak()) else { return };
         let drawn = on_its_own::picture(&words, piece, l);
