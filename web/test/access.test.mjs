@@ -69,7 +69,7 @@ test("a cook by the HTML controls alone, told in words", { timeout: STUCK_MS }, 
   await until(page, "the hob is on", (now) => Math.abs(now.hob_w - 1400) < 100);
   await clickLabel(page, "5×");
   await until(page, "time runs faster", (now) => now.speed === 5);
-  await clickLabel(page, "Steak in");
+  await clickLabel(page, "In the pan");
   await until(page, "the steak is in", (now) => now.pieces[0].place === "pan");
   await page.waitForFunction(() => /steak: in the pan, core \d+ °C/.test(document.getElementById("told").textContent.replaceAll("\u00a0", " ")));
   // A control keeps its focus while the panels change, and is pressed by the keyboard.

@@ -56,17 +56,30 @@ export async function visit(browser, address, options = {}) {
   return found;
 }
 
-/** Waits until the page cooks, and closes the card of the first steps. */
+/** Waits until the page cooks, closes the card of the first steps and opens all controls, at the pace of a kitchen. */
 export async function begins(page) {
   await reaches(page, "cooking");
   await until(page, "the first frames", (now) => now.frames > 2);
   await page.locator("#canvas").focus();
   await press(page, "Escape");
+  await isNoFirstVisit(page);
+}
+
+/** Opens all controls where there are few, and lets time run at the pace of a kitchen. */
+export async function isNoFirstVisit(page) {
+  if ((await stats(page)).few) await press(page, "F6");
+  await press(page, "[");
+  await atSpeed(page, 1);
+}
+
+/** Lets time run at one of the speeds of the window. */
+export async function atSpeed(page, speed) {
+  for (let now; (now = (await stats(page)).speed) !== speed; ) await press(page, now < speed ? "]" : "[");
 }
 
 /** Heats the pan at five times real time until a time has passed [s]. */
 export async function cookUntil(page, time_s) {
   await press(page, "e");
-  await press(page, "]");
+  await atSpeed(page, 5);
   return until(page, "the pan heats", (now) => now.hob_w > 0 && now.time_s > time_s);
 }

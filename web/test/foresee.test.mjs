@@ -7,7 +7,7 @@ import { join, resolve } from "node:path";
 import { before, test } from "node:test";
 
 import { LATE_MS, STUCK_MS, reaches, trouble } from "./browser.mjs";
-import { kitchen, press, stats, until, visit } from "./cooking.mjs";
+import { atSpeed, kitchen, press, stats, until, visit } from "./cooking.mjs";
 import { clickLabel } from "./labels.mjs";
 
 const there = kitchen();
@@ -60,7 +60,8 @@ async function learn(page, entry, button) {
 
 test("a forecast appears by the worker, and follows the cook", { timeout: STUCK_MS }, async () => {
   const { page, seen, close } = await visit(there.browser, there.host.address);
-  for (const key of ["e", "]", "]"]) await press(page, key);
+  await press(page, "e");
+  await atSpeed(page, 20);
   await until(page, "the pan heats", (now) => now.time_s > 60);
   await press(page, "a");
   await until(page, "the steak is in", (now) => now.pieces[0].place === "pan");
@@ -123,7 +124,8 @@ async function drop(page, name, text) {
 
 /** Heats an empty pan at twenty times real time; returns the rows that a thermometer in a weaker kitchen would have written. */
 async function heated(page) {
-  for (const key of ["e", "]", "]"]) await press(page, key);
+  await press(page, "e");
+  await atSpeed(page, 20);
   const rows = [];
   for (let now; !(now?.time_s > 80); await page.waitForTimeout(50)) {
     now = await stats(page);

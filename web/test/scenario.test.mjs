@@ -8,7 +8,7 @@ import { after, before, test } from "node:test";
 
 import { SHARP, STUCK_MS, WEBGL2, WEBGPU, launch, reaches, trouble, watch } from "./browser.mjs";
 import { difference, pixels } from "./canvas.mjs";
-import { press, until } from "./cooking.mjs";
+import { atSpeed, isNoFirstVisit, press, until } from "./cooking.mjs";
 import { serve } from "./site_server.mjs";
 
 const SITE = resolve(process.env.SAUTE_PAGE);
@@ -39,10 +39,11 @@ async function cook(page, backend) {
   const empty = await keep("1-start");
   await page.mouse.click(640, 560);
   await page.keyboard.press("Escape");
+  await isNoFirstVisit(page);
   // Twice the hob's power, five times real time.
   await press(page, "e");
   await press(page, "e");
-  await press(page, "]");
+  await atSpeed(page, 5);
   await until(page, "the pan heats", (now) => now.hob_w > 0 && now.pan_c > 60);
   await press(page, "a");
   const raw = await until(page, "the steak is in", (now) => now.pieces[0].place === "pan");

@@ -5,7 +5,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { STUCK_MS, trouble } from "./browser.mjs";
-import { draws, kitchen, press, stats, until, visit } from "./cooking.mjs";
+import { atSpeed, draws, kitchen, press, stats, until, visit } from "./cooking.mjs";
 import { clickLabel } from "./labels.mjs";
 
 const there = kitchen();
@@ -32,8 +32,7 @@ const longest = (page) =>
 
 /** Cooks a recipe fast for some seconds of its time, and stops. */
 async function cooked(page, time_s) {
-  await press(page, "]");
-  await press(page, "]");
+  await atSpeed(page, 20);
   await until(page, "it cooks", (now) => now.time_s > time_s);
   await press(page, " ");
   return until(page, "it stands still", (now) => now.paused);

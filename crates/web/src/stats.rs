@@ -25,6 +25,8 @@ pub(crate) struct Stats {
     /// Simulated seconds per second over the last ten seconds.
     time_ratio: f64,
     paused: bool,
+    /// True if only the controls of a first cook are shown.
+    few: bool,
     quality: Quality,
     recipe: Option<String>,
     /// Number of commands that the kitchen has taken.
@@ -38,6 +40,8 @@ pub(crate) struct Stats {
     pieces: Vec<PieceStats>,
     /// How far the cook came with which the window offers to go on [s].
     offered_s: Option<f64>,
+    /// How much of this cook was handed to the storage [s].
+    kept_s: Option<f64>,
     /// True while a recorded cook is played again, or time is turned.
     travels: bool,
     /// End of what was recorded [s].
@@ -91,6 +95,7 @@ impl Stats {
             speed: session.speed,
             time_ratio: meter.time_ratio(),
             paused: session.paused,
+            few: app.settings().few,
             quality: app.quality(),
             recipe: session.recipe_title().map(str::to_owned),
             commands: session.recording().entries().len(),
@@ -99,6 +104,7 @@ impl Stats {
             pan_tilt_deg: tilt_deg(kitchen),
             pieces: kitchen.pieces().iter().map(PieceStats::of).collect(),
             offered_s: app.offered_s(),
+            kept_s: app.kept_s(),
             travels: session.is_travelling(),
             end_s: session.end_s(),
             said: app.said(),
