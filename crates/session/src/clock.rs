@@ -10,7 +10,7 @@ use super::permits::Permit;
 use crate::hands::Hands;
 
 /// Speeds of simulated time over wall time [-].
-pub const SPEEDS: [f64; 3] = [1.0, 5.0, 20.0];
+pub const SPEEDS: [f64; 5] = [1.0, 2.0, 3.0, 5.0, 20.0];
 /// Simulated time owed beyond which the machine counts as too slow, as wall time at the chosen speed [s] (chosen).
 const LATE_AFTER_S: f64 = 0.4;
 

@@ -3,6 +3,8 @@
 pub mod at_home;
 mod choice;
 mod clock;
+mod deciding;
+pub mod easing;
 pub mod errand;
 pub mod export;
 pub mod forecasts;
@@ -17,6 +19,7 @@ mod resumed;
 mod selection;
 mod stock;
 pub mod timeline;
+mod whole_time;
 pub mod work;
 
 use std::collections::BTreeMap;

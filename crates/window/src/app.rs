@@ -112,13 +112,16 @@ impl SauteApp {
         let japanese_font = crate::ui::japanese_font::install(context);
         let is_led = start.study.is_some() || start.lesson.is_some();
         let remembers = stored.is_some() && start.recipe.is_none() && start.recorded.is_none() && !is_led;
+        let is_first = stored.as_deref().is_some_and(Settings::were_never_kept);
         let (settings, refused) = stored.map_or_else(Default::default, |text| Settings::remembered(&text));
         let library = start.library.map_or_else(|| Library::embedded().map(Arc::new), Ok)?;
         let started = Arc::clone(&library);
         let library = KeptKitchen::library(settings.kitchen.as_ref(), library);
         let mut session = Session::new(Arc::clone(&library), &settings.choice)
             .or_else(|_| Session::new(library, &Default::default()))?;
-        session.set_speed(settings.speed);
+        let first_steps = remembers && !settings.introduced;
+        let settings = if first_steps && is_first { settings.of_first_visit() } else { settings };
+        session.set_speed(settings.first_speed());
         if let Some(recipe) = start.recipe {
             session.play(recipe)?;
         }
@@ -126,7 +129,6 @@ impl SauteApp {
             session.resume(recorded)?;
         }
         let language = start.language.unwrap_or(settings.language);
-        let first_steps = remembers && !settings.introduced;
         let mut app = Self {
             session,
             settings,

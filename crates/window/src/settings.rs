@@ -21,6 +21,10 @@ use saute_words::speech::Speech;
 
 /// Version of remembered settings: since 1 the goal is 62 °C at first, before it was 60 °C.
 pub const VERSION: u32 = 1;
+/// The speed that gives way to a hand [-] (chosen: a steak of twelve minutes takes four, and a pan still answers at once).
+pub(crate) const EASED: f64 = 5.0;
+/// Marks of one goal that are kept (chosen: a month of steaks).
+const MOST_MARKS: usize = 30;
 /// The first goal for the core, and that of version 0 [°C].
 const GOAL_C: f64 = 62.0;
 const GOAL_C_0: f64 = 60.0;
@@ -59,8 +63,12 @@ pub struct Settings {
     pub split: bool,
     /// Id of the scale of doneness.
     pub scale: String,
-    /// Simulated seconds a wall second.
+    /// Simulated seconds a wall second that were chosen.
     pub speed: f64,
+    /// Those to which the machine gave way, if it did.
+    pub held_speed: Option<f64>,
+    /// True if time slows to that of a kitchen where a hand is needed.
+    pub eases: bool,
     /// The food and the pan.
     pub choice: SteakChoice,
     /// What a plan is asked for.
@@ -73,6 +81,8 @@ pub struct Settings {
     pub goals: BTreeMap<String, f64>,
     /// Id of the goal that a cook is judged by; none for the class that the goal of the core lies in.
     pub goal_id: Option<String>,
+    /// Marks of cooks by their goals, the last at the end [points].
+    pub marks: BTreeMap<String, Vec<f64>>,
     /// True if the coach says what happens, what to perceive next, and when the goal is reached.
     pub coach: bool,
     /// True if the result opens by itself when the food has rested.
@@ -87,6 +97,8 @@ pub struct Settings {
     pub curves_open: bool,
     /// True if all panels are hidden.
     pub panels_hidden: bool,
+    /// True if only the few controls are shown that a first cook needs.
+    pub few: bool,
     /// True if forecasts are made.
     pub forecasts: bool,
     /// Recipes that were opened from files, the last one first.
@@ -113,12 +125,15 @@ impl Default for Settings {
             split: false,
             scale: DEFAULT_SCALE.to_owned(),
             speed: 1.0,
+            held_speed: None,
+            eases: false,
             choice: SteakChoice::default(),
             plan: PlanChoice::default(),
             kitchen: None,
             goal_c: GOAL_C,
             goals: BTreeMap::new(),
             goal_id: None,
+            marks: BTreeMap::new(),
             coach: true,
             result_opens: true,
             skill_mode: false,
@@ -126,6 +141,7 @@ impl Default for Settings {
             pieces_open: false,
             curves_open: false,
             panels_hidden: false,
+            few: false,
             forecasts: true,
             recent: Vec::new(),
             mirror: MirrorSettings::default(),
@@ -143,6 +159,17 @@ impl Settings {
         self
     }
 
+    /// Settings of somebody's first visit: few controls, and time that is fast but waits for a hand.
+    pub(crate) fn of_first_visit(self) -> Self {
+        let plan = PlanChoice { plain: true, ..self.plan.clone() };
+        Self { few: true, eases: true, speed: EASED, plan, ..self }
+    }
+
+    /// The speed to begin with: the chosen one, or what the machine held of it [-].
+    pub(crate) fn first_speed(&self) -> f64 {
+        self.speed.min(self.held_speed.unwrap_or(self.speed))
+    }
+
     /// Gives the interface the chosen theme and size.
     pub fn display(&self, ctx: &egui::Context) {
         ctx.set_theme(self.theme.preference());
@@ -158,6 +185,17 @@ impl Settings {
     /// Returns true if forecasts are wanted: in skill mode nothing is read out.
     pub fn foresees(&self) -> bool {
         self.forecasts && !self.skill_mode
+    }
+
+    /// Keeps a mark of a goal; as many are kept as show a trend.
+    pub(crate) fn keep_mark(&mut self, goal: &str, mark: f64) {
+        let marks = self.marks.entry(goal.to_owned()).or_default();
+        marks.push(mark);
+        // The best stays the best: the worst of the earlier ones goes.
+        if marks.len() > MOST_MARKS {
+            let worst = (0..marks.len() - 1).min_by(|a, b| marks[*a].total_cmp(&marks[*b]));
+            worst.map(|place| marks.remove(place));
+        }
     }
 
     /// Returns the goal for the core by a scale, in its unit [°C or %].

@@ -7,7 +7,7 @@ use saute_kitchen::food::change::doneness::Measure;
 use saute_plan::goal::{Better, Goal, Judgement, Shortfall, Verdict};
 
 use crate::language::Language;
-use crate::mark_words::{TermRow, mark_words, table};
+use crate::mark_words::{TermRow, best_words, good_words, mark_words, table};
 use crate::speech::Speech;
 
 /// A result in words.
@@ -27,8 +27,12 @@ pub struct ResultWords {
     pub table: (TermRow, Vec<TermRow>),
     /// Names and values of what shows why.
     pub measures: Vec<(String, String)>,
+    /// What went well; empty where nothing did.
+    pub good: String,
     /// Heading over what to do better, and what.
     pub better: [String; 2],
+    /// The best mark so far and the last ones; empty before there are any.
+    pub best: String,
     /// The cut, for those who do not see it.
     pub cut: String,
     /// Thickness of the grey band below the lower and the upper face [mm].
@@ -58,7 +62,9 @@ impl ResultWords {
             counted: l.text("grade.counted").to_owned(),
             table: table(&judgement.mark, goal, l),
             measures: teller.measures(),
+            good: good_words(&judgement.mark, l),
             better: [l.text("result.better").to_owned(), teller.better()],
+            best: String::new(),
             cut: l.fill("inside.section", &[("food", &l.called("noun", food))]),
             grey_mm: judgement.grey_mm,
         }
@@ -66,6 +72,12 @@ impl ResultWords {
 }
 
 impl ResultWords {
+    /// The words with the best of all marks so far, the last at the end, and the last of them.
+    #[must_use]
+    pub fn with_marks(self, marks: &[f64], l: Language) -> Self {
+        Self { best: best_words(marks, l), ..self }
+    }
+
     /// The words while the food still rests, given how high its core rises [°C]: nothing is missed yet, and nothing is met.
     #[must_use]
     pub fn while_it_rests(self, rises_to_c: f64, speech: Speech) -> Self {
@@ -78,6 +90,7 @@ impl ResultWords {
             missed: Vec::new(),
             mark: l.text("result.mark_later").to_owned(),
             table: (self.table.0, Vec::new()),
+            good: String::new(),
             better,
             ..self
         }

@@ -19,6 +19,35 @@ pub(crate) fn mark_words(mark: &Mark, l: Language) -> String {
     l.fill("grade.of_100", &[("grade", &l.text(key)), ("points", &whole(mark))])
 }
 
+/// Share of a part from which it went well [-] (chosen: nothing that a person would see is missing).
+const WELL: f64 = 0.95;
+/// Marks that are told, the last at the end (chosen: what the eye takes in at once).
+const TOLD: usize = 5;
+
+/// What went well: the parts that are as good as whole; empty where none is.
+pub(crate) fn good_words(mark: &Mark, l: Language) -> String {
+    let key = |part| match part {
+        Part::Core => "grade.good_core",
+        Part::Even => "grade.good_even",
+        Part::Crust => "grade.good_crust",
+        Part::Care => "grade.good_care",
+    };
+    let well = mark.parts.iter().filter(|(_, reached, weight)| *weight > 0.0 && *reached >= WELL);
+    let well: Vec<&str> = well.map(|(part, ..)| l.text(key(*part))).collect();
+    if well.is_empty() { String::new() } else { l.fill("grade.good", &[("what", &well.join(l.text("grade.joint")))]) }
+}
+
+/// The best of all marks, the last at the end, and, once there are several, the last ones; empty before there are any.
+pub(crate) fn best_words(marks: &[f64], l: Language) -> String {
+    let points = |mark: &f64| format!("{mark:.0}");
+    let Some(best) = marks.iter().copied().max_by(f64::total_cmp) else { return String::new() };
+    if marks.len() == 1 {
+        return l.fill("grade.best", &[("best", &points(&best))]);
+    }
+    let last: Vec<String> = marks[marks.len().saturating_sub(TOLD)..].iter().map(points).collect();
+    l.fill("grade.best_and_last", &[("best", &points(&best)), ("last", &last.join(" → "))])
+}
+
 /// The points without a fraction.
 pub(crate) fn whole(mark: &Mark) -> String {
     format!("{:.0}", mark.points())
@@ -53,5 +82,31 @@ fn name(part: Part, goal: &Goal) -> &'static str {
         Part::Even => "grade.even",
         Part::Crust => "grade.crust",
         Part::Care => "grade.care",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_best_mark_is_told_with_the_last_ones() {
+        let l = Language::English;
+        assert_eq!(best_words(&[], l), "");
+        assert_eq!(best_words(&[61.6], l), "Your best: 62");
+        assert_eq!(
+            best_words(&[50.0, 10.0, 91.0, 70.0, 80.0, 85.4], l),
+            "Your best: 91 (the last ones: 10 → 91 → 70 → 80 → 85)"
+        );
+    }
+
+    #[test]
+    fn what_went_well_is_named_and_nothing_else() {
+        let parts =
+            [(Part::Core, 1.0, 30.0), (Part::Even, 0.4, 40.0), (Part::Crust, 0.0, 0.0), (Part::Care, 0.97, 10.0)];
+        let mark = Mark { parts, bound: Bound::Missed };
+        assert_eq!(good_words(&mark, Language::English), "Good: the core is right, and the pan never got too hot.");
+        let nothing = Mark { parts: parts.map(|(part, _, weight)| (part, 0.0, weight)), bound: Bound::Missed };
+        assert_eq!(good_words(&nothing, Language::English), "");
     }
 }

@@ -6,7 +6,7 @@ use saute_kitchen::Library;
 use saute_kitchen::doneness::fitting;
 use saute_kitchen::food::{FoodDescription, FoodModel, Scale};
 use saute_plan::goal::{Goal, Wish};
-use saute_plan::schedule::{JobError, Order};
+use saute_plan::schedule::{JobError, Order, PLAIN_FLIPS};
 
 use crate::error::CliError;
 use crate::input::data_library::DataLibrary;
@@ -41,9 +41,12 @@ pub struct PlanArgs {
     /// Share of each face that is to be browned [%] [default: 60 for steaks and patties, else 0].
     #[arg(long, value_name = "PCT")]
     pub crust_pct: Option<f64>,
-    /// Largest number of flips.
-    #[arg(long, value_name = "N", default_value_t = 12)]
-    pub max_flips: usize,
+    /// Largest number of flips [default: 12; of a plain plan 3].
+    #[arg(long, value_name = "N")]
+    pub max_flips: Option<usize>,
+    /// A plan that is easily followed: one power to heat the pan and one to fry.
+    #[arg(long)]
+    pub plain: bool,
     /// Powers that the hob has [W] [default: its settings in the data].
     #[arg(long, value_name = "W,W,…", value_delimiter = ',')]
     pub hob: Vec<f64>,
@@ -60,6 +63,8 @@ pub struct PlanArgs {
 
 /// The scale of flesh that several scales apply to, unless another is named.
 const USUAL_SCALE: &str = "chefs";
+/// Flips at most unless another number is given [-] (chosen: more hardly raise the share).
+const USUAL_FLIPS: usize = 12;
 /// Largest number of flips of a plan [-] (chosen: one every 20 s of a long cook).
 const MOST_FLIPS: usize = 60;
 /// Largest number of powers [-] (chosen: as many as a hob has levels).
@@ -76,7 +81,8 @@ pub fn order(args: &PlanArgs, data: &DataLibrary) -> Result<Order, CliError> {
     }
     let crust_pct = args.crust_pct.unwrap_or_else(|| Order::usual_crust_pct(food.form));
     ranged("--crust-pct", crust_pct, [0.0, 100.0], "%")?;
-    ranged("--max-flips", args.max_flips as f64, [0.0, MOST_FLIPS as f64], "flips")?;
+    let most_flips = args.max_flips.unwrap_or(if args.plain { PLAIN_FLIPS } else { USUAL_FLIPS });
+    ranged("--max-flips", most_flips as f64, [0.0, MOST_FLIPS as f64], "flips")?;
     let wish: Wish = args.target.parse().map_err(|error| of_target(args, &error))?;
     let mut order = Order {
         food: args.food.clone(),
@@ -86,7 +92,8 @@ pub fn order(args: &PlanArgs, data: &DataLibrary) -> Result<Order, CliError> {
         hob: args.hob_kind.clone(),
         pan: args.pan.clone(),
         hob_w: powers(args, library)?,
-        most_flips: args.max_flips,
+        most_flips,
+        plain: args.plain,
         // Replaced below: only a food that was built says which scales fit it.
         goal: Goal::new(&Wish::Core(60.0), &Scale::clone(&library.scales[0]), crust_pct)
             .map_err(|e| of_target(args, &e))?,

@@ -28,6 +28,8 @@ pub struct Asked {
     pub hob_w: Vec<f64>,
     /// Largest number of flips [-].
     pub most_flips: usize,
+    /// True for a plan that is easily followed: one power to heat the pan and one to fry.
+    pub plain: bool,
     /// The target: a class of the scale (`medium`), or a temperature of the core (`core=54`).
     pub target: String,
     /// Id of the scale of the target; the first one that fits the food where it does not.
@@ -72,7 +74,7 @@ impl Asked {
     ///
     /// If food, target or pan mean nothing, or a size is out of range.
     pub fn order(&self, library: &Library) -> Result<Order, AskedError> {
-        let Self { food, size_mm, initial_c, count, hob, pan, most_flips, target, crust_pct, .. } = self.clone();
+        let Self { food, size_mm, initial_c, count, hob, pan, most_flips, plain, target, crust_pct, .. } = self.clone();
         if !library.foods.contains_key(&food) {
             return Err(AskedError::Food(food));
         }
@@ -81,7 +83,7 @@ impl Asked {
         let scale = scale.ok_or_else(|| AskedError::Food(food.clone()))?;
         let goal = Goal::new(&wish, scale, crust_pct)?;
         let hob_w = self.powers(library.hob.largest_w());
-        let order = Order { food, size_mm, initial_c, count, hob, pan, hob_w, most_flips, goal };
+        let order = Order { food, size_mm, initial_c, count, hob, pan, hob_w, most_flips, plain, goal };
         order.check(library, 1.0)?;
         Ok(order)
     }
@@ -110,6 +112,7 @@ mod tests {
             pan: "carbon-steel-26".into(),
             hob_w: vec![2000.0, 400.0, 400.0, 0.0],
             most_flips: 2,
+            plain: false,
             target: "opaque".into(),
             scale: "chefs".into(),
             crust_pct: 0.0,

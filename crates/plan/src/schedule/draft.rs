@@ -24,6 +24,11 @@ pub struct Draft {
 }
 
 impl Draft {
+    /// True if one power lasts from putting in to pulling.
+    pub(crate) fn has_one_power(&self) -> bool {
+        self.change_s == 0 && self.sears == 1
+    }
+
     /// Returns true if the power rises again after each flip that it is to rise after: a longer first power lasts until then anyway.
     pub(crate) fn is_distinct(&self) -> bool {
         let changes = self.change_s > 0 && self.first != self.then;
@@ -90,6 +95,7 @@ mod tests {
             pan: "carbon-steel-26".into(),
             hob_w: vec![400.0, 1100.0, 2000.0],
             most_flips: 1,
+            plain: false,
             goal: Goal::new(&"medium".parse().unwrap(), library.scale("chefs").unwrap(), 60.0).unwrap(),
         }
     }

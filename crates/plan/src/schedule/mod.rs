@@ -25,7 +25,7 @@ pub mod voice;
 pub use candidate::Cooking;
 pub use candidate::job::{Cue, Job, JobError, JobResult, Mesh, Pull};
 pub use draft::Draft;
-pub use order::Order;
+pub use order::{Order, PLAIN_FLIPS};
 pub use plan::Plan;
 pub use planner::{Planner, Stage};
 pub use sensitivity::{Change, Sensitivity};

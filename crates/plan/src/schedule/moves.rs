@@ -36,7 +36,11 @@ impl Stride {
 /// Returns the neighbours of a draft, in a fixed order; some may be equal to it or to each other. Where its power had to change earlier,
 /// since the pan became too hot, that time is given [s].
 pub(crate) fn neighbours(draft: &Draft, changed_s: Option<u32>, order: &Order, stride: Stride) -> Vec<Draft> {
-    let mut all = powers(draft, changed_s, order.hob_w.len(), stride);
+    let mut all = if order.plain {
+        other_power(draft, order.hob_w.len())
+    } else {
+        powers(draft, changed_s, order.hob_w.len(), stride)
+    };
     // Where it makes no difference there is only one draft.
     all.retain(Draft::is_distinct);
     let [low, high] = PREHEAT_C;
@@ -60,6 +64,12 @@ pub(crate) fn combined(from: &Draft, better: &[Draft]) -> Draft {
         }
     }
     all
+}
+
+/// The same with the next power up and down, which lasts from putting in to pulling.
+fn other_power(draft: &Draft, count: usize) -> Vec<Draft> {
+    let beside = [draft.then.checked_sub(1), Some(draft.then + 1).filter(|power| *power < count)];
+    beside.into_iter().flatten().map(|power| Draft { first: power, then: power, ..*draft }).collect()
 }
 
 fn powers(draft: &Draft, changed_s: Option<u32>, count: usize, stride: Stride) -> Vec<Draft> {
@@ -131,6 +141,15 @@ mod tests {
             powers(&FROM, changed_s, 2, Stride::ALL[1]).iter().map(|draft| draft.change_s).collect()
         };
         assert_eq!((sears(None), sears(Some(50))), (vec![20, 100], vec![10]));
+    }
+
+    #[test]
+    fn a_plain_plan_keeps_one_power_whatever_changes() {
+        let alone = Draft { first: 1, then: 1, change_s: 0, ..FROM };
+        let beside = other_power(&alone, 3);
+        assert_eq!(beside.iter().map(|draft| draft.then).collect::<Vec<_>>(), [0, 2]);
+        assert!(beside.iter().all(Draft::has_one_power) && !FROM.has_one_power());
+        assert_eq!(other_power(&Draft { first: 0, then: 0, change_s: 0, ..FROM }, 1), []);
     }
 
     #[test]

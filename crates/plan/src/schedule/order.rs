@@ -29,6 +29,8 @@ pub struct Order {
     pub hob_w: Vec<f64>,
     /// Largest number of flips [-].
     pub most_flips: usize,
+    /// True for a plan that is easily followed: one power to heat the pan and one to fry.
+    pub plain: bool,
     /// The goal.
     pub goal: Goal,
 }
@@ -36,6 +38,9 @@ pub struct Order {
 /// Share of each face that is to be browned of foods that are eaten with a crust [%] (chosen: the shipped steaks brown more
 /// than this).
 pub const CRUST_PCT: f64 = 60.0;
+
+/// Flips of a plain plan at most [-] (chosen: a turn every three minutes, as the coach asks for, warms evenly and is not missed).
+pub const PLAIN_FLIPS: usize = 3;
 
 impl Order {
     /// Returns the crust that a food is wanted to have unless the cook says otherwise [%]: none for foods that are not fried for

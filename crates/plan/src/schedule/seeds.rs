@@ -22,6 +22,9 @@ pub(crate) fn seeds(order: &Order) -> BTreeSet<Draft> {
     let flips = rhythm(order);
     let draft = |(first, change_s, then)| Draft { preheat_c: PREHEAT_C, first, change_s, then, ..flips };
     let plain: BTreeSet<Draft> = powers(order.hob_w.len()).into_iter().map(draft).collect();
+    if order.plain {
+        return plain.into_iter().filter(Draft::has_one_power).collect();
+    }
     let both = plain.iter().map(|draft| Draft { sears: 2, ..*draft }).filter(Draft::is_distinct);
     both.chain(plain.iter().copied()).collect()
 }

@@ -46,6 +46,7 @@ impl Combination {
             pan: pan.to_owned(),
             hob_w: if hob_w.is_empty() { dial() } else { numbers(hob_w) },
             most_flips: flips.parse().unwrap_or(FLIPS),
+            plain: false,
             goal,
         };
         Self { number, order, is_quick: quick == "quick", shipped: Some(shipped).filter(|id| !id.is_empty()) }
@@ -160,6 +161,7 @@ fn the_plan_does_not_depend_on_how_many_jobs_run_at_once_or_in_which_order() {
         pan: "aluminium-26".to_owned(),
         hob_w: vec![800.0],
         most_flips: 1,
+        plain: false,
         goal,
     };
     let [alone, together] = [1, 3].map(|threads| plan(&order, &library, threads));

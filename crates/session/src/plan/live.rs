@@ -10,6 +10,7 @@ use saute_recipe::recorder::Laid;
 use saute_recipe::session::{Deed as Recorded, Entry};
 
 use crate::Session;
+use crate::easing::Easing;
 use crate::hands::Hands;
 
 /// From this time before a step on time does not run fast any more [s] (chosen: it takes a moment to look up).
@@ -29,21 +30,10 @@ pub struct Live {
     gave: Option<(f64, Outcome)>,
     /// True if the plan cooks itself.
     plays: bool,
-    /// The speed before time was let run fast up to a step [-].
-    before_hurry: Option<f64>,
-    /// The step that is waited for at real time.
-    slowed: Option<Slowed>,
+    /// Real time near a step.
+    easing: Easing,
     /// True once the person has closed what was said at the end.
     is_closed: bool,
-}
-
-/// A step near which the clock fell back to real time.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Slowed {
-    /// Its time [s].
-    at_s: u32,
-    /// The speed to return to after it [-].
-    from: f64,
 }
 
 /// What the guide says at an instant.
@@ -81,7 +71,7 @@ impl Live {
         let masses = session.kitchen.pieces().iter().map(saute_kitchen::Piece::mass).collect();
         let plays = session.recording().beginning().plays;
         let text = plan.recipe_text();
-        Self { text, plan, masses, gave: None, plays, before_hurry: None, slowed: None, is_closed: false }
+        Self { text, plan, masses, gave: None, plays, easing: Easing::default(), is_closed: false }
     }
 
     /// The plan.
@@ -131,17 +121,17 @@ impl Live {
 
     /// The speed to which time returns after the step that it waits for at real time [-]; none if it does not.
     pub fn returns_to(&self) -> Option<f64> {
-        self.slowed.map(|slowed| slowed.from)
+        self.easing.left()
     }
 
     /// Time is to run fast up to the next step.
     pub fn hurries(&mut self, session: &Session<impl Hands>) {
-        self.before_hurry = Some(session.speed);
+        self.easing.hurry_from(session.speed);
     }
 
     /// The person has chosen a speed: it stays.
     pub fn keeps_speed(&mut self) {
-        (self.before_hurry, self.slowed) = (None, None);
+        self.easing.forget();
     }
 
     /// Returns what the guide says now.
@@ -178,31 +168,20 @@ impl Live {
         }
         self.gave = Some((now_s, Outcome::read(&session.kitchen, &self.masses, self.goal())));
         session.set_paused(true);
-        if let Some(slowed) = self.slowed.take().filter(|_| session.speed == 1.0) {
-            session.set_speed(slowed.from);
-        }
+        self.ease(false, session);
         true
     }
 
     /// Real time near a step, and the former speed after it unless another one was chosen.
     fn keep_time(&mut self, guidance: &Guidance, session: &mut Session<impl Hands>) {
-        let (Some(next), Some(in_s)) = (guidance.next.first(), guidance.due_in_s()) else { return };
-        let next = next.step.at_s;
-        let is_near = in_s < LEAD_S;
-        if is_near && session.speed > 1.0 {
-            let from = self.before_hurry.take().unwrap_or(session.speed);
-            session.set_speed(1.0);
-            self.slowed = (from > 1.0).then_some(Slowed { at_s: next, from });
-            return;
+        if let Some(in_s) = guidance.due_in_s() {
+            self.ease(in_s < LEAD_S, session);
         }
-        let Some(slowed) = &mut self.slowed else { return };
-        if session.speed != 1.0 {
-            self.slowed = None;
-        } else if is_near {
-            slowed.at_s = next;
-        } else if slowed.at_s != next {
-            session.set_speed(slowed.from);
-            self.slowed = None;
+    }
+
+    fn ease(&mut self, is_near: bool, session: &mut Session<impl Hands>) {
+        if let Some(speed) = self.easing.look(is_near, session.speed) {
+            session.set_speed(speed);
         }
     }
 

@@ -5,6 +5,8 @@ use saute_plan::schedule::Plan;
 use saute_plan::schedule::asked::Asked;
 use saute_plan::schedule::search::SearchProgress;
 
+use web_time::Instant;
+
 use super::craft::{PlanAnswer, PlanOrder, Told};
 use super::why_not::WhyNot;
 use crate::work::Helper;
@@ -29,8 +31,13 @@ pub struct Planning {
     helper: Option<Box<dyn Helper>>,
     number: u64,
     asked: Option<Asked>,
+    /// When the search began.
+    begun: Option<Instant>,
     standing: Standing,
 }
+
+/// Share of a search from which its pace tells how long it takes [-] (chosen: the first jobs are the shortest).
+const PACE_SHARE: f64 = 0.1;
 
 impl Planning {
     /// How the search stands.
@@ -53,6 +60,13 @@ impl Planning {
         self.helper.as_ref().is_some_and(|helper| helper.needs_frames())
     }
 
+    /// About how long the search still takes at the pace of its candidates so far [wall s]; none before it has a pace.
+    pub fn left_s(&self) -> Option<f64> {
+        let Standing::Searching(Some(progress)) = &self.standing else { return None };
+        let passed_s = self.begun?.elapsed().as_secs_f64();
+        left_s(progress.share, passed_s)
+    }
+
     /// Returns true while it searches.
     pub fn is_searching(&self) -> bool {
         matches!(self.standing, Standing::Searching(_))
@@ -72,6 +86,7 @@ impl Planning {
         let order = postcard::to_allocvec(&order).expect("an order has no kind that postcard lacks");
         helper.ask(order);
         (self.asked, self.standing) = (Some(asked), Standing::Searching(None));
+        self.begun = Some(Instant::now());
     }
 
     /// Ends the search.
@@ -115,5 +130,23 @@ impl Planning {
                 Err(error) => Standing::Refused(error.into()),
             },
         };
+    }
+}
+
+/// What is left of a work of which a share [-] took a time [s].
+fn left_s(share: f64, passed_s: f64) -> Option<f64> {
+    (share >= PACE_SHARE).then(|| passed_s * (1.0 - share) / share)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::left_s;
+
+    #[test]
+    fn what_is_left_follows_the_pace_and_corrects_itself() {
+        assert_eq!(left_s(0.05, 3.0), None);
+        assert_eq!(left_s(0.25, 10.0), Some(30.0));
+        // Slower than it began: more is left than was told.
+        assert_eq!(left_s(0.5, 60.0), Some(60.0));
     }
 }

@@ -85,6 +85,7 @@ fn time() -> Vec<TimeAct> {
         TimeAct::Step => TimeAct::Step,
         TimeAct::Speed(_) => TimeAct::Speed(1),
         TimeAct::SpeedSet(_) => TimeAct::SpeedSet(20.0),
+        TimeAct::SpeedEased => TimeAct::SpeedEased,
         TimeAct::GoOn(_) => TimeAct::GoOn(true),
         TimeAct::Undo => TimeAct::Undo,
         TimeAct::Redo => TimeAct::Redo,
@@ -120,6 +121,7 @@ fn view() -> Vec<ViewAct> {
         ViewAct::Pantry => ViewAct::Pantry,
         ViewAct::Curves => ViewAct::Curves,
         ViewAct::Panels => ViewAct::Panels,
+        ViewAct::More => ViewAct::More,
         ViewAct::Strings => ViewAct::Strings,
     };
     all.extend(View::ALL.map(ViewAct::View));

@@ -14,6 +14,8 @@ pub enum TimeAct {
     Speed(i8),
     /// Sets how fast simulated time runs [-].
     SpeedSet(f64),
+    /// Fast, and at real time where a hand is needed.
+    SpeedEased,
     /// Goes on with the cook of the last time, or leaves it.
     GoOn(bool),
     /// Back to before the last act.
@@ -35,7 +37,7 @@ impl TimeAct {
             Self::Pause => clock("key.pause", &[Permit::Pause]),
             Self::Step => Traits { changes_cook: true, waits: true, ..clock("key.step", &[Permit::Speed]) },
             Self::Speed(by) => clock(if *by > 0 { "key.faster" } else { "key.slower" }, &[Permit::Speed]),
-            Self::SpeedSet(_) => clock(Traits::NO_WORDS, &[Permit::Speed]),
+            Self::SpeedSet(_) | Self::SpeedEased => clock(Traits::NO_WORDS, &[Permit::Speed]),
             Self::GoOn(_) => Traits { changes_cook: true, ..clock(Traits::NO_WORDS, &[Permit::Leaving]) },
             Self::Undo | Self::Redo | Self::Scrub(_) => {
                 Traits { changes_cook: true, ..clock(Traits::NO_WORDS, &[Permit::Rewind]) }

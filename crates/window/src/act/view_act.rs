@@ -57,11 +57,23 @@ pub enum ViewAct {
     Curves,
     /// All panels on or off.
     Panels,
+    /// All controls, or the few that a first cook needs.
+    More,
     /// The strings of a device.
     Strings,
 }
 
 impl ViewAct {
+    /// Returns true if it asks for something that is not among the few controls of a first cook.
+    pub fn wants_more(&self) -> bool {
+        match self {
+            Self::View(view) => *view != View::Look,
+            Self::Pieces | Self::SideBySide | Self::Split | Self::Probe | Self::Placing(_) => true,
+            Self::Slice | Self::Pantry | Self::Curves => true,
+            _ => false,
+        }
+    }
+
     /// What else is true of it.
     pub fn traits(&self) -> Traits {
         match self {
@@ -98,6 +110,7 @@ impl ViewAct {
             Self::Pantry => Traits { subject: Subject::Window, ..eye("key.pantry") },
             Self::Curves => Traits { subject: Subject::Window, ..reading("key.curves") },
             Self::Panels => Traits { subject: Subject::Window, ..eye("key.panels") },
+            Self::More => Traits { subject: Subject::Window, needs: &[Permit::Comfort], ..eye("key.more") },
             Self::Strings => Traits { subject: Subject::Window, needs: &[Permit::Devices], ..eye("key.strings") },
         }
     }

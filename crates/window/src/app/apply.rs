@@ -74,6 +74,7 @@ impl SauteApp {
             TimeAct::Step => self.single_step(),
             TimeAct::Speed(by) => self.change_speed(by),
             TimeAct::SpeedSet(speed) => self.set_speed(speed),
+            TimeAct::SpeedEased => self.ease_speed(),
             TimeAct::GoOn(goes_on) => self.decide_on_offer(goes_on),
             TimeAct::Undo => self.undo(),
             TimeAct::Redo => self.redo(),
@@ -85,6 +86,7 @@ impl SauteApp {
 
     /// With what is seen.
     fn act_on_view(&mut self, act: ViewAct) {
+        self.settings.few &= !act.wants_more();
         match act {
             ViewAct::NextPiece => self.select_next(),
             ViewAct::Select(id) => self.session.select(Some(id)),
@@ -110,6 +112,7 @@ impl SauteApp {
             ViewAct::Pantry => self.open_left(!self.settings.pantry_open, false),
             ViewAct::Curves => self.settings.curves_open = !self.settings.curves_open,
             ViewAct::Panels => self.settings.panels_hidden = !self.settings.panels_hidden,
+            ViewAct::More => self.settings.few = !self.settings.few,
             #[cfg(not(target_arch = "wasm32"))]
             ViewAct::Strings => self.toggle_strings(),
             #[cfg(target_arch = "wasm32")]

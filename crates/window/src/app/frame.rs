@@ -78,7 +78,10 @@ impl SauteApp {
     fn show_panels(&mut self, ui: &mut Ui, layout: &Layout) -> Acts {
         let goal = self.scale().map(|scale| (Arc::clone(&scale), self.settings.goal(&scale)));
         let (advised, rise, quality) = (self.session.advice(goal), self.session.rise(), self.quality());
-        let result = if self.desk.card == Some(Card::Result) { self.result_words() } else { None };
+        self.keep_mark();
+        let is_result = self.desk.card == Some(Card::Result);
+        let result = if is_result { self.result_words() } else { None };
+        let try_from_s = if is_result { self.try_from_s() } else { None };
         let keeping = self.keeping();
         // While a plan is kept to, its guide gives the orders.
         let advice = keeping.map_or_else(|| advised.clone(), |keeping| keeping.leaves(&advised));
@@ -121,6 +124,7 @@ impl SauteApp {
             alarm,
             rise,
             result,
+            try_from_s,
             tutorial: self.leads.learn.tutorial.as_ref(),
             notice: self.desk.notice.current(),
             waiting: self.pace.waiting.iter().map(|waiting| waiting.words(l)).collect(),
@@ -130,6 +134,7 @@ impl SauteApp {
         let mut acts = Acts::new();
         panels::show_all(&state, &mut self.desk.memory, ui, &mut acts, layout);
         self.pulse_at_goal(alarm);
+        self.ease(if keeping.is_none() { &advised } else { &[] });
         self.tutor(&advised);
         self.watch_result(&advised);
         acts

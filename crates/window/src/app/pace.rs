@@ -3,7 +3,9 @@
 use super::SauteApp;
 use crate::app::apply::waiting::Waiting;
 use crate::frame_meter::FrameMeter;
+use saute_kitchen::advice::Advice;
 use saute_session::SPEEDS;
+use saute_session::easing::Easing;
 
 /// How long the clock may lag before a lower speed is chosen [wall s] (chosen: one slow moment is no slow machine).
 const PATIENCE_S: f64 = 2.0;
@@ -25,13 +27,27 @@ pub(crate) struct Pace {
     pub(crate) lag: Option<Lag>,
     /// What waits until the instant is reached to which time is turned.
     pub(crate) waiting: Vec<Waiting>,
+    /// Real time where a hand is needed.
+    pub(crate) easing: Easing,
     /// True if time was stopped because nobody sees the window.
     pub(crate) stopped_unseen: bool,
     pub(crate) meter: FrameMeter,
 }
 
 impl SauteApp {
-    /// Watches the clock through `wall` seconds. The chosen speed is kept in the settings: the next cook tries it again.
+    /// Slows to real time while an advice asks for a hand, and returns to what the machine holds of the chosen speed.
+    pub(super) fn ease(&mut self, advice: &[Advice]) {
+        let somebody_leads = self.leads.guided.is_some() || self.leads.learn.tutorial.is_some();
+        if !self.settings.eases || self.settings.skill_mode || somebody_leads {
+            return;
+        }
+        let is_needed = advice.iter().any(|one| one.is_due());
+        if let Some(speed) = self.pace.easing.look(is_needed, self.session.speed) {
+            self.session.set_speed(speed.min(self.settings.held_speed.unwrap_or(speed)));
+        }
+    }
+
+    /// Watches the clock through `wall` seconds. The chosen speed stays in the settings, beside the one that the machine holds.
     pub(super) fn keep_up(&mut self, wall: f64) {
         let (now, time_s) = (self.session.speed, self.session.kitchen.time_s());
         if self.session.behind_s().is_none() || now <= SPEEDS[0] {
@@ -46,6 +62,7 @@ impl SauteApp {
         let holds = holdable(now, (time_s - lag.from_s) / lag.wall_s);
         self.pace.lag = None;
         self.session.set_speed(holds);
+        self.settings.held_speed = Some(holds);
         let words = |speed: f64| format!("{speed:.0}");
         let said: [(&str, &dyn std::fmt::Display); 2] = [("wanted", &words(now)), ("speed", &words(holds))];
         self.desk.notice.say(self.settings.language.fill("notice.slowed", &said));
@@ -65,7 +82,8 @@ mod tests {
     #[test]
     fn the_highest_speed_that_holds_is_chosen() {
         assert_eq!(holdable(20.0, 12.0), 5.0);
-        assert_eq!(holdable(20.0, 3.0), 1.0);
+        assert_eq!(holdable(20.0, 3.0), 3.0);
+        assert_eq!(holdable(5.0, 2.9), 2.0);
         assert_eq!(holdable(5.0, 0.4), 1.0);
     }
 }

@@ -24,12 +24,21 @@ pub trait CookStore {
     fn append(&mut self, bytes: &[u8]) -> Result<(), String>;
 }
 
+/// What was last handed to the store.
+#[derive(Clone, Copy)]
+pub(crate) struct Written {
+    /// Number of the line of time.
+    line: u64,
+    at: Instant,
+    /// How far that line had come [s].
+    pub(crate) time_s: f64,
+}
+
 /// The cook that is kept.
 #[derive(Default)]
 pub(crate) struct Autosave {
     pub(crate) store: Option<Box<dyn CookStore>>,
-    /// Number of the line of time that is kept, and when it was last written.
-    pub(crate) kept: Option<(u64, Instant)>,
+    pub(crate) kept: Option<Written>,
     /// The cook that was kept when the window opened, until it is decided about.
     pub(crate) offered: Option<Recording>,
 }
@@ -39,8 +48,8 @@ impl Autosave {
         let Some(store) = &mut self.store else { return Ok(()) };
         let Some((line, recording)) = session.unsaved() else { return Ok(()) };
         match self.kept {
-            Some((kept, at)) if kept == line => {
-                if !at_once && at.elapsed() < KEPT_EVERY {
+            Some(kept) if kept.line == line => {
+                if !at_once && kept.at.elapsed() < KEPT_EVERY {
                     return Ok(());
                 }
                 let bytes = recording.unsaved();
@@ -54,7 +63,7 @@ impl Autosave {
                 store.begin(&recording.unsaved())?;
             }
         }
-        self.kept = Some((line, Instant::now()));
+        self.kept = Some(Written { line, at: Instant::now(), time_s: recording.moment().time_s() });
         Ok(())
     }
 }

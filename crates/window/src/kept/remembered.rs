@@ -21,6 +21,13 @@ impl Settings {
     }
 }
 
+impl Settings {
+    /// Returns true of what is stored before a window has kept its settings: at most the language that a page was opened in.
+    pub(crate) fn were_never_kept(text: &str) -> bool {
+        serde_json::from_str::<Value>(text).is_ok_and(|stored| stored.get("version").is_none())
+    }
+}
+
 /// Speeds of the clock [-] (chosen: the window offers 1 to 20).
 const SPEED: RangeInclusive<f64> = 0.01..=1000.0;
 /// Goals for the core [°C or %], and temperatures of the pan and of the food [°C] (chosen: as in recipes).
@@ -38,6 +45,8 @@ impl Settings {
         let (choice, mirror) = (&self.choice, &self.mirror);
         let moved = mirror.calibrations.values().flat_map(|c| c.moved.iter());
         SPEED.contains(&self.speed)
+            && self.marks.values().flatten().all(|mark| (0.0..=100.0).contains(mark))
+            && self.held_speed.is_none_or(|held| SPEED.contains(&held))
             && self.goals.values().chain([&self.goal_c]).all(|goal| GOAL.contains(goal))
             && GOAL.contains(&self.plan.core_c)
             && self.kitchen.as_ref().is_none_or(|kitchen| kitchen.text.len() < LONGEST_KITCHEN)

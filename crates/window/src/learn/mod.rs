@@ -14,4 +14,6 @@ pub struct Learning {
     pub tutorial: Option<Tutorial>,
     /// The cook whose result was shown by itself: when its food came out [s].
     pub(crate) shown_for: Option<f64>,
+    /// When the food was taken out whose mark was kept last [s].
+    pub(crate) marked_for: Option<f64>,
 }

@@ -66,7 +66,7 @@ pub fn what_holds(state: &WindowState, ui: &mut Ui, acts: &mut Acts, width: f32)
     legend::show(state, ui, acts, width);
     if state.session.kitchen.rules() == Rules::Paper2013 {
         let text = RichText::new(state.settings.language.text("scene.rules_2013"));
-        ui.label(text.size(15.0).strong().color(theme::of(ui).accent));
+        ui.label(text.size(15.0).strong());
     }
 }
 

@@ -76,7 +76,7 @@ fn result(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
         return;
     }
     let (l, act) = (state.settings.language, Act::App(AppAct::Open(Card::Result)));
-    let text = RichText::new(l.text("result.title")).size(13.0).strong().color(theme::of(ui).accent);
+    let text = RichText::new(l.text("result.title")).size(13.0).strong();
     let response = ui.add(egui::Button::new(text).min_size(vec2(64.0, fingers::height(ui, 24.0))));
     note_control(ui, &act, response.rect);
     if response.on_hover_text(l.text("result.hint")).clicked() {

@@ -35,7 +35,7 @@ use egui::{Rect, ScrollArea, Ui, UiBuilder};
 use crate::act::{Acts, Card};
 use crate::paint::ground::GroundCallback;
 use crate::panels::cards::{first_steps, goals, help, learn as learn_card, lessons, messages, result, unfinished};
-use crate::panels::cook::{hob_bar, pour, time_strip};
+use crate::panels::cook::{few_controls, hob_bar, pour, time_strip};
 use crate::panels::memory::{Drawer, PanelMemory};
 use crate::panels::window_state::WindowState;
 use crate::ui::layout::{GAP, Layout};
@@ -103,10 +103,19 @@ fn show(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut A
         eye_bar::show(state, ui, acts, layout.eye);
     }
     let margin = if layout.narrow { WIDE_MARGIN } else { MARGIN };
-    floating(ui, layout.top, (0, margin), "views", |ui| top::show(state, ui, acts, layout.narrow));
+    floating(ui, layout.top, (0, margin), "views", |ui| match layout.few {
+        true => top::few(state, ui, acts),
+        false => top::show(state, ui, acts, layout.narrow),
+    });
     if layout.narrow {
-        floating(ui, layout.bottom, (1, WIDE_MARGIN), "drawer", |ui| drawer(state, memory, ui, acts));
+        floating(ui, layout.bottom, (1, WIDE_MARGIN), "drawer", |ui| match layout.few {
+            true => few_drawer(state, memory, ui, acts),
+            false => drawer(state, memory, ui, acts),
+        });
         return;
+    }
+    if layout.few {
+        return floating(ui, layout.bottom, (3, WIDE_MARGIN), "cook", |ui| few_controls::row(state, ui, acts));
     }
     floating(ui, layout.right, (2, 10), "inside", |ui| {
         scrolled(ui, |ui| {
@@ -139,6 +148,13 @@ fn turner_strip(state: &WindowState, ui: &Ui, acts: &mut Acts, layout: &Layout) 
     area.show(ui.ctx(), |ui| {
         theme::of(ui).panel().inner_margin(MARGIN).show(ui, |ui| ui.horizontal(|ui| pour::turner(state, ui, acts)));
     });
+}
+
+/// The drawer of a first cook: what to do now, and the few controls.
+fn few_drawer(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut Acts) {
+    now::in_drawer(state, &mut memory.now, ui, acts);
+    ui.add_space(6.0);
+    scrolled(ui, |ui| few_controls::rows(state, ui, acts));
 }
 
 fn drawer(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut Acts) {

@@ -121,7 +121,7 @@ fn kind(ui: &mut Ui, still: Option<egui::TextureHandle>, name: &str, on: bool) -
     let ground = if on || response.hovered() { palette.raised } else { egui::Color32::TRANSPARENT };
     let edge = match (response.has_focus(), on) {
         (true, _) => palette.text,
-        (_, true) => palette.accent,
+        (_, true) => palette.chosen,
         _ => egui::Color32::TRANSPARENT,
     };
     ui.painter().rect(rect, 7.0, ground, egui::Stroke::new(2.0, edge), egui::StrokeKind::Inside);

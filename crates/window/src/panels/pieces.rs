@@ -199,7 +199,7 @@ fn shown(ui: &mut Ui, line: &Line, indent: f32, selected: bool, spoken: &str) ->
         fold_mark(&painter, at(left + 5.0, 13.0), open, theme::of(ui).quiet);
         left += 16.0;
     }
-    let ink = if selected { theme::of(ui).accent } else { theme::of(ui).text };
+    let ink = if selected { theme::of(ui).chosen } else { theme::of(ui).text };
     painter.text(at(left, 5.0), egui::Align2::LEFT_TOP, &line.name, large.clone(), ink);
     painter.text(at(right, 5.0), egui::Align2::RIGHT_TOP, &line.core, large, theme::of(ui).text);
     painter.text(at(left, 23.0), egui::Align2::LEFT_TOP, &line.state, small.clone(), theme::of(ui).quiet);

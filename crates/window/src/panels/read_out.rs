@@ -33,7 +33,7 @@ pub fn show(state: &WindowState, ui: &Ui, whole: Rect) {
     area.fixed_pos(at).pivot(pivot).constrain_to(whole.shrink(6.0)).show(ui.ctx(), |ui| {
         theme::of(ui).panel().fill(theme::of(ui).solid).inner_margin(9).show(ui, |ui| {
             ui.spacing_mut().item_spacing.y = 2.0;
-            ui.label(RichText::new(name(&piece.id, l)).size(14.5).strong().color(theme::of(ui).accent));
+            ui.label(RichText::new(name(&piece.id, l)).size(14.5).strong().color(theme::of(ui).text));
             if let Some(here) = here(state, piece) {
                 ui.add(egui::Label::new(RichText::new(here).size(14.5).strong()).extend());
             }

@@ -29,6 +29,16 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
     });
 }
 
+/// Shows the way to all controls, the settings and the help: what a first cook has on top.
+pub fn few(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+    ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+        help(state, ui, acts);
+        gear(state, ui, acts);
+        messages(state, ui, acts);
+        chip(state, ui, acts, state.settings.language.text("top.all"), false, Act::View(ViewAct::More));
+    });
+}
+
 /// Shows what there is to learn, the help among it, the settings and, where there is room, what was said, from the right.
 pub fn learn_and_settings(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
@@ -105,7 +115,7 @@ impl Drawn {
         let response = ui.add(palette.button("", self.is_on).min_size(size));
         let name = l.text(self.name);
         response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Button, true, name));
-        let ink = if self.is_on { palette.on_accent } else { palette.text };
+        let ink = if self.is_on { palette.on_chosen } else { palette.text };
         (self.paint)(ui.painter(), response.rect.center(), ink);
         if response.on_hover_text(hint(&self.act, l)).clicked() {
             acts.push(self.act);

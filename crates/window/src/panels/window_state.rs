@@ -81,6 +81,8 @@ pub struct WindowState<'a> {
     pub rise: Option<Forecast>,
     /// The result in words, while its card is open.
     pub result: Option<ResultWords>,
+    /// From when the cook is tried again, while its result is shown [s].
+    pub try_from_s: Option<f64>,
     /// The tutorial while it runs.
     pub tutorial: Option<&'a Tutorial>,
     /// What was said last, while it is still shown.

@@ -3,8 +3,8 @@
 use saute_kitchen::Library;
 use saute_kitchen::food::Scale;
 use saute_kitchen::pan::hob::HobDescription;
-use saute_plan::schedule::Order;
 use saute_plan::schedule::asked::{Asked, scale_for};
+use saute_plan::schedule::{Order, PLAIN_FLIPS};
 use serde::{Deserialize, Serialize};
 
 use crate::settings::Settings;
@@ -35,6 +35,8 @@ pub struct PlanChoice {
     pub crust_pct: Option<f64>,
     /// Largest number of flips [-].
     pub most_flips: usize,
+    /// True for a plan that is easily followed: one power to heat the pan, one to fry, few flips.
+    pub plain: bool,
     /// Powers of the hob as they were typed [W]; those of its dial if there are none.
     pub powers: String,
 }
@@ -48,6 +50,7 @@ impl Default for PlanChoice {
             core_c: 57.0,
             crust_pct: None,
             most_flips: FIRST_FLIPS,
+            plain: false,
             powers: String::new(),
         }
     }
@@ -92,7 +95,8 @@ impl PlanChoice {
             hob: choice.hob.clone(),
             pan: choice.pan.clone(),
             hob_w: self.powers_w(choice.hob(library)),
-            most_flips: self.most_flips.min(MOST_FLIPS),
+            most_flips: if self.plain { PLAIN_FLIPS } else { self.most_flips.min(MOST_FLIPS) },
+            plain: self.plain,
             target: if self.by_core || scale.is_none() { format!("core={:.0}", self.core_c) } else { class },
             scale: scale.map_or(String::new(), |scale| scale.id.clone()),
             crust_pct: self.crust_of(library, &choice.kind),

@@ -16,6 +16,12 @@ const RIGHT_WIDTH: f32 = 296.0;
 const LEFT_WIDTH: f32 = 276.0;
 /// Height of what is inside without the curves [points]; with them it takes the whole height.
 const INSIDE_HEIGHT: f32 = 410.0;
+/// Heights of the few controls of a first cook: of one row, and of what stands above them; and the width of *More* and its neighbours
+/// [points].
+const FEW_HEIGHT: f32 = 58.0;
+const FEW_TOP: Vec2 = vec2(236.0, 46.0);
+/// Height of their drawer [points]: the line that says what to do and three rows for fingers.
+const FEW_DRAWER: f32 = 330.0;
 /// Two rows of controls and a line of words.
 const BOTTOM_HEIGHT: f32 = 110.0;
 const TOP_HEIGHT: f32 = 46.0;
@@ -69,6 +75,8 @@ pub struct Layout {
     pub free: Rect,
     /// One drawer instead of side panels.
     pub narrow: bool,
+    /// Only the controls that a first cook needs: nothing at the right.
+    pub few: bool,
     /// Ways side by side in place of the scene, where they are shown.
     pub ways: Option<WaysLayout>,
 }
@@ -86,15 +94,21 @@ impl Layout {
         let mut layout = if narrow && whole.width() > whole.height() {
             Self::beside(whole, inner, fingers)
         } else if narrow {
-            Self::below(whole, inner, fingers)
+            Self::below(whole, inner, (fingers, settings.few))
+        } else if settings.few {
+            Self::few(whole, inner)
         } else {
             Self::wide(whole, inner, settings)
         };
+        layout.few = settings.few;
         let eye = if fingers { FINGER_EYE } else { EYE };
         // Where it is narrow the legend needs the lower edge.
         let corner =
             if narrow { layout.free.right_top() + vec2(0.0, eye.y + 2.0 * GAP) } else { layout.free.right_bottom() };
         layout.eye = Rect::from_min_size(corner - eye - vec2(GAP, GAP), eye);
+        if settings.few {
+            layout.eye = Rect::NOTHING;
+        }
         if settings.panels_hidden {
             layout = layout.bare();
         }
@@ -117,7 +131,27 @@ impl Layout {
         let left = open.then(|| Rect::from_min_size(middle.min, vec2(LEFT_WIDTH, middle.height())));
         let free_left = left.map_or(whole.left(), |l| l.right());
         let free = Rect::from_min_max(pos2(free_left, top.bottom() - 0.4 * TOP_HEIGHT), pos2(rest, bottom.top()));
-        Self { whole, top, left, right, bottom, eye: Rect::NOTHING, free, narrow: false, ways: None }
+        Self { whole, top, left, right, bottom, eye: Rect::NOTHING, free, narrow: false, few: false, ways: None }
+    }
+
+    /// One row of controls at the foot, and the way to all others.
+    fn few(whole: Rect, inner: Rect) -> Self {
+        let bottom = Rect::from_min_max(pos2(inner.left(), inner.bottom() - FEW_HEIGHT), inner.max);
+        let top = Rect::from_min_size(pos2(inner.right() - FEW_TOP.x, inner.top()), FEW_TOP);
+        let free = Rect::from_min_max(whole.min, pos2(whole.right(), bottom.top()));
+        let nothing = Rect::NOTHING;
+        Self {
+            whole,
+            top,
+            left: None,
+            right: nothing,
+            bottom,
+            eye: nothing,
+            free,
+            narrow: false,
+            few: true,
+            ways: None,
+        }
     }
 
     /// The drawer at the right, over the whole height.
@@ -135,17 +169,20 @@ impl Layout {
             eye: Rect::NOTHING,
             free,
             narrow: true,
+            few: false,
             ways: None,
         }
     }
 
     /// The drawer at the bottom.
-    fn below(whole: Rect, inner: Rect, fingers: bool) -> Self {
+    fn below(whole: Rect, inner: Rect, (fingers, few): (bool, bool)) -> Self {
         let split = whole.top() + (0.465 * whole.height()).max(240.0);
+        let split = if few { split.max(inner.bottom() - FEW_DRAWER) } else { split };
         let top = chips(inner, inner.right(), fingers);
         let bottom = Rect::from_min_max(pos2(inner.left(), split), inner.max);
         let free = Rect::from_min_max(pos2(whole.left(), top.bottom()), pos2(whole.right(), split));
-        Self { whole, top, left: None, right: bottom, bottom, eye: Rect::NOTHING, free, narrow: true, ways: None }
+        let (eye, few) = (Rect::NOTHING, false);
+        Self { whole, top, left: None, right: bottom, bottom, eye, free, narrow: true, few, ways: None }
     }
 
     /// Shows this many ways side by side in place of the scene; the one at the place `live` goes on.
@@ -160,7 +197,7 @@ impl Layout {
 
     /// What covers the scene.
     pub fn panels(&self) -> Vec<Rect> {
-        let mut panels = vec![self.top, self.right, self.eye];
+        let mut panels: Vec<Rect> = [self.top, self.right, self.eye].into_iter().filter(Rect::is_positive).collect();
         // One drawer has both.
         panels.extend((!self.narrow).then_some(self.bottom));
         panels.extend(self.left);
@@ -226,16 +263,25 @@ mod tests {
         let covered: f32 = Layout::new(whole, &Settings::default()).panels().iter().map(|part| part.area()).sum();
         let seen = 1.0 - covered / whole.area();
         assert!(seen >= 0.70, "{:.1} %", 100.0 * seen);
+        let few = Settings { few: true, ..Settings::default() };
+        let covered: f32 = Layout::new(whole, &few).panels().iter().map(|part| part.area()).sum();
+        let seen = 1.0 - covered / whole.area();
+        assert!(seen >= 0.90, "{:.1} %", 100.0 * seen);
     }
 
     #[test]
     fn panels_do_not_overlap_at_any_size() {
         let sizes = [[1280.0, 720.0], [1920.0, 1080.0], [900.0, 640.0], [853.0, 480.0], [390.0, 844.0], [844.0, 390.0]];
         for size in sizes.map(Vec2::from) {
-            for [pantry_open, curves_open, fingers] in
-                [[false, false, false], [true, false, false], [false, true, false], [false, false, true]]
-            {
-                let settings = Settings { pantry_open, curves_open, ..Settings::default() };
+            for [pantry_open, curves_open, fingers, few] in [
+                [false, false, false, false],
+                [true, false, false, false],
+                [false, true, false, false],
+                [false, false, true, false],
+                [false, false, false, true],
+                [false, false, true, true],
+            ] {
+                let settings = Settings { pantry_open, curves_open, few, ..Settings::default() };
                 let l = Layout::used_by(Rect::from_min_size(Pos2::ZERO, size), &settings, fingers);
                 assert_eq!(l.narrow, l.bottom == l.right);
                 let parts = l.panels();

@@ -7,10 +7,14 @@ use egui::Color32;
 pub struct Palette {
     /// True if text is lighter than its ground.
     pub dark: bool,
-    /// The one accent, the orange of a gas flame: what is on, and what is urgent.
+    /// The one accent, the orange of a gas flame: what is to be done now, and nothing else.
     pub accent: Color32,
     /// Text on the accent.
     pub on_accent: Color32,
+    /// What is chosen, and how far something is.
+    pub chosen: Color32,
+    /// Text on what is chosen.
+    pub on_chosen: Color32,
     /// Ground of a panel, let through a little.
     pub ground: Color32,
     /// Ground of what covers everything.
@@ -57,6 +61,8 @@ static DARK: Palette = Palette {
     dark: true,
     accent: Color32::from_rgb(236, 138, 60),
     on_accent: Color32::from_rgb(28, 18, 10),
+    chosen: Color32::from_rgb(204, 197, 186),
+    on_chosen: Color32::from_rgb(24, 22, 20),
     ground: Color32::from_rgba_premultiplied(20, 19, 18, 236),
     solid: Color32::from_rgb(26, 25, 24),
     sunken: Color32::from_rgb(10, 10, 10),
@@ -83,6 +89,8 @@ static LIGHT: Palette = Palette {
     dark: false,
     accent: Color32::from_rgb(156, 68, 8),
     on_accent: Color32::from_rgb(255, 250, 244),
+    chosen: Color32::from_rgb(84, 75, 64),
+    on_chosen: Color32::from_rgb(255, 250, 244),
     ground: Color32::from_rgba_premultiplied(235, 230, 221, 246),
     solid: Color32::from_rgb(247, 243, 236),
     sunken: Color32::from_rgb(255, 253, 249),

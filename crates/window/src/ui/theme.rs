@@ -11,7 +11,7 @@ use crate::ui::palette::Palette;
 /// Corner radius of a panel [points].
 pub const CORNER: u8 = 12;
 /// Corner radius of a control [points].
-const CONTROL_CORNER: u8 = 8;
+pub const CONTROL_CORNER: u8 = 8;
 /// Height of a control that a finger can hit [points].
 pub const TOUCH: f32 = 44.0;
 
@@ -97,8 +97,8 @@ fn visuals(p: &Palette) -> Visuals {
     v.panel_fill = p.ground;
     v.window_fill = p.ground;
     v.extreme_bg_color = p.sunken;
-    v.selection.bg_fill = p.accent;
-    v.selection.stroke = Stroke::new(1.0, p.on_accent);
+    v.selection.bg_fill = p.chosen;
+    v.selection.stroke = Stroke::new(1.0, p.on_chosen);
     v.slider_trailing_fill = true;
     v.weak_text_color = Some(p.quiet);
     for widget in [
@@ -130,11 +130,20 @@ impl Palette {
         Frame::new().fill(self.ground).corner_radius(CornerRadius::same(CORNER)).inner_margin(Margin::same(12))
     }
 
-    /// A large button; filled with the accent where `on`.
+    /// A large button; filled where it is `on`.
     pub fn button(&self, text: &str, on: bool) -> egui::Button<'static> {
+        self.filled(text, on.then_some((self.chosen, self.on_chosen)))
+    }
+
+    /// The large button of what is to be done now.
+    pub fn primary(&self, text: &str) -> egui::Button<'static> {
+        self.filled(text, Some((self.accent, self.on_accent)))
+    }
+
+    fn filled(&self, text: &str, fill: Option<(egui::Color32, egui::Color32)>) -> egui::Button<'static> {
         let rich = egui::RichText::new(text.to_owned()).size(15.0);
-        let rich = if on { rich.color(self.on_accent) } else { rich };
+        let rich = if let Some((_, ink)) = fill { rich.color(ink) } else { rich };
         let button = egui::Button::new(rich).min_size(egui::vec2(TOUCH, TOUCH));
-        if on { button.fill(self.accent) } else { button }
+        if let Some((ground, _)) = fill { button.fill(ground) } else { button }
     }
 }

@@ -6,6 +6,7 @@ use egui_kittest::{
     kittest::{NodeT, Queryable},
 };
 use saute_window::SauteApp;
+use saute_window::act::{Act, TimeAct};
 use saute_window::ui::layout::Layout;
 
 use crate::harness::{WINDOW, cook, drag, press, save, steps, window};
@@ -106,39 +107,78 @@ fn what_is_taken_out_and_halved_is_looked_at_beside_the_panels() {
     assert!(free(&harness).shrink(120.0).contains(harness.state().steak_on_screen(WINDOW).expect("in view")));
 }
 
-#[test]
-fn what_was_said_is_kept_in_a_list() {
-    let mut harness = window(vec2(1280.0, 720.0));
-    press(&mut harness, Key::F);
-    press(&mut harness, Key::T);
-    press(&mut harness, Key::F3);
-    harness.get_by_label_contains("is not in the pan");
-    save(&mut harness, "messages");
-    assert!(harness.get_all_by_label_contains("nothing in the pan to toss").count() >= 1);
-    harness.get_by_label("Done").click();
-    steps(&mut harness, 2);
-    harness.get_by_label("Messages").click();
-    steps(&mut harness, 2);
-    harness.get_by_label_contains("is not in the pan");
+/// The food is in the part that no panel covers.
+#[track_caller]
+fn is_seen(harness: &Harness<'static, SauteApp>, whole: Rect) {
+    let at = harness.state().steak_on_screen(whole).expect("in view");
+    let free = Layout::new(whole, harness.state().settings()).free;
+    assert!(free.shrink(8.0).contains(at), "{at:?} in {free:?}");
 }
 
 #[test]
-fn the_help_is_grouped_searched_and_closed_by_a_button() {
+fn food_is_found_again_after_another_cook_and_in_another_time() {
+    let size = vec2(390.0, 844.0);
+    let (mut harness, whole) = (window(size), Rect::from_min_size(pos2(0.0, 0.0), size));
+    save(&mut harness, "sight-start");
+    is_seen(&harness, whole);
+    press(&mut harness, Key::A);
+    cook(&mut harness, 20.0);
+    steps(&mut harness, 24);
+    is_seen(&harness, whole);
+    let in_s = harness.state().session().kitchen.time_s();
+    press(&mut harness, Key::O);
+    cook(&mut harness, 4.0);
+    steps(&mut harness, 24);
+    is_seen(&harness, whole);
+    let ctx = harness.ctx.clone();
+    harness.state_mut().act(Act::Time(TimeAct::Scrub(in_s)), &ctx);
+    steps(&mut harness, 40);
+    assert!(harness.state().session().steak().expect("steak").in_pan());
+    is_seen(&harness, whole);
+    press(&mut harness, Key::R);
+    steps(&mut harness, 40);
+    save(&mut harness, "sight-again");
+    is_seen(&harness, whole);
+}
+
+#[test]
+fn what_was_said_is_kept_in_a_list_and_the_help_is_grouped_searched_and_closed_by_a_button() {
     let mut harness = window(vec2(1280.0, 720.0));
-    press(&mut harness, Key::F1);
+    is_seen(&harness, WINDOW);
+    messages(&mut harness);
+    press(&mut harness, Key::Escape);
+    help(&mut harness);
+}
+
+fn messages(harness: &mut Harness<'static, SauteApp>) {
+    press(harness, Key::F);
+    press(harness, Key::T);
+    press(harness, Key::F3);
+    harness.get_by_label_contains("is not in the pan");
+    save(harness, "messages");
+    assert!(harness.get_all_by_label_contains("nothing in the pan to toss").count() >= 1);
+    harness.get_by_label("Done").click();
+    steps(harness, 2);
+    harness.get_by_label("Messages").click();
+    steps(harness, 2);
+    harness.get_by_label_contains("is not in the pan");
+}
+
+fn help(harness: &mut Harness<'static, SauteApp>) {
+    press(harness, Key::F1);
     for title in ["Food", "Hob and time", "Views of the food", "Camera", "Tools", "Window"] {
         assert!(harness.query_all_by_label(title).next().is_some(), "{title}");
     }
-    save(&mut harness, "help");
+    save(harness, "help");
     harness.get_by_label("search").focus();
-    steps(&mut harness, 2);
+    steps(harness, 2);
     harness.get_by_label("search").type_text("butter");
-    steps(&mut harness, 3);
+    steps(harness, 3);
     harness.get_by_label("butter into the pan");
     assert!(harness.query_by_label("start over").is_none());
-    save(&mut harness, "help-search");
+    save(harness, "help-search");
     harness.get_by_label("Done").click();
-    steps(&mut harness, 2);
+    steps(harness, 2);
     assert!(!harness.state().help_is_open());
 }
 

@@ -232,6 +232,8 @@ fn the_colours_of_curves_probes_and_states_stand_out_in_both_themes() {
         }
         [p.hovered, p.pressed, p.sunken].into_iter().for_each(|ground| at_least(TEXT, p.text, ground));
         at_least(TEXT, p.on_accent, p.accent);
+        at_least(TEXT, p.on_chosen, p.chosen);
+        at_least(CONTROL, p.chosen, p.raised);
         for ink in (1..=6).map(|number| p.probe(number)) {
             at_least(CONTROL, ink, p.sunken);
             // Their values are written in their colours.

@@ -250,8 +250,12 @@ fn devices_are_chosen_on_the_settings_card() {
     for (size, name) in [(WIDE, "wide"), (vec2(390.0, 844.0), "phone")] {
         let mut harness = window(size);
         press(&mut harness, Key::F2);
+        harness.get_by_label("Hands").scroll_to_me();
+        steps(&mut harness, 4);
         harness.get_by_label("Hands").click();
         steps(&mut harness, 12);
+        harness.get_by_label_contains("Device: spidar-frame").scroll_to_me();
+        steps(&mut harness, 4);
         harness.get_by_label_contains("Device: spidar-frame").click();
         steps(&mut harness, 2);
         harness.get_by_label("It holds: The turner").click();

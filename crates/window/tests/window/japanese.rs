@@ -173,6 +173,9 @@ fn the_first_start_shows_three_steps_once_and_the_help_calls_them_back() {
             harness.get_by_label(language.text("first.begin")).click();
             steps(&mut harness, 3);
             assert!(!harness.state().first_steps_are_open() && harness.state().settings().introduced);
+            few_controls_and_the_way_to_all(&mut harness, language);
+            buttons_have_room(&harness, size);
+            save(&mut harness, &format!("few-{code}-{name}"));
             press(&mut harness, Key::F1);
             harness.get_by_label(language.text("help.first_steps")).click();
             steps(&mut harness, 3);
@@ -180,6 +183,22 @@ fn the_first_start_shows_three_steps_once_and_the_help_calls_them_back() {
         }
     }
     assert!(!window(SIZES[0].0).state().first_steps_are_open());
+}
+
+/// A first cook has the hob, three things for hands, undo and time; the rest is behind one button.
+fn few_controls_and_the_way_to_all(harness: &mut Harness<'static, SauteApp>, language: Language) {
+    for key in ["hob.food_in", "hob.flip", "hob.take_out", "strip.undo", "hob.pause", "top.all"] {
+        assert!(harness.query_all_by_label_contains(language.text(key)).next().is_some(), "{key}");
+    }
+    for key in ["pour.lid", "hob.step", "inside.more", "drawer.inside", "top.pieces"] {
+        assert!(harness.query_by_label(language.text(key)).is_none(), "{key}");
+    }
+    assert!(harness.query_all_by_label_contains("1100 W").next().is_some(), "the line asks for the hob");
+    harness.get_by_label(language.text("top.all")).click();
+    steps(harness, 3);
+    assert!(!harness.state().settings().few && harness.query_by_label(language.text("hob.step")).is_some());
+    press(harness, Key::F6);
+    assert!(harness.state().settings().few);
 }
 
 /// A window that remembers nothing yet.

@@ -92,6 +92,8 @@ fn a_piece_under_the_pointer_is_read_out() {
 #[test]
 fn the_pan_is_dragged_by_its_rim_and_slides_home_when_let_go_near_its_ring() {
     let mut harness = window(WIDE);
+    harness.get_by_label("Front").click();
+    steps(&mut harness, 24);
     let rim = harness.state().on_screen(Vec3::new(-0.13, 0.0, 0.045), WINDOW).expect("in view");
     drag(&mut harness, rim, rim + vec2(-150.0, 0.0));
     assert!(pan_at(&harness).x < -0.05, "{}", pan_at(&harness));

@@ -108,7 +108,7 @@ fn choices_have_room(harness: &Harness<'static, SauteApp>, size: egui::Vec2) {
     let nodes = harness.root().children_recursive().filter(|n| n.accesskit_node().role() == Role::RadioButton);
     let radios = nodes.filter(|n| named(n.accesskit_node().label()));
     let rects: Vec<Rect> = radios.map(|n| n.rect()).collect();
-    assert_eq!(rects.len(), 22);
+    assert_eq!(rects.len(), 24);
     for (i, rect) in rects.iter().enumerate() {
         assert!(points.contains_rect(*rect), "{rect:?} in {points:?}");
         assert!(rects[i + 1..].iter().all(|other| !rect.shrink(0.5).intersects(other.shrink(0.5))), "{rect:?}");

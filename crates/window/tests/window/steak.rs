@@ -19,7 +19,7 @@ fn a_first_cook_by_buttons_alone() {
     steps(&mut harness, 2);
     assert_eq!(harness.state().session().kitchen.hob_w(), 1100.0);
     cook(&mut harness, 100.0);
-    harness.get_by_label("Steak in").click();
+    harness.get_by_label("In the pan").click();
     steps(&mut harness, 14);
     assert!(matches!(harness.state().session().steak().expect("steak").place, Place::Pan(_)));
     cook(&mut harness, 60.0);
@@ -80,7 +80,7 @@ fn every_operation_has_a_key() {
     press(&mut harness, Key::Period);
     assert_eq!(harness.state().session().kitchen.tick(), tick + 1);
     press(&mut harness, Key::CloseBracket);
-    assert_eq!(harness.state().session().speed, 5.0);
+    assert_eq!(harness.state().session().speed, 2.0);
     press(&mut harness, Key::OpenBracket);
     assert_eq!(harness.state().session().speed, 1.0);
     press(&mut harness, Key::Num2);
@@ -297,7 +297,7 @@ fn settings_are_remembered() {
     let stored = memory.0.into_values().next();
     let again = SauteApp::start(&egui::Context::default(), None, stored, Start::default()).expect("starts");
     assert_eq!(again.settings(), harness.state().settings());
-    assert!(again.settings().fahrenheit && again.settings().view == View::Temperature && again.session().speed == 5.0);
+    assert!(again.settings().fahrenheit && again.settings().view == View::Temperature && again.session().speed == 2.0);
     let broken = SauteApp::start(&egui::Context::default(), None, Some("{ not json".into()), Start::default());
     assert!(broken.is_ok(), "broken settings are left aside");
 }

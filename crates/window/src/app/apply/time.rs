@@ -47,6 +47,6 @@ impl SauteApp {
     /// What hands held and where the eye was going belong to another instant.
     fn time_was_turned(&mut self) {
         self.inputs.pan_keys = Default::default();
-        (self.sights.glance, self.sights.taken_out) = (None, None);
+        (self.sights.glance, self.sights.taken_out, self.sights.looks_again) = (None, None, true);
     }
 }

@@ -19,6 +19,11 @@ impl SauteApp {
         self.keeps.autosave.offered.as_ref().map(|recording| recording.moment().time_s())
     }
 
+    /// How much of the cook was handed to the place that keeps it [s]; none before the first writing.
+    pub fn kept_s(&self) -> Option<f64> {
+        self.keeps.autosave.kept.map(|kept| kept.time_s)
+    }
+
     /// Goes on with the cook that is offered, or leaves it.
     pub(crate) fn decide_on_offer(&mut self, goes_on: bool) {
         let Some(offered) = self.keeps.autosave.offered.take() else { return };

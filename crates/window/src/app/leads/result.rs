@@ -29,6 +29,27 @@ impl SauteApp {
         }
     }
 
+    /// Keeps the mark of a cook whose result is seen, once it has rested and nobody else cooked it: once for each time that it came out.
+    pub(crate) fn keep_mark(&mut self) {
+        let is_own = self.leads.guided.is_none() && !self.session.recording().beginning().plays;
+        let came_out_s = self.session.came_out_s().filter(|_| is_own && self.session.is_out());
+        let is_new = came_out_s.is_some() && self.leads.learn.marked_for != came_out_s;
+        if self.desk.card != Some(Card::Result) || !is_new || self.session.rise().is_some() {
+            return;
+        }
+        self.leads.learn.marked_for = came_out_s;
+        let Some(goal) = goal_of(&self.session, &self.settings) else { return };
+        if let Some(judgement) = self.session.judgement(&goal) {
+            self.settings.keep_mark(&goal.name, judgement.mark.points());
+        }
+    }
+
+    /// From when the cook is tried again: shortly before what decided [s].
+    pub(crate) fn try_from_s(&self) -> Option<f64> {
+        let goal = goal_of(&self.session, &self.settings)?;
+        self.session.deciding_s(&self.session.judgement(&goal)?.better?)
+    }
+
     /// The result in words; none without food that a scale knows.
     pub(crate) fn result_words(&mut self) -> Option<ResultWords> {
         let rise = self.session.rise();
@@ -37,6 +58,8 @@ impl SauteApp {
         let goal = live.map(|live| live.goal().clone()).or_else(|| goal_of(&self.session, &self.settings))?;
         let judgement = self.session.judgement(&goal)?;
         let words = ResultWords::of(&judgement, &goal, &self.session.noun(), self.settings.speech());
+        let marks = self.settings.marks.get(&goal.name).map_or(&[][..], Vec::as_slice);
+        let words = words.with_marks(marks, self.settings.language);
         // A plan says itself when it is served.
         Some(match (live, rise) {
             (Some(live), _) => {

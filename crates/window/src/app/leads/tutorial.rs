@@ -26,7 +26,7 @@ impl SauteApp {
         self.settings.choice = SteakChoice::default();
         self.set_out();
         self.session.set_paused(false);
-        (self.settings.introduced, self.settings.skill_mode) = (true, false);
+        (self.settings.introduced, self.settings.skill_mode, self.settings.few) = (true, false, false);
         (self.desk.card, self.sights.slice, self.settings.panels_hidden) = (None, None, false);
         self.settings.view = saute_picture::View::Look;
         let (before, last_s) = (self.session.speed, self.session.kitchen.time_s());

@@ -38,12 +38,13 @@ impl SauteApp {
 
     /// A hand on the eye ends its own way.
     pub(crate) fn take_eye(&mut self) {
-        self.sights.glance = None;
+        (self.sights.glance, self.sights.stands_back) = (None, false);
     }
 
     /// Moves the eye through `wall` seconds; food that a button took out is looked at as soon as it lies on the board and
     /// nothing else fries.
     pub(crate) fn move_eye(&mut self, wall: f32) {
+        self.keep_in_sight();
         let lies = |piece: &Piece| matches!(piece.place, Place::Rest(_));
         let arrived = self.sights.taken_out.as_ref().and_then(|id| self.session.kitchen.piece(id)).is_some_and(lies);
         if arrived {
@@ -61,8 +62,13 @@ impl SauteApp {
     }
 
     fn glance_at(&mut self, to: Camera) {
-        self.sights.camera_preset = 0;
+        (self.sights.camera_preset, self.sights.stands_back) = (0, false);
         self.sights.glance = Some(Glance { from: self.sights.camera.clone(), to, progress: 0.0 });
+    }
+
+    /// The food alone, near.
+    pub(super) fn near_food(&self) -> Camera {
+        self.food_view(TO_FOOD)
     }
 
     fn food_view(&self, distance: f32) -> Camera {

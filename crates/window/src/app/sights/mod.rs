@@ -1,6 +1,7 @@
 //! What is seen: the scene, the eye, ways side by side, pictures, the half mirror.
 
 mod glance;
+mod in_sight;
 mod mirror;
 #[cfg(not(target_arch = "wasm32"))]
 mod photo;
@@ -31,6 +32,12 @@ pub(crate) struct Sights {
     pub(crate) ways: WaysView,
     /// Where the eye is on its way to.
     pub(crate) glance: Option<Glance>,
+    /// The kitchen, by its number, whose food was looked for last.
+    pub(crate) looked_for: Option<u64>,
+    /// True while the eye stands where it went by itself to see food beside the pan.
+    pub(crate) stands_back: bool,
+    /// True if time was turned since.
+    pub(crate) looks_again: bool,
     /// The piece to which the eye turns once it lies on the board.
     pub(crate) taken_out: Option<String>,
     pub(crate) motions: Motions,
@@ -50,6 +57,9 @@ impl Default for Sights {
             scene: SceneView::default(),
             ways: WaysView::default(),
             glance: None,
+            looked_for: None,
+            looks_again: false,
+            stands_back: false,
             taken_out: None,
             motions: Motions::default(),
             mirror: MirrorView::default(),

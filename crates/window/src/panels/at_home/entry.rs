@@ -26,7 +26,7 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     rows(state, ui, acts);
     ui.add_space(6.0);
     let size = vec2(ui.available_width(), theme::TOUCH);
-    let button = theme::of(ui).button(l.text("athome.fit"), true).min_size(size);
+    let button = theme::of(ui).primary(l.text("athome.fit")).min_size(size);
     if ui.add_enabled(!state.at_home.is_fitting(), button).clicked() {
         acts.push(Act::Learn(LearnAct::AtHome(AtHomeAct::Fit)));
     }

@@ -37,7 +37,7 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
 fn fitting(state: &WindowState, ui: &mut Ui, acts: &mut Acts, share: f64) {
     let l = state.settings.language;
     ui.label(RichText::new(l.text("athome.fitting")).size(17.0));
-    let bar = egui::ProgressBar::new(share as f32).desired_width(ui.available_width()).fill(theme::of(ui).accent);
+    let bar = egui::ProgressBar::new(share as f32).desired_width(ui.available_width()).fill(theme::of(ui).chosen);
     let spoken = l.fill("athome.progress", &[("percent", &format!("{:.0}", 100.0 * share))]);
     ui.add(bar).widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::ProgressIndicator, true, &spoken));
     ui.label(RichText::new(l.text("athome.meanwhile")).size(13.0).color(theme::of(ui).quiet));
@@ -72,7 +72,7 @@ fn found(state: &WindowState, fitted: &Fitted, ui: &mut Ui, acts: &mut Acts) {
     };
     ui.label(RichText::new(l.fill(key, &[("misfit", &misfit), ("values", &found.samples)])).size(13.5).color(colour));
     plot(state, fitted, ui);
-    if ui.add(theme::of(ui).button(l.text("athome.keep"), true)).clicked() {
+    if ui.add(theme::of(ui).primary(l.text("athome.keep"))).clicked() {
         acts.push(Act::Learn(LearnAct::AtHome(AtHomeAct::Keep)));
     }
     ui.label(RichText::new(l.text("athome.keep_how")).size(13.0).color(theme::of(ui).quiet));

@@ -11,6 +11,8 @@ use crate::ui::theme;
 const PICTURE: Vec2 = vec2(112.0, 78.0);
 /// Below this width the steps lie below each other [points] (chosen: three columns of type that can be read).
 const NARROW: f32 = 700.0;
+/// Wall time in which a cook waits for hands [s] (chosen: seven acts of six seconds).
+const HANDS_S: f64 = 40.0;
 /// Room for one step next to others [points].
 const COLUMN: f32 = 236.0;
 
@@ -70,10 +72,13 @@ pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, whole: Rect) {
                 });
             }
             ui.add_space(8.0);
+            if let Some(words) = lasts(state) {
+                ui.label(RichText::new(words).size(14.0).strong());
+                ui.add_space(4.0);
+            }
             ui.horizontal_wrapped(|ui| {
-                begun = ui
-                    .add(theme::of(ui).button(l.text("first.begin"), true).min_size(vec2(120.0, theme::TOUCH)))
-                    .clicked();
+                begun =
+                    ui.add(theme::of(ui).primary(l.text("first.begin")).min_size(vec2(120.0, theme::TOUCH))).clicked();
                 let shown = ui.add(theme::of(ui).button(l.text("tutorial.begin"), false));
                 if shown.on_hover_text(l.text("learn.tutorial")).clicked() {
                     acts.push(Act::Learn(LearnAct::Tutorial(true)));
@@ -85,6 +90,17 @@ pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, whole: Rect) {
     if begun || modal.should_close() {
         acts.push(Act::App(AppAct::Shut(Card::FirstSteps)));
     }
+}
+
+/// How long the cook takes, and how long here.
+fn lasts(state: &WindowState) -> Option<String> {
+    let (l, settings) = (state.settings.language, state.settings);
+    let scale = state.scale()?;
+    let whole_s = state.session.whole_time_s(settings.goal(&scale))?;
+    let minutes = |s: f64| format!("{:.0}", (s / 60.0).ceil());
+    let [minutes, here] = [whole_s, whole_s / settings.speed + HANDS_S].map(minutes);
+    let parts: [(&str, &dyn std::fmt::Display); 2] = [("minutes", &minutes), ("here", &here)];
+    Some(l.fill(if settings.speed > 1.0 { "first.lasts" } else { "first.lasts_real" }, &parts))
 }
 
 fn column(state: &WindowState, ui: &mut Ui, place: usize, step: &Step) {
@@ -105,9 +121,7 @@ fn row(state: &WindowState, ui: &mut Ui, place: usize, step: &Step) {
 
 fn words(state: &WindowState, ui: &mut Ui, place: usize, &(title, how, _): &Step) {
     let l = state.settings.language;
-    ui.label(
-        RichText::new(format!("{}  {}", place + 1, l.text(title))).size(16.0).strong().color(theme::of(ui).accent),
-    );
+    ui.label(RichText::new(format!("{}  {}", place + 1, l.text(title))).size(16.0).strong().color(theme::of(ui).text));
     ui.label(RichText::new(l.text(how)).size(14.0));
 }
 

@@ -133,7 +133,7 @@ fn shown(ui: &mut Ui, group: &Group, l: Language) {
     ui.label(RichText::new(group.title).size(15.0).strong());
     for (written, words) in &group.lines {
         ui.horizontal(|ui| {
-            let key = RichText::new(l.called("button", written)).size(13.0).strong().color(theme::of(ui).accent);
+            let key = RichText::new(l.called("button", written)).size(13.0).strong().color(theme::of(ui).text);
             let beside = egui::Layout::left_to_right(egui::Align::Center);
             ui.allocate_ui_with_layout(KEY, beside, |ui| {
                 ui.set_min_size(KEY);

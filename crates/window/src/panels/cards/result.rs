@@ -9,10 +9,11 @@ use saute_kitchen::heat::BodyMesh;
 use saute_picture::View;
 use saute_picture::cut::section::section_picture;
 
-use crate::act::{Act, Acts, AppAct, Card, CookAct};
+use crate::act::{Act, Acts, AppAct, Card, CookAct, TimeAct};
 use crate::panels::cards::frame::Framed;
 use crate::panels::window_state::WindowState;
 use crate::ui::theme;
+use saute_words::clock::clock;
 use saute_words::judgement_words::ResultWords;
 
 /// Width of the card at most, and below which its parts lie below each other [points].
@@ -74,11 +75,20 @@ pub fn show(state: &WindowState, memory: &mut CutOfResult, ui: &Ui, acts: &mut A
 
 fn buttons(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let (l, palette) = (state.settings.language, theme::of(ui));
-    if ui.add(palette.button(l.text("result.share"), true)).on_hover_text(l.text("result.share_hint")).clicked() {
-        acts.push(Act::App(AppAct::ShareResult));
+    let mut try_again = |ui: &mut Ui, words: &str, is_first: bool, hint: &'static str, act: Act| {
+        let button = if is_first { palette.primary(words) } else { palette.button(words, false) };
+        if ui.add(button).on_hover_text(l.text(hint)).clicked() {
+            acts.extend([Act::App(AppAct::Shut(Card::Result)), act]);
+        }
+    };
+    let time_s = state.try_from_s;
+    if let Some(time_s) = time_s {
+        let words = l.fill("result.try_from", &[("time", &clock(time_s))]);
+        try_again(ui, &words, true, "result.try_from_hint", Act::Time(TimeAct::Scrub(time_s)));
     }
-    if ui.add(palette.button(l.text("result.again"), false)).clicked() {
-        acts.extend([Act::App(AppAct::Shut(Card::Result)), Act::Cook(CookAct::Restart)]);
+    try_again(ui, l.text("result.again"), time_s.is_none(), "key.restart", Act::Cook(CookAct::Restart));
+    if ui.add(palette.button(l.text("result.share"), false)).on_hover_text(l.text("result.share_hint")).clicked() {
+        acts.push(Act::App(AppAct::ShareResult));
     }
     let rewind = ui.add(palette.button(l.text("result.rewind"), false));
     if rewind.on_hover_text(l.text("result.rewind_hint")).clicked() {
@@ -89,35 +99,40 @@ fn buttons(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     }
 }
 
-/// What the card says, and what its picture shows.
+/// What the card says, and what its picture shows: the cut, the verdict with its grade, what went well and what to do better.
 pub fn content(ui: &mut Ui, words: &ResultWords, cut: &CutOfResult, narrow: bool) {
     let palette = theme::of(ui);
     (ui.spacing_mut().item_spacing.y, ui.spacing_mut().interact_size.y) = (4.0, 18.0);
-    let verdict = RichText::new(&words.verdict).size(21.0).strong();
-    ui.label(if words.is_met { verdict.color(palette.accent) } else { verdict });
+    cut_picture(ui, words, cut);
+    ui.add_space(4.0);
+    ui.label(RichText::new(&words.mark).size(22.0).strong());
+    ui.label(RichText::new(&words.verdict).size(17.0));
     for missed in &words.missed {
         ui.label(RichText::new(format!("– {missed}")).size(14.0));
     }
     ui.add_space(2.0);
-    cut_picture(ui, words, cut);
-    ui.add_space(4.0);
-    if narrow {
-        measures(ui, words);
-        better(ui, words);
-        score(ui, words);
-        return;
+    if !words.good.is_empty() {
+        ui.label(RichText::new(&words.good).size(15.0));
     }
-    ui.horizontal_top(|ui| {
-        let half = 0.5 * (ui.available_width() - 44.0);
-        for part in [measures as fn(&mut Ui, &ResultWords), score] {
-            ui.allocate_ui_with_layout(vec2(half, 0.0), Layout::top_down(Align::Min), |ui| {
-                ui.set_width(half);
-                part(ui, words);
-            });
-            ui.add_space(10.0);
-        }
-    });
     better(ui, words);
+    if !words.best.is_empty() {
+        ui.label(RichText::new(&words.best).size(14.0).color(palette.quiet));
+    }
+    ui.add_space(4.0);
+    let half = if narrow { ui.available_width() } else { 0.5 * (ui.available_width() - 44.0) };
+    let part = |ui: &mut Ui, part: fn(&mut Ui, &ResultWords)| {
+        ui.allocate_ui_with_layout(vec2(half, 0.0), Layout::top_down(Align::Min), |ui| {
+            ui.set_width(half);
+            part(ui, words);
+        });
+        ui.add_space(10.0);
+    };
+    if narrow {
+        part(ui, measures);
+        part(ui, counted);
+    } else {
+        ui.horizontal_top(|ui| [measures as fn(&mut Ui, &ResultWords), counted].map(|one| part(ui, one)));
+    }
 }
 
 /// The cut with brackets over the grey band below each face.
@@ -151,7 +166,7 @@ fn bracket(ui: &Ui, rect: Rect, [top, bottom]: [f32; 2], mm: f64) {
     // Seen on dark crust and on pale flesh.
     painter.line_segment(ends, Stroke::new(2.5, Color32::from_black_alpha(150)));
     painter.extend(egui::Shape::dashed_line(&ends, Stroke::new(1.2, Color32::WHITE), 5.0, 4.0));
-    let stroke = Stroke::new(2.0, palette.accent);
+    let stroke = Stroke::new(2.0, palette.text);
     let x = rect.right() + 8.0;
     painter.line_segment([egui::pos2(x, top + 1.0), egui::pos2(x, bottom - 1.0)], stroke);
     let at = egui::pos2(x + 6.0, 0.5 * (top + bottom));
@@ -168,8 +183,8 @@ fn measures(ui: &mut Ui, words: &ResultWords) {
     });
 }
 
-fn score(ui: &mut Ui, words: &ResultWords) {
-    ui.label(RichText::new(&words.mark).size(17.0).strong());
+/// How the mark is counted.
+fn counted(ui: &mut Ui, words: &ResultWords) {
     let (heads, rows) = &words.table;
     // Before the rest is over nothing is counted.
     if rows.is_empty() {
@@ -196,7 +211,7 @@ fn better(ui: &mut Ui, words: &ResultWords) {
     egui::Frame::new().fill(palette.raised).corner_radius(8).inner_margin(9).show(ui, |ui| {
         ui.set_width(ui.available_width());
         let [heading, what] = &words.better;
-        ui.label(RichText::new(heading).size(13.0).strong().color(palette.accent));
+        ui.label(RichText::new(heading).size(13.0).strong());
         ui.label(RichText::new(what).size(15.0));
     });
 }

@@ -5,7 +5,7 @@ use saute_scene::light::room_light::RoomLight;
 use saute_scene::light::white_balance::WhiteBalance;
 use saute_scene::quality::Quality;
 
-use crate::act::{Act, Acts, AppAct, Card, Setting};
+use crate::act::{Act, Acts, AppAct, Card, Setting, ViewAct};
 use crate::panels::cards::frame::Framed;
 use crate::panels::cards::language;
 use crate::panels::memory::PanelMemory;
@@ -40,11 +40,19 @@ pub fn show(state: &WindowState, memory: &mut PanelMemory, ui: &Ui, acts: &mut A
 fn choices(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
     let (l, now) = (state.settings.language, state.settings);
     let mut set = |setting| acts.push(Act::App(AppAct::Set(setting)));
-    if let Some(theme) =
-        row(ui, narrow, l.text("settings.theme"), &Theme::ALL.map(|t| (theme_word(t, l), t == now.theme)))
-    {
-        set(Setting::Theme(Theme::ALL[theme]));
+    let themes = Theme::ALL.map(|t| (theme_word(t, l), t == now.theme));
+    let few = [(l.text("settings.controls_all"), !now.few), (l.text("settings.controls_few"), now.few)];
+    let mut theme_and_controls = |ui: &mut Ui| {
+        if let Some(theme) = row(ui, narrow, l.text("settings.theme"), &themes) {
+            set(Setting::Theme(Theme::ALL[theme]));
+        }
+        row(ui, narrow, l.text("settings.controls"), &few).is_some_and(|chosen| (chosen == 1) != now.few)
+    };
+    let turns = if narrow { theme_and_controls(ui) } else { ui.horizontal(theme_and_controls).inner };
+    if turns {
+        acts.push(Act::View(ViewAct::More));
     }
+    let mut set = |setting| acts.push(Act::App(AppAct::Set(setting)));
     let lights = RoomLight::ALL.map(|light| (light_word(light, l), light == now.light));
     if let Some(light) = row(ui, narrow, l.text("settings.room_light"), &lights) {
         set(Setting::Light(RoomLight::ALL[light]));

@@ -1,15 +1,15 @@
 //! Hob, cloth, hands and time.
 
 use egui::{RichText, Ui};
-use saute_kitchen::advice::Advice;
 use saute_kitchen::doneness::core_class;
-use saute_kitchen::{EventKind, Holding, Place, celsius};
+use saute_kitchen::{EventKind, Holding, Piece, Place, celsius};
 
 use crate::act::{Act, Acts, CookAct, TimeAct};
 use crate::panels::cook::act_button::{button, pressed, why_off};
 use crate::panels::cook::{hob_slider, pour, status, time_strip};
 use crate::panels::learn::coach;
 use crate::panels::window_state::WindowState;
+use crate::settings::EASED;
 use crate::ui::bell::{self, Bell};
 use crate::ui::theme;
 use saute_session::SPEEDS;
@@ -41,6 +41,8 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
         ui.horizontal_wrapped(|ui| {
             pour::show(state, ui, acts);
             cloth(state, ui, acts);
+            step(state, ui, acts);
+            restart(state, ui, acts);
         });
         if state.turner_in_hand {
             ui.horizontal_wrapped(|ui| pour::turner(state, ui, acts));
@@ -59,6 +61,7 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
     });
     ui.horizontal(|ui| {
         hands(state, ui, acts);
+        restart(state, ui, acts);
         pour::show(state, ui, acts);
         time_strip::undo_and_redo(state, ui, acts);
     });
@@ -109,8 +112,7 @@ fn hold(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let words = |c: f64| l.fill("hob.hold_at", &[("temperature", &state.settings.temperature(c))]);
     let text = held.map_or_else(|| l.text("hob.hold").to_owned(), words);
     let hint = l.text("hob.hold_hint");
-    let colour = if held.is_some() { theme::of(ui).accent } else { theme::of(ui).text };
-    let list = egui::ComboBox::from_id_salt("hold").selected_text(RichText::new(text).color(colour));
+    let list = egui::ComboBox::from_id_salt("hold").selected_text(RichText::new(text));
     let shown = list.show_ui(ui, |ui| {
         for c in &sensor.settings_c {
             let on = held.is_some_and(|held| (held - c).abs() < 0.5);
@@ -129,28 +131,25 @@ fn hold(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
 
 fn hands(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let l = state.settings.language;
-    let place = state.session.steak().map(|p| p.place);
-    let in_pan = matches!(place, Some(Place::Pan(_)));
-    let outside = |id: &String| state.session.kitchen.piece(id).is_some_and(|p| !p.in_pan());
-    let some_outside = state.session.its_group().iter().any(outside);
-    // Not before the pan is hot: a button that is lit asks to be pressed.
-    let next_is_put = state.advice.iter().any(|advice| matches!(advice, Advice::PutIn { .. }));
-    button(state, ui, acts, &food_in(state), next_is_put, some_outside, Act::Cook(CookAct::Put));
+    let piece = state.session.steak();
+    let in_pan = piece.is_some_and(|piece| matches!(piece.place, Place::Pan(_)));
+    let is_whole = |piece: &Piece| matches!(piece.place, Place::Rest(_)) && piece.halved().is_none();
+    put_button(state, ui, acts);
     button(state, ui, acts, l.text("hob.flip"), false, in_pan, Act::Cook(CookAct::Flip));
-    if matches!(place, Some(Place::Rest(_))) {
-        // What lies on the board cannot be taken out, but cut.
-        let whole = state.session.steak().is_some_and(|p| p.halved().is_none());
-        button(state, ui, acts, l.text("hob.halve"), false, whole, Act::Cook(CookAct::Halve));
-    } else {
-        button(state, ui, acts, l.text("hob.take_out"), false, in_pan, Act::Cook(CookAct::Out));
-    }
-    button(state, ui, acts, l.text("hob.restart"), false, true, Act::Cook(CookAct::Restart));
+    button(state, ui, acts, l.text("hob.take_out"), false, in_pan, Act::Cook(CookAct::Out));
+    button(state, ui, acts, l.text("hob.halve"), false, piece.is_some_and(is_whole), Act::Cook(CookAct::Halve));
 }
 
-/// What the button says that puts the food in.
-pub(crate) fn food_in(state: &WindowState) -> String {
-    let l = state.settings.language;
-    l.fill("hob.food_in", &[("food", &capitalised(l.called("noun", &state.session.noun())))])
+fn restart(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+    button(state, ui, acts, state.settings.language.text("hob.restart"), false, true, Act::Cook(CookAct::Restart));
+}
+
+/// The button that puts the food in.
+pub(crate) fn put_button(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+    let outside = |id: &String| state.session.kitchen.piece(id).is_some_and(|p| !p.in_pan());
+    let some_outside = state.session.its_group().iter().any(outside);
+    let words = state.settings.language.text("hob.food_in");
+    button(state, ui, acts, words, false, some_outside, Act::Cook(CookAct::Put));
 }
 
 pub(crate) fn capitalised(text: &str) -> String {
@@ -158,30 +157,71 @@ pub(crate) fn capitalised(text: &str) -> String {
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
-fn time(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
-    let pause = pause_word(state);
-    ui.label(RichText::new(clock(state.session.shown_s())).size(20.0).strong());
-    button(state, ui, acts, pause, state.session.paused, true, Act::Time(TimeAct::Pause));
-    button(state, ui, acts, state.settings.language.text("hob.step"), false, true, Act::Time(TimeAct::Step));
-    SPEEDS.into_iter().for_each(|speed| speed_button(state, ui, acts, speed));
+/// The clock, pause and speeds, in a row that fingers use.
+pub(crate) fn time(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+    ui.label(RichText::new(clock(state.session.shown_s())).size(18.0).strong());
+    pause(state, ui, acts);
+    (ui.spacing_mut().item_spacing.x, ui.spacing_mut().button_padding.x) = (4.0, 5.0);
+    // As many as a phone has room for; all are reached by their keys.
+    speeds(state, ui, acts, |speed| speed != 3.0);
 }
 
-fn time_right_to_left(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
-    SPEEDS.into_iter().rev().for_each(|speed| speed_button(state, ui, acts, speed));
-    button(state, ui, acts, state.settings.language.text("hob.step"), false, true, Act::Time(TimeAct::Step));
-    let pause = pause_word(state);
-    button(state, ui, acts, pause, state.session.paused, true, Act::Time(TimeAct::Pause));
+/// The same from the right, with the single step; a first cook has no steps, and no speed beyond the one that eases.
+pub(crate) fn time_right_to_left(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+    let few = state.settings.few;
+    let usual = (ui.spacing().item_spacing.x, ui.spacing().button_padding.x);
+    (ui.spacing_mut().item_spacing.x, ui.spacing_mut().button_padding.x) = (3.0, 4.0);
+    speeds(state, ui, acts, |speed| !few || speed <= EASED);
+    (ui.spacing_mut().item_spacing.x, ui.spacing_mut().button_padding.x) = usual;
+    if !few {
+        step(state, ui, acts);
+    }
+    pause(state, ui, acts);
     ui.label(RichText::new(clock(state.session.shown_s())).size(20.0).strong());
+}
+
+fn pause(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+    button(state, ui, acts, pause_word(state), state.session.paused, true, Act::Time(TimeAct::Pause));
+}
+
+fn step(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+    button(state, ui, acts, state.settings.language.text("hob.step"), false, true, Act::Time(TimeAct::Step));
+}
+
+/// The speed that eases, and the fixed ones that are wanted, in the direction of the row.
+fn speeds(state: &WindowState, ui: &mut Ui, acts: &mut Acts, wanted: impl Fn(f64) -> bool) {
+    let fixed = SPEEDS.into_iter().filter(|speed| wanted(*speed)).map(Some);
+    let mut all: Vec<Option<f64>> = [None].into_iter().chain(fixed).collect();
+    if ui.layout().prefer_right_to_left() {
+        all.reverse();
+    }
+    all.into_iter().for_each(|speed| speed_button(state, ui, acts, speed));
 }
 
 fn pause_word(state: &WindowState) -> &'static str {
     state.settings.language.text(if state.session.paused { "hob.go_on" } else { "hob.pause" })
 }
 
-fn speed_button(state: &WindowState, ui: &mut Ui, acts: &mut Acts, speed: f64) {
-    let (hint, act) = (state.settings.language.text("hob.speed"), Act::Time(TimeAct::SpeedSet(speed)));
-    let enabled = !state.forbids(&act);
-    let response = pressed(ui, &format!("{speed:.0}×"), state.session.speed == speed, enabled, hint);
+/// A button of a speed; none is the speed that eases.
+fn speed_button(state: &WindowState, ui: &mut Ui, acts: &mut Acts, speed: Option<f64>) {
+    let (l, settings, now) = (state.settings.language, state.settings, state.session.speed);
+    let (words, is_on, hint, act) = match speed {
+        None if settings.eases => {
+            (l.fill("hob.eased_now", &[("speed", &format!("{now:.0}"))]), true, "hob.eased", TimeAct::SpeedEased)
+        }
+        None => (l.text("hob.eased_off").to_owned(), false, "hob.eased", TimeAct::SpeedEased),
+        Some(speed) => {
+            let is_on = !settings.eases && now == speed;
+            (format!("{speed:.0}×"), is_on, "hob.speed", TimeAct::SpeedSet(speed))
+        }
+    };
+    let act = Act::Time(act);
+    let response = pressed(ui, &words, is_on, !state.forbids(&act), l.text(hint));
+    // What was chosen and cannot be held stays marked.
+    if speed.is_some_and(|speed| !settings.eases && speed == settings.speed && speed != now) {
+        let edge = egui::Stroke::new(1.5, theme::of(ui).quiet);
+        ui.painter().rect_stroke(response.rect, theme::CONTROL_CORNER, edge, egui::StrokeKind::Inside);
+    }
     if why_off(state, response, &act).clicked() {
         acts.push(act);
     }

@@ -130,7 +130,7 @@ fn paint(ui: &Ui, response: &Response, power: &Power, now: f64) {
     let (palette, painter, middle) = (theme::of(ui), ui.painter(), power.track.center().y);
     let bar = |right: f32| Rect::from_min_max(pos2(power.track.left(), middle - 3.5), pos2(right, middle + 3.5));
     painter.rect_filled(bar(power.track.right()), 3.5, palette.raised);
-    painter.rect_filled(bar(power.x(now)), 3.5, palette.accent);
+    painter.rect_filled(bar(power.x(now)), 3.5, palette.chosen);
     let edge = if response.has_focus() {
         egui::Stroke::new(3.0, palette.text)
     } else {
@@ -154,9 +154,9 @@ fn mark(state: &WindowState, ui: &mut Ui, power: &Power, watts: f64, on: bool) -
     let response = ui.interact(place, ui.scope_id().with(("setting", watts as i64)), Sense::click());
     response.widget_info(|| egui::WidgetInfo::selected(egui::accesskit::Role::RadioButton, true, on, &spoken));
     note_control(ui, &Act::Cook(CookAct::HobSet(watts)), place);
-    let ink = if on { palette.accent } else { palette.text };
+    let ink = if on { palette.text } else { palette.quiet };
     let tick = [pos2(x, power.track.center().y + 5.0), pos2(x, top)];
-    ui.painter().line_segment(tick, egui::Stroke::new(1.5, ink));
+    ui.painter().line_segment(tick, egui::Stroke::new(if on { 2.5 } else { 1.5 }, ink));
     if response.has_focus() {
         ui.painter().rect_stroke(place, 4.0, egui::Stroke::new(2.0, palette.text), egui::StrokeKind::Inside);
     }

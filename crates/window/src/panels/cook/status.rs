@@ -60,7 +60,7 @@ fn bar(ui: &mut Ui, share: f32, spoken: &str) {
     let palette = theme::of(ui);
     ui.painter().rect_filled(rect, 4.0, palette.raised);
     let full = egui::Rect::from_min_size(rect.min, vec2(rect.width() * share.clamp(0.0, 1.0), rect.height()));
-    ui.painter().rect_filled(full, 4.0, palette.accent);
+    ui.painter().rect_filled(full, 4.0, palette.chosen);
     response.on_hover_text(spoken);
 }
 

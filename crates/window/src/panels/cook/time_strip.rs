@@ -53,17 +53,22 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts, size: egui::Vec2)
 
 /// Shows undo and redo.
 pub fn undo_and_redo(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
-    let l = state.settings.language;
-    let height = ui.spacing().interact_size.y;
-    let mut button = |name: &'static str, hint: &'static str, enabled: bool, act: Act| {
-        let button = theme::of(ui).button(l.text(name), false).min_size(vec2(height, height));
-        let enabled = enabled && !state.forbids(&act);
-        if ui.add_enabled(enabled, button).on_hover_text(l.text(hint)).clicked() {
-            acts.push(act);
-        }
-    };
-    button("strip.undo", "strip.undo_hint", state.session.can_undo(), Act::Time(TimeAct::Undo));
-    button("strip.redo", "strip.redo_hint", state.session.can_redo(), Act::Time(TimeAct::Redo));
+    undo(state, ui, acts);
+    step_button(state, ui, acts, ["strip.redo", "strip.redo_hint"], state.session.can_redo(), TimeAct::Redo);
+}
+
+/// Shows undo.
+pub fn undo(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+    step_button(state, ui, acts, ["strip.undo", "strip.undo_hint"], state.session.can_undo(), TimeAct::Undo);
+}
+
+fn step_button(state: &WindowState, ui: &mut Ui, acts: &mut Acts, keys: [&'static str; 2], can: bool, act: TimeAct) {
+    let [name, hint] = keys.map(|key| state.settings.language.text(key));
+    let (height, act) = (ui.spacing().interact_size.y, Act::Time(act));
+    let button = theme::of(ui).button(name, false).min_size(vec2(height, height));
+    if ui.add_enabled(can && !state.forbids(&act), button).on_hover_text(hint).clicked() {
+        acts.push(act);
+    }
 }
 
 /// Shows the other ways that the cook went, if there are any.
@@ -185,7 +190,7 @@ impl<'a> Strip<'a> {
         }
         line(0.0, self.span_s, palette.raised);
         line(0.0, self.end_s, palette.pressed);
-        line(0.0, self.shown_s, palette.accent);
+        line(0.0, self.shown_s, palette.chosen);
         for mark in self.marks {
             // What lies ahead is hollow.
             let done = mark.time_s <= self.shown_s;
@@ -195,7 +200,7 @@ impl<'a> Strip<'a> {
         let handle = self.at(self.shown_s);
         let active = response.hovered() || response.dragged() || response.has_focus();
         let ring = if active { palette.text } else { palette.quiet };
-        painter.circle(handle, HANDLE, palette.accent, Stroke::new(1.5, ring));
+        painter.circle(handle, HANDLE, palette.chosen, Stroke::new(1.5, ring));
         if response.dragged() {
             let text = painter.layout_no_wrap(clock(self.shown_s), FontId::proportional(15.0), palette.text);
             let ground = Rect::from_center_size(handle - vec2(0.0, 26.0), text.size() + vec2(14.0, 6.0));

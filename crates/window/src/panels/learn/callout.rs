@@ -90,9 +90,9 @@ fn foot(state: &WindowState, tutorial: &Tutorial, ui: &mut Ui, acts: &mut Acts) 
     for dot in 0..count {
         let at = dots.left_center() + vec2(APART * (dot as f32 + 0.5), 0.0);
         match dot.cmp(&place) {
-            core::cmp::Ordering::Less => ui.painter().circle_filled(at, DOT, palette.accent),
+            core::cmp::Ordering::Less => ui.painter().circle_filled(at, DOT, palette.chosen),
             core::cmp::Ordering::Equal => {
-                ui.painter().circle(at, DOT + 1.0, palette.accent, Stroke::new(1.5, palette.text))
+                ui.painter().circle(at, DOT + 1.0, palette.chosen, Stroke::new(1.5, palette.text))
             }
             core::cmp::Ordering::Greater => ui.painter().circle_stroke(at, DOT, Stroke::new(1.0, palette.quiet)),
         };

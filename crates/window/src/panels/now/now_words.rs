@@ -4,9 +4,10 @@ use saute_kitchen::advice::{Advice, BROWN, Situation, WARM_ENOUGH_C};
 
 use super::time_left::{Course, TimeLeft};
 use crate::act::{Act, AppAct, Card, CookAct};
-use crate::panels::cook::hob_bar::{capitalised, food_in};
+use crate::panels::cook::hob_bar::capitalised;
 use crate::panels::learn::advice_words::{advice_words, class_now, do_it_words, resting_words};
 use crate::panels::window_state::WindowState;
+use saute_kitchen::food::change::doneness::Measure;
 use saute_session::Forecast;
 use saute_words::clock::clock;
 
@@ -54,7 +55,7 @@ fn deed(advice: Advice, state: &WindowState) -> Option<Deed> {
         Some(Deed { text, spoken, act })
     };
     match advice {
-        Advice::PutIn { .. } => of(food_in(state), Act::Cook(CookAct::Put)),
+        Advice::PutIn { .. } => of(l.text("hob.food_in").to_owned(), Act::Cook(CookAct::Put)),
         Advice::Flip => of(l.text("hob.flip").to_owned(), Act::Cook(CookAct::Flip)),
         Advice::TakeOut { .. } | Advice::Ready { .. } => {
             let deed = of(l.text("hob.take_out").to_owned(), Act::Cook(CookAct::Out))?;
@@ -93,7 +94,7 @@ impl Words<'_> {
             Advice::TurnDown { .. } => [self.text("now.turn_down"), self.text("now.hot_enough")],
             Advice::Heating { pan_c, .. } => {
                 let left = memory.until(Course::Pan, now, pan_c, WARM_ENOUGH_C);
-                [self.in_time("now.in_soon", "now.heating", left), self.with_temperature("now.heating_from", pan_c)]
+                [self.in_time("now.in_soon", "now.heating", left), self.heating_from(pan_c)]
             }
             Advice::PutIn { .. } => [self.of_food("now.put_in"), self.text("now.pan_is_hot")],
             Advice::Flip => [self.of_food("now.flip"), self.text(self.why_flip())],
@@ -120,6 +121,23 @@ impl Words<'_> {
             },
             Advice::Rested { peak_c } => [self.text("now.rested"), resting_words("now.reached", peak_c, self.state)],
         }
+    }
+
+    /// How hot the pan is, and how long the whole cook takes where its food is judged by its core.
+    fn heating_from(&self, pan_c: f64) -> String {
+        let goal = self
+            .state
+            .scale()
+            .filter(|scale| scale.measure() == Measure::Peak)
+            .map(|scale| self.state.settings.goal(&scale));
+        let Some(whole_s) = goal.and_then(|goal| self.state.session.whole_time_s(goal)) else {
+            return self.with_temperature("now.heating_from", pan_c);
+        };
+        let minutes = format!("{:.0}", (whole_s / 60.0).ceil());
+        self.fill(
+            "now.heating_and_all",
+            &[("temperature", &self.state.settings.temperature(pan_c)), ("minutes", &minutes)],
+        )
     }
 
     /// Why it is time to flip.

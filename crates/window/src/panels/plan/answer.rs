@@ -86,7 +86,7 @@ fn row(state: &WindowState, plan: &Plan, step: &Step, ui: &mut Ui) {
                 ui.add(egui::Label::new(text).wrap());
             });
         };
-        cell(ui, TIME, RichText::new(clock(f64::from(step.at_s))).size(14.5).strong().color(theme::of(ui).accent));
+        cell(ui, TIME, RichText::new(clock(f64::from(step.at_s))).size(14.5).strong());
         let deed = RichText::new(cue_words::deed(&step.deed, l)).size(14.5).strong();
         if narrow {
             ui.vertical(|ui| {

@@ -9,6 +9,7 @@ use crate::panels::window_state::WindowState;
 use crate::plan::PlanAct;
 use crate::ui::theme;
 use saute_session::plan::planning::Standing;
+use saute_words::clock::clock;
 use saute_words::plan_words;
 
 /// Width of the card at most, and of what is asked where the answer stands beside it [points].
@@ -70,10 +71,13 @@ fn found(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
 fn searching(state: &WindowState, ui: &mut Ui, acts: &mut Acts, share: f32, doing: &str) {
     let l = state.settings.language;
     ui.label(RichText::new(l.text("plan.searching")).size(17.0));
-    let bar = ui.add(egui::ProgressBar::new(share).desired_width(ui.available_width()).fill(theme::of(ui).accent));
+    let bar = ui.add(egui::ProgressBar::new(share).desired_width(ui.available_width()).fill(theme::of(ui).chosen));
     let spoken = l.fill("plan.progress", &[("percent", &format!("{:.0}", 100.0 * share))]);
     bar.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::ProgressIndicator, true, &spoken));
     ui.label(RichText::new(doing).color(theme::of(ui).quiet));
+    let left =
+        state.planning.left_s().map(|left_s| l.fill("plan.left", &[("time", &clock(10.0 * (0.1 * left_s).ceil()))]));
+    ui.label(RichText::new(left.unwrap_or_default()).color(theme::of(ui).quiet));
     ui.label(RichText::new(l.text("plan.meanwhile")).size(13.0).color(theme::of(ui).quiet));
     if ui.add(theme::of(ui).button(l.text("plan.cancel"), false)).clicked() {
         acts.push(Act::Learn(LearnAct::Plan(PlanAct::Cancel)));

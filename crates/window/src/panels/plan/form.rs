@@ -16,6 +16,19 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let (l, settings) = (state.settings.language, state.settings);
     let (mut choice, mut plan) = (settings.choice.clone(), settings.plan.clone());
     find(state, ui, acts);
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing = vec2(5.0, 5.0);
+        for (key, plain) in [("plan.plain", true), ("plan.best", false)] {
+            if chip(ui, l.text(key), settings.plan.plain == plain) {
+                plan.plain = plain;
+            }
+        }
+    });
+    ui.label(
+        RichText::new(l.text(if plan.plain { "plan.plain_is" } else { "plan.best_is" }))
+            .size(13.0)
+            .color(theme::of(ui).quiet),
+    );
     ui.heading(l.text("plan.food"));
     foods(state, ui, &mut choice, &mut plan);
     let library = &state.session.library;
@@ -42,7 +55,7 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
 fn find(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let text = state.settings.language.text("plan.find");
     let size = vec2(ui.available_width(), theme::TOUCH);
-    let button = theme::of(ui).button(text, true).min_size(size);
+    let button = theme::of(ui).primary(text).min_size(size);
     if ui.add_enabled(!state.planning.is_searching(), button).clicked() {
         acts.push(Act::Learn(LearnAct::Plan(PlanAct::Find)));
     }
@@ -130,6 +143,10 @@ fn crust_and_flips(state: &WindowState, ui: &mut Ui, choice: &SteakChoice, plan:
     slider(ui, l.text("plan.crust"), &mut crust, 0.0, 100.0, " %");
     if crust != usual {
         plan.crust_pct = Some(crust.round());
+    }
+    // A plain plan has one.
+    if plan.plain {
+        return;
     }
     let mut flips = plan.most_flips as f64;
     slider(ui, l.text("plan.flips"), &mut flips, 0.0, MOST_FLIPS as f64, "");

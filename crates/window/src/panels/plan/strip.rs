@@ -188,7 +188,7 @@ fn verdict(state: &WindowState, live: &Live, gave: &Outcome, ui: &mut Ui, acts: 
     ui.label(RichText::new(line(gave, "plan.was_reached")).size(14.0));
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 6.0;
-        let result = theme::of(ui).button(l.text("result.title"), true).min_size(size(ui));
+        let result = theme::of(ui).primary(l.text("result.title")).min_size(size(ui));
         if ui.add(result).on_hover_text(l.text("result.hint")).clicked() {
             acts.push(Act::App(AppAct::Open(Card::Result)));
         }

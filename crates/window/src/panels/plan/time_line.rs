@@ -62,7 +62,7 @@ impl Line {
             let [left, right] = [power.at_s, until].map(|s| self.x(f64::from(s)));
             let bar = Rect::from_min_max(pos2(left, self.rect.bottom() - height), pos2(right, self.rect.bottom()));
             painter.rect_filled(bar, 0.0, palette.pressed);
-            painter.line_segment([bar.left_top(), bar.right_top()], Stroke::new(2.0, palette.accent));
+            painter.line_segment([bar.left_top(), bar.right_top()], Stroke::new(2.0, palette.chosen));
             let text = painter.layout_no_wrap(format!("{} W", power.hob_w), FontId::proportional(12.0), palette.text);
             if text.size().x + 6.0 < bar.width() {
                 let at = pos2(bar.center().x - 0.5 * text.size().x, bar.bottom() - text.size().y - 2.0);

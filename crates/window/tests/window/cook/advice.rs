@@ -28,7 +28,7 @@ fn follow(harness: &mut Harness<'static, SauteApp>) -> bool {
     let meant = [
         ("Take it out now", "Take out"),
         ("Flip the steak now", "Flip"),
-        ("Put the steak in", "Steak in"),
+        ("Put the steak in", "In the pan"),
         ("turn the hob off", "off"),
         ("Turn the hob on, to 1100 W", "1100 W"),
     ];

@@ -49,6 +49,7 @@ fn cook_plan(library: &Library, target: &str, crust_pct: f64) -> Plan {
         pan: "carbon-steel-26".into(),
         hob_w: vec![400.0, 1100.0, 2000.0],
         most_flips: 2,
+        plain: false,
         goal: Goal::new(&target.parse().expect("a target"), library.scale("chefs").expect("a scale"), crust_pct)
             .expect("a class"),
     };
@@ -322,6 +323,7 @@ fn a_search_off_the_frame_finds_the_plan_of_a_plain_one() {
         pan: "carbon-steel-26".into(),
         hob_w: vec![900.0],
         most_flips: 1,
+        plain: false,
         target: "opaque".into(),
         scale: "shrimp".into(),
         crust_pct: 0.0,

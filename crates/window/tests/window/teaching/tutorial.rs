@@ -19,7 +19,7 @@ fn follow(harness: &mut Harness<'static, SauteApp>, step: Step) {
             None
         }
         Step::HobOn => Some("1100 W"),
-        Step::PutIn => Some("Steak in"),
+        Step::PutIn => Some("In the pan"),
         Step::Inside => Some("Cut"),
         Step::Flip => says(harness, "Now: click").then_some("Flip"),
         Step::TakeOut if says(harness, "once more") => Some("Flip"),
