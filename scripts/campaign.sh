@@ -33,7 +33,7 @@ source scripts/wasm.sh
 source scripts/web.sh
 
 # Each part is the function of its name.
-PARTS=(pages_of_validation random_cooks random_packets random_instants random_sessions random_kills plans lit_button fits fuzz day
+PARTS=(pages_of_validation random_cooks random_packets random_instants random_sessions random_kills plans lit_button first_cook fits fuzz day
     judge_dependencies judge_advisories real_page quick_endings faults test_wheel train_briefly sweeps haptics tables_of_2013 heat_solver)
 # One file for each part: when it last passed, and of which commit.
 LAST="${CARGO_TARGET_DIR:-target}/campaign"
@@ -57,6 +57,12 @@ random_sessions() {
 random_kills() { SAUTE_RANDOM_KILLS="$CAMPAIGN_RANDOM_KILLS" cargo test --release --workspace --test cli killed; }
 
 lit_button() { SAUTE_NOW=all cargo test --release --workspace --test window now:: -- --nocapture; }
+
+first_cook() {
+    compile_page
+    make_test_page
+    test_page web/campaign/first_cook.test.mjs
+}
 
 plans() { SAUTE_PLANS="$CAMPAIGN_PLANS" cargo test --release --workspace --test plan verified:: -- --nocapture; }
 

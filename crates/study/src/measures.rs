@@ -13,6 +13,8 @@ use saute_plan::goal::{Course, Judged, Judgement, Verdict};
 pub struct Measures {
     /// Score [points].
     pub score: f64,
+    /// Mark [points].
+    pub mark: f64,
     /// True if the goal was met.
     pub is_met: bool,
     /// Share that the goal counts [%].
@@ -87,6 +89,7 @@ impl Measures {
         let outcome = judgement.outcome;
         Self {
             score: judgement.score.0,
+            mark: judgement.mark.points(),
             is_met: judgement.verdict == Verdict::Met,
             target_share_pct: outcome.target_share_pct,
             beyond_pct: outcome.beyond_pct,
@@ -112,6 +115,7 @@ impl Measures {
         let r = Self::rounded;
         Self {
             score: r(self.score),
+            mark: r(self.mark),
             is_met: self.is_met,
             target_share_pct: r(self.target_share_pct),
             beyond_pct: r(self.beyond_pct),

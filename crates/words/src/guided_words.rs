@@ -7,7 +7,6 @@ use saute_study::Measures;
 use saute_study::class::{Ask, Lesson, Locked};
 use saute_study::protocol_file::Entered;
 
-use crate::judgement_words::points;
 use crate::language::Language;
 use crate::speech::Speech;
 
@@ -15,9 +14,9 @@ use crate::speech::Speech;
 pub fn outcome(measures: &Measures, speech: Speech) -> String {
     let l = speech.language;
     let met = l.text(if measures.is_met { "guided.met" } else { "guided.missed" });
-    let (share, score) = (format!("{:.0}", measures.target_share_pct), points(measures.score));
+    let [share, mark] = [measures.target_share_pct, measures.mark].map(|value| format!("{value:.0}"));
     let peak = speech.temperature(measures.core_peak_c);
-    let parts: [(&str, &dyn Display); 4] = [("met", &met), ("share", &share), ("score", &score), ("peak", &peak)];
+    let parts: [(&str, &dyn Display); 4] = [("met", &met), ("share", &share), ("mark", &mark), ("peak", &peak)];
     l.fill("guided.outcome", &parts)
 }
 

@@ -110,12 +110,6 @@ pub(crate) fn span(seconds: f64, l: Language) -> String {
     l.fill("better.span_min", &[("minutes", &(whole / 60)), ("seconds", &format!("{:02}", whole % 60))])
 }
 
-/// A score in whole points, with a minus sign.
-pub(crate) fn points(score: f64) -> String {
-    let whole = score.round();
-    format!("{}{:.0}", if whole < 0.0 { "−" } else { "" }, whole.abs())
-}
-
 /// What it is told of.
 struct Teller<'a> {
     judgement: &'a Judgement,
@@ -259,13 +253,5 @@ impl Teller<'_> {
                 self.fill("better.flip_more", &[("had", &had), ("seconds", &every_s)])
             }
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    #[test]
-    fn a_score_below_nothing_has_a_minus_sign() {
-        assert_eq!([-12.4, -0.4, 47.5].map(super::points), ["−12", "0", "48"]);
     }
 }

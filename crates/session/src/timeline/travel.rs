@@ -90,6 +90,16 @@ impl<H: Hands> Session<H> {
 
     /// Turns time to an instant of the cook [s]; what lay ahead happens again when time goes on.
     pub fn scrub(&mut self, time_s: f64) {
+        self.turn_to(time_s, true);
+    }
+
+    /// Turns time to an instant of the cook [s] from which another way is tried; what lay ahead does not happen again and is kept beside
+    /// once time goes on.
+    pub fn try_from(&mut self, time_s: f64) {
+        self.turn_to(time_s, false);
+    }
+
+    fn turn_to(&mut self, time_s: f64, is_followed: bool) {
         if self.timeline.catches_up {
             return;
         }
@@ -99,7 +109,7 @@ impl<H: Hands> Session<H> {
         let frame = tick * u64::from(FRAMES_PER_TICK);
         let to = if frame >= end.frame { end } else { longest.moment_at(frame) };
         self.timeline.course.redo.clear();
-        self.travel_to(to, true);
+        self.travel_to(to, is_followed);
     }
 
     /// Begins to travel to a moment of the longest line.

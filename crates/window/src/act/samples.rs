@@ -90,6 +90,7 @@ fn time() -> Vec<TimeAct> {
         TimeAct::Undo => TimeAct::Undo,
         TimeAct::Redo => TimeAct::Redo,
         TimeAct::Scrub(_) => TimeAct::Scrub(0.0),
+        TimeAct::TryFrom(_) => TimeAct::TryFrom(0.0),
         TimeAct::HoldTime(_) => TimeAct::HoldTime(true),
         TimeAct::Branch(_) => TimeAct::Branch(0),
     }

@@ -24,6 +24,8 @@ pub enum TimeAct {
     Redo,
     /// Turns time to an instant [s].
     Scrub(f64),
+    /// Turns time to an instant from which another way is tried [s].
+    TryFrom(f64),
     /// Holds time still, or lets it go on.
     HoldTime(bool),
     /// Goes over to another branch, by its place.
@@ -39,7 +41,7 @@ impl TimeAct {
             Self::Speed(by) => clock(if *by > 0 { "key.faster" } else { "key.slower" }, &[Permit::Speed]),
             Self::SpeedSet(_) | Self::SpeedEased => clock(Traits::NO_WORDS, &[Permit::Speed]),
             Self::GoOn(_) => Traits { changes_cook: true, ..clock(Traits::NO_WORDS, &[Permit::Leaving]) },
-            Self::Undo | Self::Redo | Self::Scrub(_) => {
+            Self::Undo | Self::Redo | Self::Scrub(_) | Self::TryFrom(_) => {
                 Traits { changes_cook: true, ..clock(Traits::NO_WORDS, &[Permit::Rewind]) }
             }
             Self::HoldTime(_) => clock(Traits::NO_WORDS, &[Permit::Rewind]),

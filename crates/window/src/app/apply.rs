@@ -79,6 +79,7 @@ impl SauteApp {
             TimeAct::Undo => self.undo(),
             TimeAct::Redo => self.redo(),
             TimeAct::Scrub(time_s) => self.scrub(time_s),
+            TimeAct::TryFrom(time_s) => self.try_from(time_s),
             TimeAct::HoldTime(held) => self.session.hold_time(held),
             TimeAct::Branch(place) => self.go_to_branch(place),
         }

@@ -19,9 +19,10 @@ const INSIDE_HEIGHT: f32 = 410.0;
 /// Heights of the few controls of a first cook: of one row, and of what stands above them; and the width of *More* and its neighbours
 /// [points].
 const FEW_HEIGHT: f32 = 58.0;
-const FEW_TOP: Vec2 = vec2(236.0, 46.0);
+const FEW_TOP: Vec2 = vec2(210.0, 46.0);
+const FEW_TOP_NARROW: Vec2 = vec2(246.0, 58.0);
 /// Height of their drawer [points]: the line that says what to do and three rows for fingers.
-const FEW_DRAWER: f32 = 330.0;
+const FEW_DRAWER: f32 = 276.0;
 /// Two rows of controls and a line of words.
 const BOTTOM_HEIGHT: f32 = 110.0;
 const TOP_HEIGHT: f32 = 46.0;
@@ -101,6 +102,12 @@ impl Layout {
             Self::wide(whole, inner, settings)
         };
         layout.few = settings.few;
+        if settings.few {
+            let height = if fingers { FINGER_TOP_HEIGHTS[0] } else { FEW_TOP.y };
+            let size = if narrow { vec2(FEW_TOP_NARROW.x, height.max(FEW_TOP_NARROW.y)) } else { FEW_TOP };
+            layout.top = Rect::from_min_size(pos2(layout.top.right() - size.x, layout.top.top()), size);
+            layout.free.min.y = whole.top();
+        }
         let eye = if fingers { FINGER_EYE } else { EYE };
         // Where it is narrow the legend needs the lower edge.
         let corner =

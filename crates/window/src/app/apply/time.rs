@@ -38,6 +38,12 @@ impl SauteApp {
         self.time_was_turned();
     }
 
+    /// Turns time to an instant from which another way is tried [s].
+    pub(super) fn try_from(&mut self, time_s: f64) {
+        self.session.try_from(time_s);
+        self.time_was_turned();
+    }
+
     /// Goes over to another branch.
     pub(super) fn go_to_branch(&mut self, place: usize) {
         self.session.go_to_branch(place, true);

@@ -49,7 +49,7 @@ impl Framed {
             ui.horizontal(|ui| {
                 ui.heading(l.text(self.title));
                 ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                    done = ui.add(palette.button(l.text("settings.done"), true)).clicked();
+                    done = ui.add(palette.button(l.text("settings.done"), false)).clicked();
                     beside(ui, acts);
                 });
             });

@@ -100,7 +100,7 @@ fn heading(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mu
             search(ui, 260.0);
         }
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            done = ui.add(theme::of(ui).button(l.text("settings.done"), true)).clicked();
+            done = ui.add(theme::of(ui).button(l.text("settings.done"), false)).clicked();
             if ui.add(theme::of(ui).button(l.text("help.first_steps"), false)).clicked() {
                 acts.push(Act::App(AppAct::Open(Card::FirstSteps)));
             }

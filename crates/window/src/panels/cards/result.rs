@@ -84,7 +84,7 @@ fn buttons(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let time_s = state.try_from_s;
     if let Some(time_s) = time_s {
         let words = l.fill("result.try_from", &[("time", &clock(time_s))]);
-        try_again(ui, &words, true, "result.try_from_hint", Act::Time(TimeAct::Scrub(time_s)));
+        try_again(ui, &words, true, "result.try_from_hint", Act::Time(TimeAct::TryFrom(time_s)));
     }
     try_again(ui, l.text("result.again"), time_s.is_none(), "key.restart", Act::Cook(CookAct::Restart));
     if ui.add(palette.button(l.text("result.share"), false)).on_hover_text(l.text("result.share_hint")).clicked() {

@@ -163,14 +163,15 @@ pub(crate) fn time(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     pause(state, ui, acts);
     (ui.spacing_mut().item_spacing.x, ui.spacing_mut().button_padding.x) = (4.0, 5.0);
     // As many as a phone has room for; all are reached by their keys.
-    speeds(state, ui, acts, |speed| speed != 3.0);
+    let most = if state.settings.few { EASED } else { f64::INFINITY };
+    speeds(state, ui, acts, |speed| speed != 3.0 && speed <= most);
 }
 
 /// The same from the right, with the single step; a first cook has no steps, and no speed beyond the one that eases.
 pub(crate) fn time_right_to_left(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let few = state.settings.few;
     let usual = (ui.spacing().item_spacing.x, ui.spacing().button_padding.x);
-    (ui.spacing_mut().item_spacing.x, ui.spacing_mut().button_padding.x) = (3.0, 4.0);
+    (ui.spacing_mut().item_spacing.x, ui.spacing_mut().button_padding.x) = (3.0, 6.0);
     speeds(state, ui, acts, |speed| !few || speed <= EASED);
     (ui.spacing_mut().item_spacing.x, ui.spacing_mut().button_padding.x) = usual;
     if !few {

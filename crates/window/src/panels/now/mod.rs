@@ -40,7 +40,10 @@ pub fn show(state: &WindowState, memory: &mut TimeLeft, ui: &Ui, acts: &mut Acts
     Area::new(Id::unique("now")).fixed_pos(rect.min).pivot(Align2::LEFT_TOP).show(ui.ctx(), |ui| {
         line(state, &words, ui, acts, rect.size());
     });
-    ring(&words, ui);
+    // Behind a card nothing is to be pressed.
+    if state.card.is_none() {
+        ring(&words, ui);
+    }
 }
 
 /// Shows the line in the drawer of a narrow window.

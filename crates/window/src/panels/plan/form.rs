@@ -16,19 +16,7 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let (l, settings) = (state.settings.language, state.settings);
     let (mut choice, mut plan) = (settings.choice.clone(), settings.plan.clone());
     find(state, ui, acts);
-    ui.horizontal_wrapped(|ui| {
-        ui.spacing_mut().item_spacing = vec2(5.0, 5.0);
-        for (key, plain) in [("plan.plain", true), ("plan.best", false)] {
-            if chip(ui, l.text(key), settings.plan.plain == plain) {
-                plan.plain = plain;
-            }
-        }
-    });
-    ui.label(
-        RichText::new(l.text(if plan.plain { "plan.plain_is" } else { "plan.best_is" }))
-            .size(13.0)
-            .color(theme::of(ui).quiet),
-    );
+    kinds(state, ui, &mut plan);
     ui.heading(l.text("plan.food"));
     foods(state, ui, &mut choice, &mut plan);
     let library = &state.session.library;
@@ -50,6 +38,23 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     if plan != settings.plan {
         acts.push(Act::Learn(LearnAct::Plan(PlanAct::Choose(plan))));
     }
+}
+
+/// A plan that is easily followed, or the best one.
+fn kinds(state: &WindowState, ui: &mut Ui, plan: &mut PlanChoice) {
+    let l = state.settings.language;
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing = vec2(5.0, 5.0);
+        for (name, meaning, is_plain) in [("plan.plain", "plan.plain_is", true), ("plan.best", "plan.best_is", false)] {
+            let (response, name) = (theme::of(ui).button(l.text(name), plan.plain == is_plain), l.text(name));
+            let response = ui.add(response.min_size(vec2(0.0, 34.0))).on_hover_text(l.text(meaning));
+            let on = plan.plain == is_plain;
+            response.widget_info(|| egui::WidgetInfo::selected(egui::accesskit::Role::RadioButton, true, on, name));
+            if response.clicked() {
+                plan.plain = is_plain;
+            }
+        }
+    });
 }
 
 fn find(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {

@@ -160,6 +160,8 @@ fn what_is_chosen_on_the_card_is_what_is_asked() {
     harness.get_by_role_and_label(Role::RadioButton, "rare").click();
     steps(&mut harness, 3);
     assert_eq!(harness.state().settings().plan.class, "rare");
+    harness.get_by_role_and_label(Role::RadioButton, "by temperature").scroll_to_me();
+    steps(&mut harness, 4);
     harness.get_by_role_and_label(Role::RadioButton, "by temperature").click();
     steps(&mut harness, 3);
     assert!(harness.state().settings().plan.by_core);
