@@ -22,7 +22,7 @@ const FEW_HEIGHT: f32 = 58.0;
 const FEW_TOP: Vec2 = vec2(210.0, 46.0);
 const FEW_TOP_NARROW: Vec2 = vec2(246.0, 58.0);
 /// Height of their drawer [points]: the line that says what to do and three rows for fingers.
-const FEW_DRAWER: f32 = 276.0;
+const FEW_DRAWER: f32 = 240.0;
 /// Two rows of controls and a line of words.
 const BOTTOM_HEIGHT: f32 = 110.0;
 const TOP_HEIGHT: f32 = 46.0;

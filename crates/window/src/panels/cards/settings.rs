@@ -40,23 +40,24 @@ pub fn show(state: &WindowState, memory: &mut PanelMemory, ui: &Ui, acts: &mut A
 fn choices(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
     let (l, now) = (state.settings.language, state.settings);
     let mut set = |setting| acts.push(Act::App(AppAct::Set(setting)));
-    let themes = Theme::ALL.map(|t| (theme_word(t, l), t == now.theme));
+    if let Some(theme) =
+        row(ui, narrow, l.text("settings.theme"), &Theme::ALL.map(|t| (theme_word(t, l), t == now.theme)))
+    {
+        set(Setting::Theme(Theme::ALL[theme]));
+    }
+    let lights = RoomLight::ALL.map(|light| (light_word(light, l), light == now.light));
     let few = [(l.text("settings.controls_all"), !now.few), (l.text("settings.controls_few"), now.few)];
-    let mut theme_and_controls = |ui: &mut Ui| {
-        if let Some(theme) = row(ui, narrow, l.text("settings.theme"), &themes) {
-            set(Setting::Theme(Theme::ALL[theme]));
+    let mut light_and_controls = |ui: &mut Ui| {
+        if let Some(light) = row(ui, narrow, l.text("settings.room_light"), &lights) {
+            set(Setting::Light(RoomLight::ALL[light]));
         }
         row(ui, narrow, l.text("settings.controls"), &few).is_some_and(|chosen| (chosen == 1) != now.few)
     };
-    let turns = if narrow { theme_and_controls(ui) } else { ui.horizontal(theme_and_controls).inner };
+    let turns = if narrow { light_and_controls(ui) } else { ui.horizontal_top(light_and_controls).inner };
     if turns {
         acts.push(Act::View(ViewAct::More));
     }
     let mut set = |setting| acts.push(Act::App(AppAct::Set(setting)));
-    let lights = RoomLight::ALL.map(|light| (light_word(light, l), light == now.light));
-    if let Some(light) = row(ui, narrow, l.text("settings.room_light"), &lights) {
-        set(Setting::Light(RoomLight::ALL[light]));
-    }
     let whites = WhiteBalance::ALL.map(|w| (white_word(w, l), w == now.white_balance));
     if let Some(white) = row(ui, narrow, l.text("settings.white"), &whites) {
         set(Setting::White(WhiteBalance::ALL[white]));
@@ -83,7 +84,7 @@ fn choices(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mu
     if narrow {
         language_and_unit(ui)
     } else {
-        ui.horizontal(language_and_unit).inner
+        ui.horizontal_top(language_and_unit).inner
     }
     let sizes = InterfaceSize::ALL.map(|s| (format!("{:.0} %", 100.0 * s.factor()), s == now.size));
     let sizes = sizes.each_ref().map(|(text, on)| (text.as_str(), *on));
@@ -100,7 +101,7 @@ fn choices(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mu
     if narrow {
         size_and_motion(ui)
     } else {
-        ui.horizontal(size_and_motion).inner
+        ui.horizontal_top(size_and_motion).inner
     }
     #[cfg(target_arch = "wasm32")]
     {

@@ -7,6 +7,7 @@ use saute_plan::schedule::follow::{Followed, LATE_S, Left};
 use saute_plan::schedule::voice::Keeping;
 
 use crate::act::{Act, Acts, AppAct, Card, LearnAct, TimeAct};
+use crate::panels::cook::hob_bar::capitalised;
 use crate::panels::window_state::WindowState;
 use crate::plan::PlanAct;
 use crate::ui::bell::{self, Bell};
@@ -62,7 +63,7 @@ fn next(state: &WindowState, live: &Live, guidance: &Guidance, ui: &mut Ui, acts
         let rings = due_in_s <= 0.0;
         let spoken = state.settings.language.text(if rings { "plan.bell_rings" } else { "plan.bell_waits" });
         bell::show(ui, &Bell { size: BELL, spoken, rings, moves: !state.settings.moves_less() });
-        ui.label(RichText::new(&deeds).size(18.0).strong());
+        ui.label(RichText::new(capitalised(&deeds)).size(18.0).strong());
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| countdown(state, guidance, ui));
     });
     let senses: Vec<String> = guidance.next.iter().filter_map(|f| cue(state, live, f)).collect();
@@ -82,7 +83,9 @@ fn next(state: &WindowState, live: &Live, guidance: &Guidance, ui: &mut Ui, acts
         // Doing the step starts the clock too: there is one way to go on.
         if state.session.paused && !can_do {
             let start = l.text("plan.start");
-            if ui.add(theme::of(ui).button(start, due_in_s > 0.0).min_size(size(ui))).clicked() {
+            let palette = theme::of(ui);
+            let button = if due_in_s > 0.0 { palette.primary(start) } else { palette.button(start, false) };
+            if ui.add(button.min_size(size(ui))).clicked() {
                 acts.push(Act::Time(TimeAct::Pause));
             }
         } else {
@@ -98,8 +101,9 @@ fn size(ui: &Ui) -> egui::Vec2 {
 }
 
 fn button(ui: &mut Ui, acts: &mut Acts, (text, spoken): (&str, &str), on: bool, enabled: bool, act: PlanAct) {
-    let button = theme::of(ui).button(text, on && enabled).min_size(size(ui));
-    let response = ui.add_enabled(enabled, button);
+    let palette = theme::of(ui);
+    let button = if on && enabled { palette.primary(text) } else { palette.button(text, false) };
+    let response = ui.add_enabled(enabled, button.min_size(size(ui)));
     response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Button, enabled, spoken));
     if response.clicked() {
         acts.push(Act::Learn(LearnAct::Plan(act)));
