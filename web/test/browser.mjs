@@ -67,8 +67,12 @@ export async function reaches(page, state) {
   if (found !== state) throw new Error(`the page is ${found}, not ${state}: ${cover}`);
 }
 
-/** Warnings about a machine without a graphics card, and what its drawing by software says about its own speed. */
-const OF_THE_MACHINE = [/No available adapters/, /Software rasterizer detected/, /GL Driver Message \(OpenGL, Performance,/];
+/** Warnings about a machine without a graphics card, what its drawing by software says about its own speed, and what the browser says about the
+ * speed at which the library of the panels reads letters that its font lacks. */
+const OF_THE_MACHINE = [
+  ...[/No available adapters/, /Software rasterizer detected/, /GL Driver Message \(OpenGL, Performance,/],
+  /Multiple readback operations using getImageData are faster/,
+];
 
 /** Problems of the console. */
 export function trouble(seen) {

@@ -21,8 +21,8 @@ pub enum Language {
 /// Texts by section and key.
 type Texts = BTreeMap<String, BTreeMap<String, String>>;
 
-const ENGLISH: &str = include_str!("../../../data/text/en.toml");
-const JAPANESE: &str = include_str!("../../../data/text/ja.toml");
+const ENGLISH: &str = include_str!("../texts/en.toml");
+const JAPANESE: &str = include_str!("../texts/ja.toml");
 
 impl Language {
     /// Both of them.

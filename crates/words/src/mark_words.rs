@@ -45,7 +45,7 @@ pub(crate) fn best_words(marks: &[f64], l: Language) -> String {
         return l.fill("grade.best", &[("best", &points(&best))]);
     }
     let last: Vec<String> = marks[marks.len().saturating_sub(TOLD)..].iter().map(points).collect();
-    l.fill("grade.best_and_last", &[("best", &points(&best)), ("last", &last.join(" → "))])
+    l.fill("grade.best_and_last", &[("best", &points(&best)), ("last", &last.join(", "))])
 }
 
 /// The points without a fraction.
@@ -96,7 +96,7 @@ mod tests {
         assert_eq!(best_words(&[61.6], l), "Your best: 62");
         assert_eq!(
             best_words(&[50.0, 10.0, 91.0, 70.0, 80.0, 85.4], l),
-            "Your best: 91 (the last ones: 10 → 91 → 70 → 80 → 85)"
+            "Your best: 91 (the last ones: 10, 91, 70, 80, 85)"
         );
     }
 

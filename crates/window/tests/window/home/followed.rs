@@ -151,12 +151,12 @@ fn the_end_is_done_when_the_food_is_out_and_the_hob_is_off() {
     act(&mut harness, Act::Cook(CookAct::Out));
     wait(&mut harness, 204.0);
     assert!(harness.state().session().kitchen.hob_w() > 0.0);
-    harness.get_by_label("hob off");
+    harness.get_by_label("Hob off");
     save(&mut harness, "plan-live-hob-left-phone");
     harness.get_by_label("Do it: hob off").click();
     steps(&mut harness, 3);
     assert_eq!(harness.state().session().kitchen.hob_w(), 0.0);
-    harness.get_by_label("rested: serve");
+    harness.get_by_label("Rested: serve");
 }
 
 #[test]
