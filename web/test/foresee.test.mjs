@@ -83,6 +83,9 @@ test("a forecast appears by the worker, and follows the cook", { timeout: STUCK_
 test("a plan is asked for, found and cooked, while the page answers", { timeout: STUCK_MS }, async () => {
   const { page, seen, close } = await visit(there.browser, there.host.address);
   await learn(page, "Plan my steak", /^Find a plan$/);
+  // A first visit plans a plain one, which has flips of its own.
+  await says(page, /^Best plan$/);
+  await page.locator("#controls").getByRole("radio", { name: "Best plan" }).evaluate((element) => element.click());
   for (const [name, value] of [["thickness", 10], ["length", 30], ["width", 30], ["Flips at most", 1]]) await slide(page, name, value);
   await page.waitForTimeout(300);
   await clickLabel(page, "Find a plan");

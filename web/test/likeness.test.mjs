@@ -6,8 +6,9 @@ import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { after, before, test } from "node:test";
 
-import { SHARP, STUCK_MS, WEBGL2, WEBGPU, launch, reaches, trouble, watch } from "./browser.mjs";
+import { SHARP, STUCK_MS, WEBGL2, WEBGPU, launch, trouble, watch } from "./browser.mjs";
 import { decoded, difference, pixels } from "./canvas.mjs";
+import { begins } from "./cooking.mjs";
 import { serve } from "./site_server.mjs";
 
 const SITE = resolve(process.env.SAUTE_PAGE);
@@ -53,7 +54,8 @@ for (const [backend, args] of [["webgl2", WEBGL2], ["webgpu", WEBGPU]]) {
     const wrong = [];
     try {
       const { page, seen } = await watch(browser, `${host.address}?backend=${backend}&lang=en`, SHARP);
-      await reaches(page, "cooking");
+      // The stills are those of a window that remembers nothing, with all its controls.
+      await begins(page);
       for (const { name, ...pose } of compared(backend)) {
         await show(page, pose);
         const { png, ...here } = await pixels(page);

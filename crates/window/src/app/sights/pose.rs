@@ -24,6 +24,9 @@ impl SauteApp {
         self.settings.forecasts = false;
         self.sights.camera_preset = (pose.camera + 2) % 3;
         self.next_camera();
+        // The eye stands where the condition states it, whatever was seen before, and all controls are there.
+        (self.sights.looked_for, self.sights.looks_again) = (Some(self.session.generation), false);
+        (self.sights.glance, self.sights.stands_back, self.settings.few) = (None, false, false);
         self.sights.slice = None;
         if let Some(place) = pose.cut {
             self.toggle_slice();
