@@ -6,9 +6,19 @@ pub fn clock(seconds: f64) -> String {
     format!("{}:{:02}", whole / 60, whole % 60)
 }
 
+/// Returns a time [s] in whole minutes, rounded up: `16`.
+pub fn whole_minutes(seconds: f64) -> String {
+    format!("{:.0}", (seconds / 60.0).ceil())
+}
+
 #[cfg(test)]
 mod tests {
-    use super::clock;
+    use super::{clock, whole_minutes};
+
+    #[test]
+    fn a_minute_that_has_begun_counts() {
+        assert_eq!([0.0, 1.0, 60.0, 61.0].map(whole_minutes), ["0", "1", "1", "2"]);
+    }
 
     #[test]
     fn seconds_have_two_digits_and_what_is_before_the_beginning_is_the_beginning() {

@@ -64,16 +64,6 @@ pub enum ViewAct {
 }
 
 impl ViewAct {
-    /// Returns true if it asks for something that is not among the few controls of a first cook.
-    pub fn wants_more(&self) -> bool {
-        match self {
-            Self::View(view) => *view != View::Look,
-            Self::Pieces | Self::SideBySide | Self::Split | Self::Probe | Self::Placing(_) => true,
-            Self::Slice | Self::Pantry | Self::Curves => true,
-            _ => false,
-        }
-    }
-
     /// What else is true of it.
     pub fn traits(&self) -> Traits {
         match self {

@@ -87,7 +87,8 @@ impl SauteApp {
 
     /// With what is seen.
     fn act_on_view(&mut self, act: ViewAct) {
-        self.settings.few &= !act.wants_more();
+        // What shows more than a first cook has is shown among all controls.
+        self.settings.few &= !(act.traits().reads || act == ViewAct::Pantry);
         match act {
             ViewAct::NextPiece => self.select_next(),
             ViewAct::Select(id) => self.session.select(Some(id)),

@@ -79,9 +79,8 @@ impl SauteApp {
         let goal = self.scale().map(|scale| (Arc::clone(&scale), self.settings.goal(&scale)));
         let (advised, rise, quality) = (self.session.advice(goal), self.session.rise(), self.quality());
         self.keep_mark();
-        let is_result = self.desk.card == Some(Card::Result);
-        let result = if is_result { self.result_words() } else { None };
-        let try_from_s = if is_result { self.try_from_s() } else { None };
+        let result = if self.desk.card == Some(Card::Result) { self.result() } else { None };
+        let (result, try_from_s) = result.map_or((None, None), |(words, try_from_s)| (Some(words), try_from_s));
         let keeping = self.keeping();
         // While a plan is kept to, its guide gives the orders.
         let advice = keeping.map_or_else(|| advised.clone(), |keeping| keeping.leaves(&advised));

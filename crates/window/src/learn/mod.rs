@@ -17,3 +17,10 @@ pub struct Learning {
     /// When the food was taken out whose mark was kept last [s].
     pub(crate) marked_for: Option<f64>,
 }
+
+impl Learning {
+    /// Another cook begins: its result was not seen.
+    pub(crate) fn begin_cook(&mut self) {
+        (self.shown_for, self.marked_for) = (None, None);
+    }
+}

@@ -103,18 +103,18 @@ fn show(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut A
         eye_bar::show(state, ui, acts, layout.eye);
     }
     let margin = if layout.narrow { WIDE_MARGIN } else { MARGIN };
-    floating(ui, layout.top, (0, margin), "views", |ui| match layout.few {
+    floating(ui, layout.top, (0, margin), "views", |ui| match state.settings.few {
         true => top::few(state, ui, acts),
         false => top::show(state, ui, acts, layout.narrow),
     });
     if layout.narrow {
-        floating(ui, layout.bottom, (1, WIDE_MARGIN), "drawer", |ui| match layout.few {
+        floating(ui, layout.bottom, (1, WIDE_MARGIN), "drawer", |ui| match state.settings.few {
             true => few_drawer(state, memory, ui, acts),
             false => drawer(state, memory, ui, acts),
         });
         return;
     }
-    if layout.few {
+    if state.settings.few {
         return floating(ui, layout.bottom, (3, WIDE_MARGIN), "cook", |ui| few_controls::row(state, ui, acts));
     }
     floating(ui, layout.right, (2, 10), "inside", |ui| {

@@ -8,6 +8,7 @@ use saute_kitchen::advice::Advice;
 use saute_kitchen::advice::coaching::Coaching;
 use saute_kitchen::dynamics::Tool;
 use saute_kitchen::food::Scale;
+use saute_kitchen::food::change::doneness::Measure;
 use saute_scene::quality::Quality;
 
 use crate::act::{Act, Card};
@@ -105,6 +106,13 @@ impl WindowState<'_> {
     /// The scale of doneness in whose words the food that the panels show is spoken of.
     pub fn scale(&self) -> Option<Arc<Scale>> {
         self.session.scale(&self.settings.scale)
+    }
+
+    /// About how long the whole cook of the shown food takes to its goal [s]; none of food whose doneness is told by something else than
+    /// the temperature of its core.
+    pub fn whole_time_s(&self) -> Option<f64> {
+        let scale = self.scale().filter(|scale| scale.measure() == Measure::Peak)?;
+        self.session.whole_time_s(self.settings.goal(&scale))
     }
 
     /// Returns true if a study or a lesson hides what cannot be seen in a kitchen.

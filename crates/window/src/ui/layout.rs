@@ -76,8 +76,6 @@ pub struct Layout {
     pub free: Rect,
     /// One drawer instead of side panels.
     pub narrow: bool,
-    /// Only the controls that a first cook needs: nothing at the right.
-    pub few: bool,
     /// Ways side by side in place of the scene, where they are shown.
     pub ways: Option<WaysLayout>,
 }
@@ -101,25 +99,31 @@ impl Layout {
         } else {
             Self::wide(whole, inner, settings)
         };
-        layout.few = settings.few;
-        if settings.few {
-            let height = if fingers { FINGER_TOP_HEIGHTS[0] } else { FEW_TOP.y };
-            let size = if narrow { vec2(FEW_TOP_NARROW.x, height.max(FEW_TOP_NARROW.y)) } else { FEW_TOP };
-            layout.top = Rect::from_min_size(pos2(layout.top.right() - size.x, layout.top.top()), size);
-            layout.free.min.y = whole.top();
-        }
         let eye = if fingers { FINGER_EYE } else { EYE };
         // Where it is narrow the legend needs the lower edge.
         let corner =
             if narrow { layout.free.right_top() + vec2(0.0, eye.y + 2.0 * GAP) } else { layout.free.right_bottom() };
         layout.eye = Rect::from_min_size(corner - eye - vec2(GAP, GAP), eye);
         if settings.few {
-            layout.eye = Rect::NOTHING;
+            layout = layout.with_few_on_top(fingers);
         }
         if settings.panels_hidden {
             layout = layout.bare();
         }
         layout
+    }
+
+    /// *More* and its neighbours in the upper right corner instead of the chips, and no buttons of the eye.
+    fn with_few_on_top(mut self, fingers: bool) -> Self {
+        let size = match (self.narrow, fingers) {
+            (false, _) => FEW_TOP,
+            (true, false) => FEW_TOP_NARROW,
+            (true, true) => vec2(FEW_TOP_NARROW.x, FINGER_TOP_HEIGHTS[0]),
+        };
+        self.top = Rect::from_min_size(pos2(self.top.right() - size.x, self.top.top()), size);
+        self.free.min.y = self.whole.top();
+        self.eye = Rect::NOTHING;
+        self
     }
 
     /// The same window without panels.
@@ -138,27 +142,15 @@ impl Layout {
         let left = open.then(|| Rect::from_min_size(middle.min, vec2(LEFT_WIDTH, middle.height())));
         let free_left = left.map_or(whole.left(), |l| l.right());
         let free = Rect::from_min_max(pos2(free_left, top.bottom() - 0.4 * TOP_HEIGHT), pos2(rest, bottom.top()));
-        Self { whole, top, left, right, bottom, eye: Rect::NOTHING, free, narrow: false, few: false, ways: None }
+        Self { whole, top, left, right, bottom, eye: Rect::NOTHING, free, narrow: false, ways: None }
     }
 
-    /// One row of controls at the foot, and the way to all others.
+    /// One row of controls at the foot, and nothing at the right.
     fn few(whole: Rect, inner: Rect) -> Self {
         let bottom = Rect::from_min_max(pos2(inner.left(), inner.bottom() - FEW_HEIGHT), inner.max);
-        let top = Rect::from_min_size(pos2(inner.right() - FEW_TOP.x, inner.top()), FEW_TOP);
         let free = Rect::from_min_max(whole.min, pos2(whole.right(), bottom.top()));
-        let nothing = Rect::NOTHING;
-        Self {
-            whole,
-            top,
-            left: None,
-            right: nothing,
-            bottom,
-            eye: nothing,
-            free,
-            narrow: false,
-            few: true,
-            ways: None,
-        }
+        let [right, eye] = [Rect::NOTHING; 2];
+        Self { whole, top: inner, left: None, right, bottom, eye, free, narrow: false, ways: None }
     }
 
     /// The drawer at the right, over the whole height.
@@ -176,7 +168,6 @@ impl Layout {
             eye: Rect::NOTHING,
             free,
             narrow: true,
-            few: false,
             ways: None,
         }
     }
@@ -188,8 +179,7 @@ impl Layout {
         let top = chips(inner, inner.right(), fingers);
         let bottom = Rect::from_min_max(pos2(inner.left(), split), inner.max);
         let free = Rect::from_min_max(pos2(whole.left(), top.bottom()), pos2(whole.right(), split));
-        let (eye, few) = (Rect::NOTHING, false);
-        Self { whole, top, left: None, right: bottom, bottom, eye, free, narrow: true, few, ways: None }
+        Self { whole, top, left: None, right: bottom, bottom, eye: Rect::NOTHING, free, narrow: true, ways: None }
     }
 
     /// Shows this many ways side by side in place of the scene; the one at the place `live` goes on.

@@ -78,7 +78,7 @@ impl SauteApp {
 
     /// Restarts with the chosen food and pan.
     pub(crate) fn set_out(&mut self) {
-        (self.leads.learn.shown_for, self.leads.learn.marked_for) = (None, None);
+        self.leads.learn.begin_cook();
         match self.session.set_out(&self.settings.choice) {
             Ok(()) => {
                 self.sights.motions.clear();
@@ -125,7 +125,7 @@ impl SauteApp {
         if self.leads.guided.is_some() {
             return self.lesson_again();
         }
-        (self.leads.learn.shown_for, self.leads.learn.marked_for) = (None, None);
+        self.leads.learn.begin_cook();
         match self.session.restart() {
             Ok(()) => self.say_new_beginning(),
             Err(error) => self.say_trouble(&error),

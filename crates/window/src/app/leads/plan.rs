@@ -112,7 +112,7 @@ impl SauteApp {
             self.say_trouble(error);
             return false;
         }
-        (self.leads.learn.shown_for, self.leads.learn.marked_for) = (None, None);
+        self.leads.learn.begin_cook();
         self.sights.motions.clear();
         self.desk.card = None;
         self.say_new_beginning();

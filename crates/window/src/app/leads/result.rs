@@ -5,6 +5,7 @@ use crate::app::SauteApp;
 use crate::learn::goal_choice::goal_of;
 use crate::learn::on_its_own;
 use saute_kitchen::advice::Advice;
+use saute_plan::goal::{Goal, Judgement};
 use saute_words::judgement_words::ResultWords;
 
 /// Longest interval between the marks of one taking out [s] (chosen: pieces of a group follow each other within it).
@@ -38,36 +39,35 @@ impl SauteApp {
             return;
         }
         self.leads.learn.marked_for = came_out_s;
-        let Some(goal) = goal_of(&self.session, &self.settings) else { return };
-        if let Some(judgement) = self.session.judgement(&goal) {
+        if let Some((goal, judgement)) = self.judged() {
             self.settings.keep_mark(&goal.name, judgement.mark.points());
         }
     }
 
-    /// From when the cook is tried again: shortly before what decided [s].
-    pub(crate) fn try_from_s(&self) -> Option<f64> {
-        let goal = goal_of(&self.session, &self.settings)?;
-        self.session.deciding_s(&self.session.judgement(&goal)?.better?)
-    }
-
-    /// The result in words; none without food that a scale knows.
-    pub(crate) fn result_words(&mut self) -> Option<ResultWords> {
-        let rise = self.session.rise();
+    /// The cook so far, judged by its goal: a plan's cook by what the plan was made for. None without food that a scale knows.
+    fn judged(&self) -> Option<(Goal, Judgement)> {
         let live = self.leads.live.as_ref().filter(|live| live.judges(&self.session));
-        // A plan is judged by what it was made for.
         let goal = live.map(|live| live.goal().clone()).or_else(|| goal_of(&self.session, &self.settings))?;
         let judgement = self.session.judgement(&goal)?;
-        let words = ResultWords::of(&judgement, &goal, &self.session.noun(), self.settings.speech());
+        Some((goal, judgement))
+    }
+
+    /// The result in words, and from when the cook is tried again [s]: shortly before what decided, once it has rested.
+    pub(crate) fn result(&mut self) -> Option<(ResultWords, Option<f64>)> {
+        let rise = self.session.rise();
+        let (goal, judgement) = self.judged()?;
+        let speech = self.settings.speech();
         let marks = self.settings.marks.get(&goal.name).map_or(&[][..], Vec::as_slice);
-        let words = words.with_marks(marks, self.settings.language);
+        let words = ResultWords::of(&judgement, &goal, &self.session.noun(), speech).with_marks(marks, speech.language);
+        let live = self.leads.live.as_ref().filter(|live| live.judges(&self.session));
         // A plan says itself when it is served.
-        Some(match (live, rise) {
-            (Some(live), _) => {
-                words.of_plan(live.plan(), &live.kept(&self.session, &judgement), self.settings.speech())
-            }
-            (None, Some(rise)) => words.while_it_rests(rise.peak_c, self.settings.speech()),
+        let words = match (live, rise) {
+            (Some(live), _) => words.of_plan(live.plan(), &live.kept(&self.session, &judgement), speech),
+            (None, Some(rise)) => return Some((words.while_it_rests(rise.peak_c, speech), None)),
             (None, None) => words,
-        })
+        };
+        let try_from_s = judgement.better.and_then(|better| self.session.deciding_s(&better));
+        Some((words, try_from_s))
     }
 
     /// Opens the result of a plan once its rest is over, unless it is switched off: time stands still then.
@@ -82,7 +82,7 @@ impl SauteApp {
     /// Saves the result as a picture: into the folder of pictures, or as a download of the browser.
     pub(crate) fn share_result(&mut self) {
         let l = self.settings.language;
-        let Some((words, piece)) = self.result_words().zip(self.session.steak()) else { return };
+        let Some(((words, _), piece)) = self.result().zip(self.session.steak()) else { return };
         let drawn = on_its_own::picture(&words, piece, l);
         let bytes = saute_picture::still::png_file::png_bytes(&drawn).map_err(|error| error.to_string());
         match bytes.and_then(|bytes| self.keeper()(&bytes)) {

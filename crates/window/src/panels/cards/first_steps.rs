@@ -6,6 +6,7 @@ use crate::act::{Act, Acts, AppAct, Card, LearnAct};
 use crate::panels::cards::language;
 use crate::panels::window_state::WindowState;
 use crate::ui::theme;
+use saute_words::clock::whole_minutes;
 
 /// Size of a picture [points].
 const PICTURE: Vec2 = vec2(112.0, 78.0);
@@ -95,10 +96,8 @@ pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, whole: Rect) {
 /// How long the cook takes, and how long here.
 fn lasts(state: &WindowState) -> Option<String> {
     let (l, settings) = (state.settings.language, state.settings);
-    let scale = state.scale()?;
-    let whole_s = state.session.whole_time_s(settings.goal(&scale))?;
-    let minutes = |s: f64| format!("{:.0}", (s / 60.0).ceil());
-    let [minutes, here] = [whole_s, whole_s / settings.speed + HANDS_S].map(minutes);
+    let whole_s = state.whole_time_s()?;
+    let [minutes, here] = [whole_s, whole_s / settings.speed + HANDS_S].map(whole_minutes);
     let parts: [(&str, &dyn std::fmt::Display); 2] = [("minutes", &minutes), ("here", &here)];
     Some(l.fill(if settings.speed > 1.0 { "first.lasts" } else { "first.lasts_real" }, &parts))
 }

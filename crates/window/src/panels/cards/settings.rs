@@ -54,10 +54,6 @@ fn choices(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mu
         row(ui, narrow, l.text("settings.controls"), &few).is_some_and(|chosen| (chosen == 1) != now.few)
     };
     let turns = if narrow { light_and_controls(ui) } else { ui.horizontal_top(light_and_controls).inner };
-    if turns {
-        acts.push(Act::View(ViewAct::More));
-    }
-    let mut set = |setting| acts.push(Act::App(AppAct::Set(setting)));
     let whites = WhiteBalance::ALL.map(|w| (white_word(w, l), w == now.white_balance));
     if let Some(white) = row(ui, narrow, l.text("settings.white"), &whites) {
         set(Setting::White(WhiteBalance::ALL[white]));
@@ -102,6 +98,9 @@ fn choices(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mu
         size_and_motion(ui)
     } else {
         ui.horizontal_top(size_and_motion).inner
+    }
+    if turns {
+        acts.push(Act::View(ViewAct::More));
     }
     #[cfg(target_arch = "wasm32")]
     {

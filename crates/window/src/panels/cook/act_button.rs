@@ -25,11 +25,7 @@ pub(crate) fn why_off(state: &WindowState, response: egui::Response, act: &Act) 
 }
 
 pub(crate) fn pressed(ui: &mut Ui, text: &str, on: bool, enabled: bool, hint: &str) -> egui::Response {
-    sized(ui, theme::of(ui).button(text, on), enabled, hint)
-}
-
-/// A button at the height of its row.
-fn sized(ui: &mut Ui, button: egui::Button<'static>, enabled: bool, hint: &str) -> egui::Response {
     let height = ui.spacing().interact_size.y;
-    ui.add_enabled(enabled, button.min_size(egui::vec2(height, height))).on_hover_text(hint)
+    let response = ui.add_enabled(enabled, theme::of(ui).button(text, on).min_size(egui::vec2(height, height)));
+    response.on_hover_text(hint)
 }

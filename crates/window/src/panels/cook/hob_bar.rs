@@ -163,18 +163,16 @@ pub(crate) fn time(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     pause(state, ui, acts);
     (ui.spacing_mut().item_spacing.x, ui.spacing_mut().button_padding.x) = (4.0, 5.0);
     // As many as a phone has room for; all are reached by their keys.
-    let most = if state.settings.few { EASED } else { f64::INFINITY };
-    speeds(state, ui, acts, |speed| speed != 3.0 && speed <= most);
+    speeds(state, ui, acts, |speed| speed != 3.0);
 }
 
-/// The same from the right, with the single step; a first cook has no steps, and no speed beyond the one that eases.
+/// The same from the right, with the single step, which a first cook has not.
 pub(crate) fn time_right_to_left(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
-    let few = state.settings.few;
     let usual = (ui.spacing().item_spacing.x, ui.spacing().button_padding.x);
     (ui.spacing_mut().item_spacing.x, ui.spacing_mut().button_padding.x) = (3.0, 6.0);
-    speeds(state, ui, acts, |speed| !few || speed <= EASED);
+    speeds(state, ui, acts, |_| true);
     (ui.spacing_mut().item_spacing.x, ui.spacing_mut().button_padding.x) = usual;
-    if !few {
+    if !state.settings.few {
         step(state, ui, acts);
     }
     pause(state, ui, acts);
@@ -189,9 +187,10 @@ fn step(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     button(state, ui, acts, state.settings.language.text("hob.step"), false, true, Act::Time(TimeAct::Step));
 }
 
-/// The speed that eases, and the fixed ones that are wanted, in the direction of the row.
-fn speeds(state: &WindowState, ui: &mut Ui, acts: &mut Acts, wanted: impl Fn(f64) -> bool) {
-    let fixed = SPEEDS.into_iter().filter(|speed| wanted(*speed)).map(Some);
+/// The speed that eases, and the fixed ones that have room, in the direction of the row; a first cook has none beyond the one that eases.
+fn speeds(state: &WindowState, ui: &mut Ui, acts: &mut Acts, has_room: impl Fn(f64) -> bool) {
+    let most = if state.settings.few { EASED } else { f64::INFINITY };
+    let fixed = SPEEDS.into_iter().filter(|speed| has_room(*speed) && *speed <= most).map(Some);
     let mut all: Vec<Option<f64>> = [None].into_iter().chain(fixed).collect();
     if ui.layout().prefer_right_to_left() {
         all.reverse();

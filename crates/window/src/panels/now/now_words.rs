@@ -7,9 +7,8 @@ use crate::act::{Act, AppAct, Card, CookAct};
 use crate::panels::cook::hob_bar::capitalised;
 use crate::panels::learn::advice_words::{advice_words, class_now, do_it_words, resting_words};
 use crate::panels::window_state::WindowState;
-use saute_kitchen::food::change::doneness::Measure;
 use saute_session::Forecast;
-use saute_words::clock::clock;
+use saute_words::clock::{clock, whole_minutes};
 
 /// Share of the goal's temperature from which the pace of the core tells how long it takes [-] (chosen: before, it still follows the
 /// first heat of the pan, and a cook was told 5 min and then 12).
@@ -125,15 +124,10 @@ impl Words<'_> {
 
     /// How hot the pan is, and how long the whole cook takes where its food is judged by its core.
     fn heating_from(&self, pan_c: f64) -> String {
-        let goal = self
-            .state
-            .scale()
-            .filter(|scale| scale.measure() == Measure::Peak)
-            .map(|scale| self.state.settings.goal(&scale));
-        let Some(whole_s) = goal.and_then(|goal| self.state.session.whole_time_s(goal)) else {
+        let Some(whole_s) = self.state.whole_time_s() else {
             return self.with_temperature("now.heating_from", pan_c);
         };
-        let minutes = format!("{:.0}", (whole_s / 60.0).ceil());
+        let minutes = whole_minutes(whole_s);
         self.fill(
             "now.heating_and_all",
             &[("temperature", &self.state.settings.temperature(pan_c)), ("minutes", &minutes)],

@@ -11,6 +11,9 @@ use crate::plan::choice::{MOST_FLIPS, PlanChoice};
 use crate::ui::theme;
 use saute_session::SteakChoice;
 
+/// Height of the kinds of plans [points] (chosen: what follows keeps its room in a low window).
+const CHIP: f32 = 34.0;
+
 /// Shows what is asked, and the button that searches.
 pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let (l, settings) = (state.settings.language, state.settings);
@@ -46,9 +49,9 @@ fn kinds(state: &WindowState, ui: &mut Ui, plan: &mut PlanChoice) {
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing = vec2(5.0, 5.0);
         for (name, meaning, is_plain) in [("plan.plain", "plan.plain_is", true), ("plan.best", "plan.best_is", false)] {
-            let (response, name) = (theme::of(ui).button(l.text(name), plan.plain == is_plain), l.text(name));
-            let response = ui.add(response.min_size(vec2(0.0, 34.0))).on_hover_text(l.text(meaning));
-            let on = plan.plain == is_plain;
+            let (name, on) = (l.text(name), plan.plain == is_plain);
+            let chip = theme::of(ui).button(name, on).min_size(vec2(0.0, CHIP));
+            let response = ui.add(chip).on_hover_text(l.text(meaning));
             response.widget_info(|| egui::WidgetInfo::selected(egui::accesskit::Role::RadioButton, true, on, name));
             if response.clicked() {
                 plan.plain = is_plain;
