@@ -72,6 +72,16 @@ impl PieceOrder {
     /// Temperatures at which food may begin [°C] (chosen: from below a freezer's −18 °C to what is kept warm).
     pub const INITIAL_C: [f64; 2] = [-25.0, 60.0];
 
+    /// Refuses a start or a mesh beyond their ranges, before anything is built.
+    fn check(&self) -> Result<(), SetupError> {
+        let food = || self.id.clone();
+        let [low, high] = Self::INITIAL_C.map(kelvin);
+        if !(low - ROUNDING_K..=high + ROUNDING_K).contains(&self.temperature) {
+            return Err(SetupError::Temperature { food: food() });
+        }
+        if Self::COARSENESS.contains(&self.coarseness) { Ok(()) } else { Err(SetupError::Coarseness { food: food() }) }
+    }
+
     /// Returns what its model is built from, apart from the food.
     pub(crate) fn spec(&self) -> PieceSpec {
         PieceSpec {
@@ -84,6 +94,9 @@ impl PieceOrder {
         }
     }
 }
+
+/// Miss of a temperature's range by the change of its unit [K].
+const ROUNDING_K: f64 = 1e-9;
 
 /// Vapour flows in the last tick that come from no food [kg/s].
 #[derive(Clone, Copy, Debug, Default, Deserialize, Serialize)]
@@ -129,6 +142,18 @@ pub enum SetupError {
     /// Unknown food.
     #[error("there is no food \"{0}\"; there are: {1}")]
     NoSuchFood(String, String),
+    /// A food begins colder or hotter than food can.
+    #[error("\"{food}\" cannot begin with this temperature: food begins with {} to {} °C", PieceOrder::INITIAL_C[0], PieceOrder::INITIAL_C[1])]
+    Temperature {
+        /// Its name.
+        food: String,
+    },
+    /// A mesh is finer or coarser than any that may be ordered.
+    #[error("\"{food}\" cannot have this mesh: its spacing is {} to {} times the default", PieceOrder::COARSENESS.start(), PieceOrder::COARSENESS.end())]
+    Coarseness {
+        /// Its name.
+        food: String,
+    },
     /// A food begins as ice whose file does not say how it freezes, or by rules that know no ice.
     #[error("\"{0}\" cannot begin below 0 °C: its file has no table [freezing], or it follows the rules of 2013")]
     NoIce(String),
@@ -217,6 +242,7 @@ impl Kitchen {
 
     /// Adds a piece, with known models, to which one that had to be built is added.
     pub fn add_with(&mut self, library: &Library, order: &PieceOrder, models: &mut Models) -> Result<(), SetupError> {
+        order.check()?;
         let food = library.foods.get(&order.kind);
         if order.temperature < kelvin(0.0) && food.is_some_and(|food| !food.may_be_ice(order.rules)) {
             return Err(SetupError::NoIce(order.kind.clone()));

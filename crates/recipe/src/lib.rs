@@ -64,7 +64,7 @@ pub use cook::recorder::{self, Recorder};
 pub use cook::runner::{self, Runner, StoppedBy};
 pub use cook::runner_state::RunnerState;
 pub use cook::step_record;
-pub use file::{action_file, recipe_file, shorthand, step_file};
+pub use file::{recipe_file, shorthand, step_file};
 pub use recipe::{Group, Recipe, Step, Target, Trigger};
 pub use saute_kitchen::{InputError, InputText};
 pub use session::{Moment, Recording, Replay};

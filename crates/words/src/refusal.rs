@@ -40,6 +40,11 @@ pub fn words(refused: &Refused, l: Language) -> String {
         Refused::Amount { what, holds_g } => {
             l.fill("refused.amount", &[("what", &l.called("amount", what)), ("most", holds_g)])
         }
+        Refused::Range { key, low, high } => {
+            let what = l.known("range", &key.replace('.', "-")).unwrap_or(key);
+            l.fill("refused.range", &[("what", &what), ("low", low), ("high", high)])
+        }
+        Refused::NoPose => l.text("refused.no_pose").to_owned(),
         Refused::LidIsOn => l.text("refused.lid_is_on").to_owned(),
     }
 }

@@ -3,7 +3,7 @@
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use saute_kitchen::Command;
-use saute_recipe::action_file::{FAT_G, SHAKE_AMPLITUDE_MM, SHAKE_HZ, TOSS_HEIGHT_MM, WATER_G};
+use saute_kitchen::hands::ranges::{FAT_G, SHAKE_AMPLITUDE_MM, SHAKE_HZ, TOSS_HEIGHT_MM, WATER_G};
 
 use crate::package::batch::{PyBatch, each};
 use crate::package::commands::{rest_on, tool_of};

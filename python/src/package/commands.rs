@@ -5,11 +5,11 @@ use std::sync::Arc;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use saute_kitchen::dynamics::Tool;
-use saute_kitchen::{Command, RestOn, kelvin};
-use saute_recipe::action_file::{
+use saute_kitchen::hands::ranges::{
     COOL_S, FAT_G, FOR_S, HALVE_AT_MM, LIFT_MM, Limits, PRESS_N, SHAKE_AMPLITUDE_MM, SHAKE_HZ, TILT_DEG,
     TOSS_HEIGHT_MM, TOWARDS_DEG, WATER_G,
 };
+use saute_kitchen::{Command, RestOn, kelvin};
 
 use crate::package::errors;
 use crate::package::expected::{limited, numbers, pose, ranged};

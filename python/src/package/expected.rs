@@ -4,7 +4,7 @@ use glam::{DQuat, DVec3};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use saute_kitchen::dynamics::Pose;
-use saute_recipe::action_file::Limits;
+use saute_kitchen::hands::ranges::Limits;
 
 /// Returns the name of the type of a value.
 pub(crate) fn type_name(value: &Bound<'_, PyAny>) -> String {

@@ -87,6 +87,23 @@ fn a_damaged_end_is_said_and_the_rest_opens() {
     assert_eq!(numbers(&ran), numbers(&recorded.ran));
 }
 
+/// What no hand can ask for may be in a session from elsewhere: it is refused with its reason, and the cook goes on without it.
+#[test]
+fn a_session_that_asks_for_what_no_hand_can_is_refused_with_the_reason() {
+    for (case, why) in [
+        ("food-at-0-k", "food begins with -25 to 60 °C"),
+        ("shake-nan", "shake.amplitude_mm may be 0 to 100"),
+        ("toss-minus-1-m", "toss.height_mm may be 50 to 500"),
+    ] {
+        let path = format!("{}/tests/cli/cases/{case}.saute", env!("CARGO_MANIFEST_DIR"));
+        let ran = run(&["replay", &path, "--json"]);
+        assert_eq!(ran.code, Some(1), "{case}: {}", ran.err);
+        assert!(ran.err.contains(why) && ran.err.contains("remedy"), "{case}: {}", ran.err);
+        assert!(!ran.err.contains("frozen"), "{case}: {}", ran.err);
+        assert!(numbers(&ran)["energy_j"]["imbalance"].is_number(), "{case}: {}", ran.out);
+    }
+}
+
 #[test]
 fn other_data_are_said_and_a_departure_has_exit_code_1() {
     let recorded = record(SHORT);

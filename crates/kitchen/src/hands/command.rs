@@ -249,6 +249,19 @@ pub enum Refused {
     /// Food is in the way of the paper.
     #[error("take the {0} out before you wipe the pan")]
     FoodToWipe(String),
+    /// A number is beyond its range, or none.
+    #[error("{key} may be {low} to {high}")]
+    Range {
+        /// Key of a recipe whose value it is; it ends with the unit.
+        key: &'static str,
+        /// Smallest value, in the unit of the key.
+        low: String,
+        /// Largest value, in the unit of the key.
+        high: String,
+    },
+    /// A pose that is none.
+    #[error("this pose is none: give finite numbers and an orientation that is not zero; the hand stays where it is")]
+    NoPose,
     /// The lid is in the way.
     #[error("the lid is on: take it off first")]
     LidIsOn,

@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::dynamics::{Pose, RIGID_S, Tool};
 use crate::hands::command::Refused;
+use crate::hands::ranges::usable;
 use crate::kitchen::Kitchen;
 use crate::piece::piece_state::Place;
 
@@ -25,12 +26,20 @@ const LAYING_SPEED: f64 = 0.25;
 /// Slack of the grip's spring at which the gripped food is supported from below [m] (chosen: above the spring's
 /// deflection by weight).
 const LIES: f64 = 0.003;
+/// Farthest that a tool is led from the ring's centre along each axis [m] (chosen: an arm beyond the hob and the board).
+const REACH: f64 = 1.5;
 /// Longest duration of laying down; the food is dropped after it [s] (chosen).
 const LAYING_S: f64 = 2.0;
+
+/// The pose at the edge of the hand's reach where it lies beyond.
+fn within_reach(to: &Pose) -> Pose {
+    Pose { position: to.position.clamp(DVec3::splat(-REACH), DVec3::splat(REACH)), ..*to }
+}
 
 impl Kitchen {
     /// Moves a tool towards a pose; the tasks of the second hand are cancelled.
     pub(crate) fn lead(&mut self, tool: Tool, to: &Pose, grip: Option<&str>) -> Result<(), Refused> {
+        let to = &within_reach(&usable(to)?);
         let key = match grip {
             Some(food) => {
                 let piece = self.piece_mut(food)?;

@@ -7,6 +7,7 @@ mod orders;
 pub(crate) mod pan_hold;
 mod pan_wrench;
 mod pour;
+pub mod ranges;
 pub(crate) mod second_hand;
 mod wipe;
 

@@ -11,6 +11,7 @@ use crate::dynamics::world::{BOARD_AT, BOARD_HALF};
 use crate::dynamics::{Gesture, Pose, Task};
 use crate::hands::command::{Command, Refused, RestOn};
 use crate::hands::pour::Pouring;
+use crate::hands::ranges::usable;
 use crate::kelvin;
 use crate::kitchen::Kitchen;
 use crate::pan::cloth::Cloth;
@@ -56,6 +57,7 @@ impl Kitchen {
 
     fn carry_out(&mut self, command: &Command) -> Result<(), Refused> {
         self.check_lid(command)?;
+        command.check_ranges()?;
         match command {
             Command::Hob(power) => self.set_hob(*power, None),
             Command::HobHold { temperature, power } => self.set_hob(*power, Some(*temperature)),
@@ -158,11 +160,9 @@ impl Kitchen {
     }
 
     fn hold_pan(&mut self, pose: &Pose) -> Result<(), Refused> {
-        if !pose.position.is_finite() || !pose.rotation.is_finite() {
-            return Err(Refused::PanPlace { farthest_mm: libm::round(FARTHEST_PAN * 1e3) as i64 });
-        }
+        let pose = usable(pose)?;
         self.pan_hold.gesture = None;
-        self.pan_hold.pose = self.world.pan_shape().within_reach(pose, FARTHEST_PAN);
+        self.pan_hold.pose = self.world.pan_shape().within_reach(&pose, FARTHEST_PAN);
         Ok(())
     }
 

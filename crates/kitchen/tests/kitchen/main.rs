@@ -5,6 +5,7 @@ mod allocation;
 mod bytes;
 mod contact;
 mod doneness;
+mod door;
 mod draws;
 mod dynamics;
 mod fats;

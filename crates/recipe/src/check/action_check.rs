@@ -6,13 +6,16 @@ use crate::action::kind::{ActionEntry, ActionKind};
 use crate::action::{Action, FoodAction, PanAction};
 use crate::check::recipe_check::{Check, Checked, FoodNames};
 use crate::file::action_file::{
-    ButterTable, COOL_S, CoolTable, FAT_G, FOR_S, HALVE_AT_MM, HalveTable, HobTable, LIFT_MM, Limits, MovePanTable,
-    MoveTable, OilTable, PRESS_N, PressTable, PutTable, RestTable, SHAKE_AMPLITUDE_MM, SHAKE_HZ, ShakeTable, TILT_DEG,
-    TOSS_HEIGHT_MM, TOWARDS_DEG, TiltTable, TossTable, WATER_G, WaterTable,
+    ButterTable, CoolTable, HalveTable, HobTable, MovePanTable, MoveTable, OilTable, PressTable, PutTable, RestTable,
+    ShakeTable, TiltTable, TossTable, WaterTable,
 };
 use crate::file::step_file::{StepEntry, StepKeys};
 use saute_kitchen::data::number_text::number_text;
 use saute_kitchen::hands::command::RestOn;
+use saute_kitchen::hands::ranges::{
+    COOL_S, FAT_G, FOR_S, HALVE_AT_MM, LIFT_MM, Limits, PAN_MM, PLACE_MM, PRESS_N, SHAKE_AMPLITUDE_MM, SHAKE_HZ,
+    TILT_DEG, TOSS_HEIGHT_MM, TOWARDS_DEG, WATER_G,
+};
 use saute_kitchen::pan::hold::Hold;
 use saute_kitchen::{InputError, kelvin};
 
@@ -129,13 +132,13 @@ impl Check<'_> {
     }
 
     fn move_pan(&self, to: &MovePanTable) -> Checked<PanAction> {
-        let at = self.place("move_pan.at_mm", to.at_mm.as_ref(), 350.0, "of the ring's centre")?;
+        let at = self.place("move_pan.at_mm", to.at_mm.as_ref(), PAN_MM, "of the ring's centre")?;
         let lift = self.limited("move_pan.lift_mm", to.lift_mm.as_ref(), LIFT_MM)?;
         Ok(PanAction::MovePan { at, lift: lift * 1e-3 })
     }
 
     fn put(&self, put: &PutTable, companion: Option<&Spanned<Vec<f64>>>) -> Checked<FoodAction> {
-        let at = self.place("at_mm", put.at_mm.as_ref().or(companion), 200.0, "of the pan's centre")?;
+        let at = self.place("at_mm", put.at_mm.as_ref().or(companion), PLACE_MM, "of the pan's centre")?;
         Ok(FoodAction::Put { at, heap: put.heap.unwrap_or(false) })
     }
 
@@ -149,7 +152,7 @@ impl Check<'_> {
     }
 
     fn move_to(&self, to: &MoveTable) -> Checked<FoodAction> {
-        Ok(FoodAction::Move(self.place("move.to_mm", to.to_mm.as_ref(), 200.0, "of the pan's centre")?))
+        Ok(FoodAction::Move(self.place("move.to_mm", to.to_mm.as_ref(), PLACE_MM, "of the pan's centre")?))
     }
 
     /// Returns a number within its limits, or its default.
@@ -157,15 +160,15 @@ impl Check<'_> {
         value.map_or(Ok(limits.default), |v| self.input.ranged(key, v, limits.low, limits.high))
     }
 
-    /// Returns a place with both coordinates within ± `farthest` mm [m]; the centre by default.
-    fn place(&self, key: &str, at: Option<&Spanned<Vec<f64>>>, farthest: f64, of: &str) -> Checked<[f64; 2]> {
+    /// Returns a place with both coordinates within limits [m]; the centre by default.
+    fn place(&self, key: &str, at: Option<&Spanned<Vec<f64>>>, limits: Limits, of: &str) -> Checked<[f64; 2]> {
         let Some(at) = at else { return Ok([0.0, 0.0]) };
         match <[f64; 2]>::try_from(at.get_ref().as_slice()) {
-            Ok(mm) if mm.iter().all(|v| v.abs() <= farthest) => Ok(mm.map(|v| v * 1e-3)),
+            Ok(mm) if mm.iter().all(|v| (limits.low..=limits.high).contains(v)) => Ok(mm.map(|v| v * 1e-3)),
             _ => {
                 let own = key.rsplit('.').next().unwrap_or(key);
                 let remedy =
-                    format!("write {own} = [x, y], for instance [20, 0], with both within ± {farthest} mm {of}");
+                    format!("write {own} = [x, y], for instance [20, 0], with both within ± {} mm {of}", limits.high);
                 self.input.error(at.span().start, format!("{key} needs two numbers within reach"), remedy)
             }
         }

@@ -6,46 +6,10 @@ use toml::Spanned;
 
 use crate::file::shorthand::{Shorthand, Written};
 use saute_kitchen::hands::command::RestOn;
-
-/// Smallest, largest and default value of a key, in the unit of the key.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Limits {
-    /// Smallest value.
-    pub low: f64,
-    /// Largest value.
-    pub high: f64,
-    /// Default value.
-    pub default: f64,
-}
-
-const fn limits(low: f64, high: f64, default: f64) -> Limits {
-    Limits { low, high, default }
-}
-
-/// Range of the mass of oil or butter of one step [g] (chosen: more is deep frying).
-pub const FAT_G: [f64; 2] = [0.0, 300.0];
-/// Range of the mass of water of one step [g] (chosen: the shipped pans overflow at 2 kg).
-pub const WATER_G: [f64; 2] = [0.0, 1000.0];
-/// Range of the tilt of the pan [°] (chosen: beyond 80° everything falls out).
-pub const TILT_DEG: [f64; 2] = [0.0, 80.0];
-/// Height of a toss [mm] (chosen: a cook's toss clears the rim by the width of a hand).
-pub const TOSS_HEIGHT_MM: Limits = limits(50.0, 500.0, 250.0);
-/// Amplitude of shaking [mm] (chosen: ± 20 mm is comfortable for an arm; ± 100 mm leaves the hob).
-pub const SHAKE_AMPLITUDE_MM: Limits = limits(0.0, 100.0, 20.0);
-/// Frequency of shaking [Hz] (chosen: a cook shakes at about 3 Hz; 8 Hz exceeds what an arm can do).
-pub const SHAKE_HZ: Limits = limits(0.0, 8.0, 3.0);
-/// Duration of shaking and pressing [s] (chosen: a few strokes).
-pub const FOR_S: Limits = limits(0.1, 600.0, 5.0);
-/// Direction of a tilt [°] (chosen: any; by default to the right).
-pub const TOWARDS_DEG: Limits = limits(-360.0, 360.0, 0.0);
-/// Force of pressing [N] (chosen: by default the weight of 1 kg; a hand on a turner hardly exceeds 100 N).
-pub const PRESS_N: Limits = limits(0.0, 100.0, 10.0);
-/// Distance of the knife's cut from the middle of a food [mm] (chosen: half of the longest food).
-pub const HALVE_AT_MM: Limits = limits(-150.0, 150.0, 0.0);
-/// Height of the pan above the glass [mm] (chosen: within reach of an arm; by default on the glass).
-pub const LIFT_MM: Limits = limits(0.0, 500.0, 0.0);
-/// Duration of the pan on the cloth [s]; the checked default is that of `kitchen.toml`.
-pub const COOL_S: Limits = limits(0.1, 600.0, 3.0);
+use saute_kitchen::hands::ranges::{
+    COOL_S, FAT_G, FOR_S, HALVE_AT_MM, LIFT_MM, PRESS_N, SHAKE_AMPLITUDE_MM, SHAKE_HZ, TILT_DEG, TOSS_HEIGHT_MM,
+    TOWARDS_DEG, WATER_G,
+};
 
 /// Temperature at which the hob may hold the pan [°C]; the checked range is that of `hobs/induction.toml`.
 pub const HOLD_C: [f64; 2] = [50.0, 230.0];
