@@ -55,6 +55,9 @@ pub enum CliError {
         /// What is in the output folder now.
         left: String,
     },
+    /// A search for a plan that was interrupted before a candidate was cooked.
+    #[error("interrupted before a candidate was cooked\n  remedy: start it again; it gives the same plan")]
+    PlanInterrupted,
     /// A sweep that was interrupted by a signal.
     #[error("interrupted: {done} of {rows} rows are there\n  remedy: start it again; it goes on with the others")]
     SweepInterrupted {

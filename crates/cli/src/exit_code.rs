@@ -22,10 +22,15 @@ pub fn failed() -> ExitCode {
     ExitCode::from(FAILED)
 }
 
+/// Returns the exit code of a run that a signal ended.
+pub fn interrupted() -> ExitCode {
+    ExitCode::from(INTERRUPTED)
+}
+
 /// Returns the exit code for an error.
 pub fn of_error(error: &CliError) -> ExitCode {
     match error {
-        CliError::Interrupted { .. } | CliError::SweepInterrupted { .. } => ExitCode::from(INTERRUPTED),
+        CliError::Interrupted { .. } | CliError::SweepInterrupted { .. } | CliError::PlanInterrupted => interrupted(),
         _ => failed(),
     }
 }

@@ -32,7 +32,8 @@ pub fn heading(order: &Order, library: &Library, speech: Speech) -> String {
 pub fn on_target(plan: &Plan, l: Language) -> String {
     let Outcome { target_share_pct, beyond_pct, .. } = plan.promised;
     let (share, beyond) = (format!("{target_share_pct:.0}"), format!("{beyond_pct:.0}"));
-    l.fill("plan.on_target", &[("share", &share), ("class", &class(&plan.order.goal, l)), ("beyond", &beyond)])
+    let key = if plan.is_stopped { "plan.on_target_so_far" } else { "plan.on_target" };
+    l.fill(key, &[("share", &share), ("class", &class(&plan.order.goal, l)), ("beyond", &beyond)])
 }
 
 /// The crust of both faces.
@@ -108,6 +109,9 @@ pub fn why_not(plan: &Plan, speech: Speech) -> Option<String> {
     };
     let why = words.join(l.text("doneness.list_joint"));
     let target = target(&plan.order.goal, speech);
+    if plan.is_stopped {
+        return Some(l.fill("plan.not_met_so_far", &[("target", &target), ("why", &why)]));
+    }
     Some(l.fill("plan.not_met", &[("target", &target), ("why", &why), ("remedy", &l.text(remedy))]))
 }
 
@@ -136,6 +140,7 @@ pub fn stage(stage: Stage) -> &'static str {
     match stage {
         Stage::Seeds => "plan.stage_first",
         Stage::Refine(_) => "plan.stage_refine",
-        Stage::Finish | Stage::Done => "plan.stage_finish",
+        Stage::Finish => "plan.stage_finish",
+        Stage::Vary | Stage::Done => "plan.stage_vary",
     }
 }

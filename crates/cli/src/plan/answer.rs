@@ -19,6 +19,10 @@ pub struct Answer<'a> {
     cues: &'a [Cue],
     sensitivity: Vec<Changed<'a>>,
     candidates: usize,
+    /// True if the search was stopped before its end.
+    is_stopped: bool,
+    /// True if it was stopped before its finish: what is promised was cooked on coarse meshes.
+    is_rough: bool,
     recipe: String,
     wall_s: f64,
 }
@@ -63,6 +67,8 @@ impl<'a> Answer<'a> {
             cues: &plan.cues,
             sensitivity: plan.sensitivity.iter().map(changed).collect(),
             candidates: plan.candidates,
+            is_stopped: plan.is_stopped,
+            is_rough: plan.is_rough,
             recipe: plan.recipe_text(),
             wall_s: wall.as_secs_f64(),
         }

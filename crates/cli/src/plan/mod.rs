@@ -10,13 +10,14 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use saute_kitchen::Library;
-use saute_plan::schedule::{JobError, Order, Plan, Planner};
+use saute_plan::schedule::{Cooking, Job, JobError, JobResult, Order, Plan, Planner};
 use saute_window::plan::kitchen_card;
 use saute_words::speech::Speech;
 
 use crate::error::CliError;
 use crate::exit_code;
 use crate::input::data_library::DataLibrary;
+use crate::output::interruption::Interruption;
 use crate::output::out_file::OutFile;
 use crate::output::progress::Progress;
 use crate::output::{json, stderr, stdout};
@@ -35,7 +36,9 @@ pub fn run(args: &PlanArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
         |option, path: Option<&Path>, example| path.map(|p| OutFile::prepare_as(option, p, example)).transpose();
     let recipe = prepare("--out", args.out.as_deref(), "RECIPE.toml")?;
     let card = prepare("--card", args.card.as_deref(), "CARD.html")?;
-    let (plan, wall) = search(order, &data.library).map_err(|error| options::of_job(error, args))?;
+    let Searched { plan, wall, is_stopped } =
+        search(order, &data.library).map_err(|error| options::of_job(error, args))?;
+    let plan = plan.ok_or(CliError::PlanInterrupted)?;
     let is_met = plan.shortfalls().is_empty();
     if let Some(file) = recipe {
         write(file, &text::recipe(&plan))?;
@@ -47,6 +50,10 @@ pub fn run(args: &PlanArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
     if !is_met {
         text::why_not(&plan).into_iter().for_each(stderr::say);
     }
+    if is_stopped {
+        stderr::say("stopped: this is the best so far; started again, the search gives the whole plan");
+        return Ok(exit_code::interrupted());
+    }
     Ok(exit_code::of_goal(is_met))
 }
 
@@ -57,20 +64,43 @@ fn write(file: OutFile, text: &str) -> Result<(), CliError> {
     Ok(())
 }
 
-/// Runs the jobs of a search on every core.
-fn search(order: Order, library: &Library) -> Result<(Plan, Duration), JobError> {
+/// What a search came to.
+struct Searched {
+    /// The plan; none if it was stopped before a candidate was cooked.
+    plan: Option<Plan>,
+    wall: Duration,
+    is_stopped: bool,
+}
+
+/// Runs the jobs of a search on every core, until a signal asks for what there is.
+fn search(order: Order, library: &Library) -> Result<Searched, JobError> {
     let started = Instant::now();
-    let progress = Progress::over(PARTS);
+    let (progress, interruption) = (Progress::over(PARTS), Interruption::watch());
     let mut planner = Planner::new(order, Arc::new(library.clone()))?;
     loop {
-        if let Some(plan) = planner.plan() {
-            return Ok((plan, started.elapsed()));
+        if let plan @ Some(_) = planner.plan() {
+            return Ok(Searched { plan, wall: started.elapsed(), is_stopped: false });
         }
         let (jobs, doing) = (planner.next_jobs(), planner.doing());
-        let run = |_, job: &saute_plan::schedule::Job| {
+        let run = |_, job: &Job| {
             progress.next(doing.to_owned());
-            job.run(library)
+            cook(job, library, &interruption)
         };
-        planner.take(map_all(&jobs, run).into_iter().collect::<Result<_, _>>()?);
+        let results = map_all(&jobs, run).into_iter().collect::<Result<Option<Vec<_>>, _>>()?;
+        match results {
+            Some(results) => planner.take(results),
+            None => return Ok(Searched { plan: planner.so_far(), wall: started.elapsed(), is_stopped: true }),
+        }
     }
+}
+
+/// Cooks a candidate; returns nothing if a signal came before its end.
+fn cook(job: &Job, library: &Library, interruption: &Interruption) -> Result<Option<JobResult>, JobError> {
+    let mut cooking = Cooking::begin(job.clone(), library)?;
+    while !interruption.is_asked() {
+        if let Some(result) = cooking.second()? {
+            return Ok(Some(result));
+        }
+    }
+    Ok(None)
 }

@@ -18,10 +18,11 @@ const EN: Language = Language::English;
 /// Returns the plan on one screen.
 pub fn text(plan: &Plan, wall: Duration) -> String {
     let goal = &plan.order.goal;
+    let best = if plan.shortfalls().is_empty() { "best" } else { "target not met; best" };
+    let rough = if plan.is_rough { "; cooked on a coarse mesh only" } else { "" };
     let mut text = format!(
-        "{}\n{} of {} candidates in {:.1} s\n",
+        "{}\n{best} of {} candidates in {:.1} s{rough}\n",
         heading(&plan.order),
-        if plan.shortfalls().is_empty() { "best" } else { "target not met; best" },
         plan.candidates,
         wall.as_secs_f64()
     );
@@ -35,7 +36,9 @@ pub fn text(plan: &Plan, wall: Duration) -> String {
     row(&mut text, "crust", &crust(&plan.promised, EN));
     row(&mut text, "mass", &format!("−{:.1} %", plan.promised.lost_pct));
     row(&mut text, "score", &plan.score.to_string());
-    text.push_str("\nif something is different and the times stay the same\n");
+    if !plan.sensitivity.is_empty() {
+        text.push_str("\nif something is different and the times stay the same\n");
+    }
     plan.sensitivity.iter().for_each(|s| row(&mut text, &s.change.words(), &changed(s, Speech::default())));
     text
 }
@@ -61,6 +64,7 @@ pub fn recipe(plan: &Plan) -> String {
         format!("{}.", crust(&plan.promised, EN)),
     ];
     lines.extend(why_not(plan).first().map(|why| format!("The {why}.")));
+    lines.extend(plan.is_rough.then(|| "The search was stopped: this was cooked on a coarse mesh only.".to_owned()));
     let comment: String = lines.iter().map(|line| format!("# {line}\n")).collect();
     comment + &plan.recipe_text()
 }
@@ -72,8 +76,10 @@ pub fn why_not(plan: &Plan) -> Vec<String> {
         return Vec::new();
     }
     let words: Vec<String> = shortfalls.iter().map(|s| s.words(&plan.promised, &plan.order.goal)).collect();
-    let target = format!("target {} is not met: {}", plan.order.goal.name, words.join("; "));
-    vec![target, format!("  remedy: {}", remedy(&shortfalls))]
+    let so_far = if plan.is_stopped { " so far" } else { "" };
+    let target = format!("target {} is not met{so_far}: {}", plan.order.goal.name, words.join("; "));
+    let remedy = if plan.is_stopped { "let the search come to its end" } else { remedy(&shortfalls) };
+    vec![target, format!("  remedy: {remedy}")]
 }
 
 fn remedy(shortfalls: &[Shortfall]) -> &'static str {

@@ -194,6 +194,8 @@ pub(super) mod tests {
             cues: Vec::new(),
             sensitivity: Vec::new(),
             candidates: 1,
+            is_stopped: false,
+            is_rough: false,
         }
     }
 

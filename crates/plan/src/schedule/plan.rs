@@ -10,7 +10,7 @@ pub struct Plan {
     pub order: Order,
     /// The schedule.
     pub schedule: Schedule,
-    /// What the cook of its recipe gives on the full mesh.
+    /// What the cook of its recipe gives on the full mesh, unless the plan is rough.
     pub promised: Outcome,
     /// The score of that.
     pub score: Score,
@@ -20,6 +20,10 @@ pub struct Plan {
     pub sensitivity: Vec<Sensitivity>,
     /// Number of candidates that were cooked [-].
     pub candidates: usize,
+    /// True if the search was stopped before its end.
+    pub is_stopped: bool,
+    /// True if it was stopped before its finish: what is promised was cooked on coarse meshes.
+    pub is_rough: bool,
 }
 
 impl Plan {

@@ -15,7 +15,7 @@ use crate::schedule::candidate::work_of_second;
 use crate::schedule::heating::Heating;
 use crate::schedule::moves::{Stride, combined, neighbours};
 use crate::schedule::seeds::seeds;
-use crate::schedule::sensitivity::{self, Change, Sensitivity};
+use crate::schedule::sensitivity::{self, Sensitivity};
 use crate::schedule::{Draft, Order, Plan};
 
 /// Mesh spacing of the search relative to the default [-] (chosen: see docs/planning.md for its error).
@@ -68,10 +68,19 @@ pub enum Stage {
     Seeds,
     /// Neighbours of the best draft, at a stride.
     Refine(usize),
-    /// The best draft on the full mesh, and changes around it.
+    /// The best drafts on the full mesh.
     Finish,
+    /// The one that was kept with changes, on the meshes of the search.
+    Vary,
     /// Nothing.
     Done,
+}
+
+/// What a draft gives on the meshes of the search, and on the full one.
+#[derive(Clone, Debug)]
+struct Finished {
+    coarse: JobResult,
+    full: JobResult,
 }
 
 /// The search for a schedule.
@@ -94,7 +103,7 @@ pub struct Planner {
     tried: BTreeMap<Draft, JobResult>,
     /// Drafts that were cooked on the full mesh.
     finalists: BTreeSet<Draft>,
-    finished: Option<JobResult>,
+    finished: Option<Finished>,
     sensitivity: Vec<Sensitivity>,
     work: u64,
 }
@@ -151,6 +160,7 @@ impl Planner {
                 self.handed.iter().map(|draft| self.job(draft)).collect()
             }
             Stage::Finish => self.finish(),
+            Stage::Vary => self.changes(),
             Stage::Done => Vec::new(),
         }
     }
@@ -165,21 +175,32 @@ impl Planner {
             }
             Stage::Refine(stride) => self.refine(stride, results),
             Stage::Finish => self.conclude(results),
+            Stage::Vary => self.note_changes(&results),
             Stage::Done => {}
         }
     }
 
     /// Returns the plan once the search is over.
     pub fn plan(&self) -> Option<Plan> {
-        let best = self.finished.as_ref().filter(|_| self.stage == Stage::Done)?;
+        self.so_far().filter(|_| self.stage == Stage::Done)
+    }
+
+    /// Returns the best plan so far, for a search that is stopped; until the finish its promise is one of coarse meshes. None before a
+    /// candidate was cooked.
+    pub fn so_far(&self) -> Option<Plan> {
+        let full = self.finished.as_ref().map(|best| &best.full);
+        let best = full.or_else(|| self.best().map(|(_, coarse)| coarse))?;
         Some(Plan {
             order: self.order.clone(),
             schedule: best.schedule.clone(),
             promised: best.outcome,
-            score: best.score,
+            // A coarse one was ranked by more crust.
+            score: Score::of(&best.outcome, best.schedule.flips_s.len(), &self.order.goal),
             cues: best.cues.clone(),
             sensitivity: self.sensitivity.clone(),
             candidates: self.tried.len(),
+            is_stopped: self.stage != Stage::Done,
+            is_rough: full.is_none(),
         })
     }
 
@@ -193,7 +214,8 @@ impl Planner {
         match self.stage {
             Stage::Seeds => "first candidates",
             Stage::Refine(_) => "neighbours of the best candidate",
-            Stage::Finish => "the best candidate on the full mesh, and with changes",
+            Stage::Finish => "the best candidates on the full mesh",
+            Stage::Vary => "the best one with changes",
             Stage::Done => "done",
         }
     }
@@ -296,56 +318,59 @@ impl Planner {
         u64::from(lasts_s) * work_of_second(self.nodes)
     }
 
-    /// Returns the jobs of the best drafts on the full mesh, which take longest, and those with changes on the coarse one.
+    /// Returns the jobs of the best drafts on the full mesh.
     fn finish(&mut self) -> Vec<Job> {
         self.handed = self.next_finalists();
         let best = self.handed.iter().filter_map(|draft| Some((draft, self.tried.get(draft)?)));
-        let full = best.clone().map(|(draft, best)| {
+        let full = best.map(|(draft, best)| {
             let pull = Pull::ToAim { rise: best.rise + MORE_RISE[1], within: WITHIN[1], most_rests: RESTS[1] };
             Job { order: self.order.clone(), pull, mesh: Mesh::Spaced(FULL), ..self.job(draft) }
         });
-        let changed = best.flat_map(|(_, best)| {
-            let coarse = sensitivity::base(&self.search, &best.schedule, self.mesh);
-            Change::ALL.map(|change| sensitivity::changed(coarse.clone(), change, &self.library))
-        });
-        full.chain(changed).collect()
+        full.collect()
     }
 
     /// Keeps the finalist that is the best so far; if all miss the goal, the next ones have their turn.
-    fn conclude(&mut self, mut results: Vec<JobResult>) {
-        let handed = std::mem::take(&mut self.handed);
-        let changed = results.split_off(handed.len().min(results.len()));
-        let mut changed = changed.chunks_exact(Change::ALL.len());
+    fn conclude(&mut self, results: Vec<JobResult>) {
         let mut paler = 0.0_f64;
-        for (draft, full) in handed.into_iter().zip(results) {
-            if let (Some(coarse), Some(changed)) = (self.tried.get(&draft), changed.next()) {
+        for (draft, full) in std::mem::take(&mut self.handed).into_iter().zip(results) {
+            if let Some(coarse) = self.tried.get(&draft).cloned() {
                 paler = paler.max(coarse.outcome.least_crust_pct - full.outcome.least_crust_pct);
-                let coarse = coarse.clone();
-                self.keep_finalist(&coarse, full, changed);
+                self.keep_finalist(Finished { coarse, full });
             }
             self.finalists.insert(draft);
         }
-        let is_met = self.finished.as_ref().is_some_and(|best| self.missing(best) == (0, 0));
+        let is_met = self.finished.as_ref().is_some_and(|best| self.missing(&best.full) == (0, 0));
         let no_time = self.work + CORES * self.full_work() > MOST_WORK;
         let is_over = is_met || no_time || self.finalists.len() >= MOST_FINALISTS;
-        self.stage = if is_over { Stage::Done } else { Stage::Refine(AGAIN) };
+        self.stage = if is_over { Stage::Vary } else { Stage::Refine(AGAIN) };
         if !is_over {
             self.want_more_crust(paler);
         }
     }
 
-    /// Keeps a finalist if it is the best so far, with what changes do to it.
-    fn keep_finalist(&mut self, coarse: &JobResult, full: JobResult, changed: &[JobResult]) {
+    /// Keeps a finalist if it is the best so far.
+    fn keep_finalist(&mut self, new: Finished) {
         let is_best = self.finished.as_ref().is_none_or(|best| {
-            let (new, old) = (self.missing(&full), self.missing(best));
-            new < old || (new == old && full.score > best.score)
+            let (now, before) = (self.missing(&new.full), self.missing(&best.full));
+            now < before || (now == before && new.full.score > best.full.score)
         });
         if is_best {
-            let each = Change::ALL.into_iter().zip(changed);
-            let new = |(change, result)| Sensitivity::new(change, &full.outcome, coarse, result, &self.order);
-            self.sensitivity = each.map(new).collect();
-            self.finished = Some(full);
+            self.finished = Some(new);
         }
+    }
+
+    /// Returns the jobs of what was kept with each change.
+    fn changes(&self) -> Vec<Job> {
+        let schedules = self.finished.iter().map(|best| &best.coarse.schedule);
+        schedules.flat_map(|schedule| sensitivity::jobs(&self.search, schedule, self.mesh, &self.library)).collect()
+    }
+
+    /// Notes what the changes do, which ends the search.
+    fn note_changes(&mut self, changed: &[JobResult]) {
+        if let Some(Finished { coarse, full }) = &self.finished {
+            self.sensitivity = sensitivity::noted(&full.outcome, coarse, changed, &self.order);
+        }
+        self.stage = Stage::Done;
     }
 
     /// What a cook on the full mesh misses; a pan that becomes too hot counts less than anything else.

@@ -18,20 +18,22 @@ pub struct PlanData {
     cues: Vec<Cue>,
     sensitivity: Vec<Sensitivity>,
     candidates: usize,
+    is_stopped: bool,
+    is_rough: bool,
 }
 
 impl From<&Plan> for PlanData {
     fn from(plan: &Plan) -> Self {
-        let Plan { schedule, promised, score, cues, sensitivity, candidates, .. } = plan.clone();
-        Self { schedule, promised, score, cues, sensitivity, candidates }
+        let Plan { schedule, promised, score, cues, sensitivity, candidates, is_stopped, is_rough, .. } = plan.clone();
+        Self { schedule, promised, score, cues, sensitivity, candidates, is_stopped, is_rough }
     }
 }
 
 impl PlanData {
     /// Returns the plan with the order that it answers.
     pub fn plan(self, order: Order) -> Plan {
-        let Self { schedule, promised, score, cues, sensitivity, candidates } = self;
-        Plan { order, schedule, promised, score, cues, sensitivity, candidates }
+        let Self { schedule, promised, score, cues, sensitivity, candidates, is_stopped, is_rough } = self;
+        Plan { order, schedule, promised, score, cues, sensitivity, candidates, is_stopped, is_rough }
     }
 }
 
@@ -66,9 +68,9 @@ pub struct Search {
     share: f64,
 }
 
-/// Jobs that a search has about, and one for a plain plan [-] (measured: 30 to 60 of steaks, patties and vegetables; plain ones 15 to 25).
-const USUAL_JOBS: f64 = 45.0;
-const PLAIN_JOBS: f64 = 20.0;
+/// Jobs that a search has about, and one for a plain plan [-] (measured: 30 to 55 of steaks, patties and vegetables; plain ones 30 to 40).
+const USUAL_JOBS: f64 = 42.0;
+const PLAIN_JOBS: f64 = 34.0;
 /// Share of the work before which no estimate ends [-] (chosen: the last job is the longest).
 const MOST_SHARE: f64 = 0.97;
 
@@ -147,5 +149,10 @@ impl Search {
     /// Returns the plan once the search is over.
     pub fn plan(&self) -> Option<Plan> {
         self.planner.plan()
+    }
+
+    /// Returns the best plan so far, for a search that is stopped.
+    pub fn so_far(&self) -> Option<Plan> {
+        self.planner.so_far()
     }
 }

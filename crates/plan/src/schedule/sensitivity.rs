@@ -55,13 +55,20 @@ pub struct Sensitivity {
     pub is_met: bool,
 }
 
-/// Returns the job of a schedule without a change.
-pub(crate) fn base(order: &Order, schedule: &Schedule, mesh: Mesh) -> Job {
-    Job { order: order.clone(), schedule: schedule.clone(), pull: Pull::AtItsTime, mesh }
+/// Returns the jobs of a schedule with each of the changes.
+pub(crate) fn jobs(order: &Order, schedule: &Schedule, mesh: Mesh, library: &Library) -> [Job; Change::ALL.len()] {
+    let base = Job { order: order.clone(), schedule: schedule.clone(), pull: Pull::AtItsTime, mesh };
+    Change::ALL.map(|change| changed(base.clone(), change, library))
+}
+
+/// Returns what each of the changes does to what is promised, from their results and that of the same mesh without a change.
+pub(crate) fn noted(promised: &Outcome, base: &JobResult, changed: &[JobResult], order: &Order) -> Vec<Sensitivity> {
+    let each = Change::ALL.into_iter().zip(changed);
+    each.map(|(change, result)| Sensitivity::new(change, promised, base, result, order)).collect()
 }
 
 /// Returns the job of a schedule with a change.
-pub(crate) fn changed(job: Job, change: Change, library: &Library) -> Job {
+fn changed(job: Job, change: Change, library: &Library) -> Job {
     let Job { order, schedule, .. } = &job;
     match change {
         Change::ThicknessMm(mm) => Job { order: order.with_thickness(order.thickness_mm() + mm, library), ..job },
@@ -81,13 +88,7 @@ pub(crate) fn changed(job: Job, change: Change, library: &Library) -> Job {
 
 impl Sensitivity {
     /// Returns what a plan gives with a change: what it promises, and the difference between two cooks on the same mesh.
-    pub(crate) fn new(
-        change: Change,
-        promised: &Outcome,
-        base: &JobResult,
-        changed: &JobResult,
-        order: &Order,
-    ) -> Self {
+    fn new(change: Change, promised: &Outcome, base: &JobResult, changed: &JobResult, order: &Order) -> Self {
         let (from, to) = (&base.outcome, &changed.outcome);
         let moved = |value: fn(&Outcome) -> f64| value(promised) + value(to) - value(from);
         let share = |value: fn(&Outcome) -> f64| moved(value).clamp(0.0, 100.0);

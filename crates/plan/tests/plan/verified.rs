@@ -12,7 +12,7 @@ use std::time::Instant;
 use saute_kitchen::Library;
 use saute_plan::goal::score::HOT_C;
 use saute_plan::goal::{Goal, Outcome, Score};
-use saute_plan::schedule::{Job, Order, Plan, Planner};
+use saute_plan::schedule::{Job, Order, PLAIN_FLIPS, Plan, Planner, Stage};
 use saute_recipe::{Action, Cook, FoodAction, Recipe, StoppedBy};
 
 const COMBINATIONS: &str = include_str!("combinations.csv");
@@ -37,6 +37,7 @@ impl Combination {
         let goal = Goal::new(&target.parse().unwrap(), library.scale(scale).unwrap(), crust).unwrap();
         let numbers = |cell: &str| -> Vec<f64> { cell.split_whitespace().map(|n| n.parse().unwrap()).collect() };
         let dial = || library.hob.settings_w().iter().copied().filter(|w| *w > 0.0).collect();
+        let is_plain = flips == "plain";
         let order = Order {
             food: food.to_owned(),
             size_mm: numbers(size),
@@ -45,8 +46,8 @@ impl Combination {
             hob: None,
             pan: pan.to_owned(),
             hob_w: if hob_w.is_empty() { dial() } else { numbers(hob_w) },
-            most_flips: flips.parse().unwrap_or(FLIPS),
-            plain: false,
+            most_flips: if is_plain { PLAIN_FLIPS } else { flips.parse().unwrap_or(FLIPS) },
+            plain: is_plain,
             goal,
         };
         Self { number, order, is_quick: quick == "quick", shipped: Some(shipped).filter(|id| !id.is_empty()) }
@@ -151,8 +152,34 @@ fn plans_give_what_they_promise_and_are_not_worse_than_shipped_recipes() {
 #[test]
 fn the_plan_does_not_depend_on_how_many_jobs_run_at_once_or_in_which_order() {
     let library = Library::embedded().unwrap();
+    let order = coin(&library);
+    let [alone, together] = [1, 3].map(|threads| plan(&order, &library, threads));
+    assert_eq!(alone, together);
+    assert!(alone.candidates > 3 && !alone.sensitivity.is_empty());
+}
+
+#[test]
+fn a_search_that_is_stopped_has_the_best_so_far_which_is_rough_until_the_finish() {
+    let library = Library::embedded().unwrap();
+    let mut planner = Planner::new(coin(&library), Arc::new(library.clone())).unwrap();
+    assert_eq!(planner.so_far(), None, "nothing was cooked");
+    let mut scores = Vec::new();
+    while planner.plan().is_none() {
+        let results = planner.next_jobs().iter().map(|job| job.run(&library).unwrap()).collect();
+        planner.take(results);
+        let so_far = planner.so_far().unwrap();
+        let is_finished = matches!(planner.stage(), Stage::Vary | Stage::Done);
+        assert_eq!(so_far.is_rough, !is_finished, "{:?}", planner.stage());
+        scores.extend(so_far.is_rough.then_some(so_far.score));
+    }
+    assert!(scores.len() > 1 && scores.is_sorted(), "it only becomes better: {scores:?}");
+    assert_eq!(planner.so_far(), planner.plan());
+}
+
+/// A coin of carrot, which is planned in seconds.
+fn coin(library: &Library) -> Order {
     let goal = Goal::new(&"tender".parse().unwrap(), library.scale("vegetables").unwrap(), 0.0).unwrap();
-    let order = Order {
+    Order {
         food: "carrot-coin".to_owned(),
         size_mm: vec![14.0, 3.0],
         initial_c: 15.0,
@@ -163,8 +190,5 @@ fn the_plan_does_not_depend_on_how_many_jobs_run_at_once_or_in_which_order() {
         most_flips: 1,
         plain: false,
         goal,
-    };
-    let [alone, together] = [1, 3].map(|threads| plan(&order, &library, threads));
-    assert_eq!(alone, together);
-    assert!(alone.candidates > 3 && !alone.sensitivity.is_empty());
+    }
 }

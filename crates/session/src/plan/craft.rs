@@ -23,14 +23,23 @@ pub struct PlanOrder {
     pub asked: Asked,
 }
 
+/// How far a search is, and the best plan so far.
+#[derive(Debug, Deserialize, Serialize)]
+pub struct PlanProgress {
+    /// How far it is.
+    pub search: SearchProgress,
+    /// What a stop now keeps; none before a candidate was cooked.
+    pub so_far: Option<Box<PlanData>>,
+}
+
 /// How far a search is.
-pub type Told = undertaking::Told<SearchProgress, Box<PlanData>, WhyNot>;
+pub type Told = undertaking::Told<PlanProgress, Box<PlanData>, WhyNot>;
 /// What comes back.
 pub type PlanAnswer = Answer<Told>;
 
 impl Undertaking for Search {
     type Order = PlanOrder;
-    type Progress = SearchProgress;
+    type Progress = PlanProgress;
     type Found = Box<PlanData>;
     type WhyNot = WhyNot;
 
@@ -51,7 +60,8 @@ impl Undertaking for Search {
         self.plan().map(|plan| Box::new(PlanData::from(&plan)))
     }
 
-    fn progress(&self) -> SearchProgress {
-        Self::progress(self)
+    fn progress(&self) -> PlanProgress {
+        let so_far = self.so_far().map(|plan| Box::new(PlanData::from(&plan)));
+        PlanProgress { search: Self::progress(self), so_far }
     }
 }

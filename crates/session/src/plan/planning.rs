@@ -3,11 +3,11 @@
 use saute_kitchen::Library;
 use saute_plan::schedule::Plan;
 use saute_plan::schedule::asked::Asked;
-use saute_plan::schedule::search::SearchProgress;
+use saute_plan::schedule::search::{PlanData, SearchProgress};
 
 use web_time::Instant;
 
-use super::craft::{PlanAnswer, PlanOrder, Told};
+use super::craft::{PlanAnswer, PlanOrder, PlanProgress, Told};
 use super::why_not::WhyNot;
 use crate::work::Helper;
 
@@ -33,6 +33,8 @@ pub struct Planning {
     asked: Option<Asked>,
     /// When the search began.
     begun: Option<Instant>,
+    /// The best plan of the search so far.
+    so_far: Option<Box<PlanData>>,
     standing: Standing,
 }
 
@@ -85,15 +87,23 @@ impl Planning {
         let order = PlanOrder { number: self.number, home, asked: asked.clone() };
         let order = postcard::to_allocvec(&order).expect("an order has no kind that postcard lacks");
         helper.ask(order);
-        (self.asked, self.standing) = (Some(asked), Standing::Searching(None));
+        (self.asked, self.so_far, self.standing) = (Some(asked), None, Standing::Searching(None));
         self.begun = Some(Instant::now());
     }
 
-    /// Ends the search.
-    pub fn cancel(&mut self) {
+    /// Returns true if a stop keeps a plan.
+    pub fn has_so_far(&self) -> bool {
+        self.so_far.is_some()
+    }
+
+    /// Ends the search; the best plan so far is kept.
+    pub fn stop(&mut self, library: &Library) {
         if let Some(helper) = self.helper.as_mut().filter(|_| matches!(self.standing, Standing::Searching(_))) {
             helper.ask(Vec::new());
-            self.standing = Standing::Idle;
+            self.standing = match (self.so_far.take(), &self.asked) {
+                (Some(data), Some(asked)) => found(data, asked, library),
+                _ => Standing::Idle,
+            };
         }
     }
 
@@ -123,13 +133,21 @@ impl Planning {
         }
         let Some(asked) = &self.asked else { return };
         self.standing = match told {
-            Told::Progress(progress) => Standing::Searching(Some(progress)),
+            Told::Progress(PlanProgress { search, so_far }) => {
+                self.so_far = so_far;
+                Standing::Searching(Some(search))
+            }
             Told::Refused(why) => Standing::Refused(why),
-            Told::Found(data) => match asked.order(library) {
-                Ok(order) => Standing::Found(Box::new(data.plan(order))),
-                Err(error) => Standing::Refused(error.into()),
-            },
+            Told::Found(data) => found(data, asked, library),
         };
+    }
+}
+
+/// A plan that answers what was asked.
+fn found(data: Box<PlanData>, asked: &Asked, library: &Library) -> Standing {
+    match asked.order(library) {
+        Ok(order) => Standing::Found(Box::new(data.plan(order))),
+        Err(error) => Standing::Refused(error.into()),
     }
 }
 
