@@ -32,7 +32,7 @@ const fn number(
 const DAY_S: f64 = 86_400.0;
 
 /// All columns, in the order of a log.
-pub const COLUMNS: [Column; 31] = [
+pub const COLUMNS: [Column; 32] = [
     text("study", "id", "all", "id of the protocol"),
     text(
         "protocol",
@@ -104,6 +104,12 @@ pub const COLUMNS: [Column; 31] = [
         "the value, if it is a number; of a choice its place from 1",
     ),
     text("text", "text", "entry, answer", "the value, if it is a word: a class, a choice, free text"),
+    number(
+        "mark",
+        ("points", 0.0, 100.0),
+        "trial",
+        "mark of the cook (docs/learning.md); empty in logs of before it was kept",
+    ),
 ];
 
 /// Returns the dictionary as CSV.

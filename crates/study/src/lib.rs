@@ -23,7 +23,7 @@ pub mod simulated;
 mod state;
 
 pub use self::analysis::Analysis;
-pub use self::log_row::{LogError, LogRow, RowKind, from_csv, to_csv};
+pub use self::log_row::{LogError, LogRow, RowKind, from_csv, to_csv, with_all_columns};
 pub use self::measures::{Measures, Times};
 pub use self::participant::{NoCode, Participant};
 pub use self::protocol::{

@@ -85,6 +85,9 @@ pub struct LogRow {
     pub value: Option<f64>,
     /// The value, if it is a word.
     pub text: Option<String>,
+    /// Mark [points]; logs of before it was kept have none.
+    #[serde(default)]
+    pub mark: Option<f64>,
 }
 
 /// A log that cannot be read.
@@ -108,6 +111,13 @@ pub fn to_csv(rows: &[LogRow], with_header: bool) -> String {
     // Memory takes all that is written, and every field of a row has a text.
     let _ = rows.iter().try_for_each(|row| writer.serialize(row));
     writer.into_inner().ok().and_then(|bytes| String::from_utf8(bytes).ok()).unwrap_or_default()
+}
+
+/// Returns the text of a log with all columns of today, if it has the columns of before: rows of today are appended to nothing else.
+pub fn with_all_columns(text: &str, rows: &[LogRow]) -> Option<String> {
+    let whole = to_csv(rows, true);
+    let header = |text: &str| text.trim_start_matches('\u{feff}').lines().next().map(str::to_owned);
+    (!rows.is_empty() && header(text) != header(&whole)).then_some(whole)
 }
 
 /// Reads the text of a log.

@@ -139,6 +139,7 @@ impl Measures {
         let m = self.to_two_places();
         LogRow {
             score: Some(m.score),
+            mark: Some(m.mark),
             is_met: Some(m.is_met),
             target_share_pct: Some(m.target_share_pct),
             beyond_pct: Some(m.beyond_pct),

@@ -332,6 +332,7 @@ impl Study {
             item: None,
             value: None,
             text: None,
+            mark: None,
         }
     }
 }

@@ -67,6 +67,9 @@ pub struct ResultRow {
     pub q4_answer: Option<f64>,
     /// See [`Self::q1_answer`].
     pub q4_truth: Option<f64>,
+    /// Mark [points]; results of before it was kept have none.
+    #[serde(default)]
+    pub mark: Option<f64>,
 }
 
 impl ResultRow {
@@ -101,6 +104,7 @@ impl ResultRow {
             q3_truth: truth(2),
             q4_answer: answer(3),
             q4_truth: truth(3),
+            mark: Some(m.mark),
         }
     }
 

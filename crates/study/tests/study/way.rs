@@ -6,6 +6,7 @@ use saute_kitchen::Library;
 use saute_study::dictionary::COLUMNS;
 use saute_study::{
     Answer, Answers, Event, LogRow, Measures, Protocol, RowKind, Stage, Study, StudyError, from_csv, to_csv,
+    with_all_columns,
 };
 
 use super::protocols::SMALL;
@@ -62,6 +63,19 @@ fn every_column_of_a_log_is_in_the_dictionary_and_every_value_in_its_range() {
     assert_eq!(headers, COLUMNS.map(|column| column.name.to_owned()));
     check_values(&csv);
     assert_eq!(from_csv("log.csv", &csv).expect("reads"), rows());
+}
+
+/// A log of before a column was added is read, and gets that column before a row of today is appended to it.
+#[test]
+fn a_log_with_the_columns_of_before_gets_those_of_today() {
+    let rows: Vec<LogRow> = rows().into_iter().map(|row| LogRow { mark: None, ..row }).collect();
+    let today = to_csv(&rows, true);
+    let without_mark = |line: &str| line.rsplit_once(',').map(|(before, _)| format!("{before}\n")).expect("columns");
+    let before: String = today.lines().map(without_mark).collect();
+    assert!(before.lines().next().is_some_and(|header| header.ends_with(",text")));
+    assert_eq!(from_csv("before.csv", &before).expect("reads"), rows);
+    assert_eq!(with_all_columns(&before, &rows).as_deref(), Some(today.as_str()));
+    assert_eq!((with_all_columns(&today, &rows), with_all_columns("", &[])), (None, None));
 }
 
 /// Checks the numbers of a log against the dictionary.

@@ -1,6 +1,6 @@
 //! A participant's log in the browser's storage: rows are kept there before the next trial begins.
 
-use saute_study::{LogRow, from_csv, to_csv};
+use saute_study::{LogRow, from_csv, to_csv, with_all_columns};
 
 use super::host::Host;
 
@@ -20,6 +20,7 @@ impl PageLog {
     pub fn open(host: &Host) -> Result<Option<(Self, Vec<LogRow>)>, String> {
         let Some(text) = host.kept_rows() else { return Ok(None) };
         let rows = from_csv("the browser's storage", &text).map_err(|error| error.to_string())?;
+        let text = with_all_columns(&text, &rows).unwrap_or(text);
         Ok(Some((Self { host: host.clone(), text }, rows)))
     }
 

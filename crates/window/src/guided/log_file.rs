@@ -4,7 +4,7 @@ use std::fs::{self, File, OpenOptions};
 use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
-use saute_study::{LogRow, Participant, dictionary, from_csv, to_csv};
+use saute_study::{LogRow, Participant, dictionary, from_csv, to_csv, with_all_columns};
 
 /// An open log.
 #[derive(Debug)]
@@ -32,6 +32,12 @@ impl LogFile {
         let whole = text.rfind('\n').map_or(0, |end| end + 1);
         file.set_len(whole as u64).and_then(|()| file.seek(SeekFrom::End(0))).map_err(place)?;
         let rows = from_csv(&path.display().to_string(), &text[..whole]).map_err(|error| error.to_string())?;
+        if let Some(today) = with_all_columns(&text[..whole], &rows) {
+            // Whatever happens meanwhile, one of the two is whole.
+            let before = folder.join(format!("study-{participant}-before.csv"));
+            crate::kept::session_file::write_whole(&before, &text.as_bytes()[..whole]).map_err(place)?;
+            rewrite(&mut file, &today).map_err(place)?;
+        }
         for (name, text) in [("data-dictionary.csv", dictionary::csv()), ("data-dictionary.md", dictionary::page())] {
             crate::kept::session_file::write_whole(&folder.join(name), text.as_bytes()).map_err(place)?;
         }
@@ -49,5 +55,40 @@ impl LogFile {
         }
         self.is_empty &= written.is_err();
         written
+    }
+}
+
+/// Writes a text in place of what a file holds, and waits until it is on the disk; the file's end is where it goes on.
+fn rewrite(file: &mut File, text: &str) -> io::Result<()> {
+    file.set_len(0)?;
+    file.seek(SeekFrom::Start(0))?;
+    file.write_all(text.as_bytes())?;
+    file.sync_data()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A log of before the column `mark`.
+    const BEFORE: &str = "study,protocol,participant,simulated,condition,phase,kind,elapsed_s,started,trial,information,goal,score,\
+        is_met,target_share_pct,beyond_pct,grey_band_mm,core_peak_c,crust_pct,charred_pct,lost_pct,energy_kj,flips,put_s,out_s,end_s,\
+        trial_wall_s,session,item,value,text\n\
+        2013,8f2be7b4,S07,false,B,0,consent,60.0,,,,,,,,,,,,,,,,,,,,,,,\n";
+
+    #[test]
+    fn a_log_of_before_goes_on_with_the_columns_of_today_and_is_kept_as_it_was() {
+        let folder = std::env::temp_dir().join(format!("saute-log-{}", std::process::id()));
+        fs::create_dir_all(&folder).expect("a folder");
+        let path = folder.join("study-S07.csv");
+        fs::write(&path, BEFORE).expect("writes");
+        let code = "S07".parse().expect("a code");
+        let (mut log, rows) = LogFile::open(&folder, &code).expect("opens");
+        log.append(&rows).expect("appends");
+        drop(log);
+        let text = fs::read_to_string(&path).expect("reads");
+        assert_eq!(from_csv("log.csv", &text).expect("is a log").len(), 2);
+        assert_eq!(fs::read_to_string(folder.join("study-S07-before.csv")).expect("is kept"), BEFORE);
+        fs::remove_dir_all(&folder).expect("is removed");
     }
 }
