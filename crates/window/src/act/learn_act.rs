@@ -61,7 +61,7 @@ fn planned(act: &PlanAct) -> Traits {
         PlanAct::DoStep => Traits { changes_cook: true, waits: true, ..asks(&[Permit::Advice]) },
         PlanAct::Choose(_)
         | PlanAct::Find
-        | PlanAct::Cancel
+        | PlanAct::Stop
         | PlanAct::Save(PlanFile::Recipe | PlanFile::Card)
         | PlanAct::Hurry
         | PlanAct::Leave => asks(&[Permit::Advice]),

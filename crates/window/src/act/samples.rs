@@ -153,7 +153,7 @@ fn learn() -> Vec<LearnAct> {
     let plan = samples! { PlanAct:
         PlanAct::Choose(_) => PlanAct::Choose(Default::default()),
         PlanAct::Find => PlanAct::Find,
-        PlanAct::Cancel => PlanAct::Cancel,
+        PlanAct::Stop => PlanAct::Stop,
         PlanAct::CookLive => PlanAct::CookLive,
         PlanAct::CookItself => PlanAct::CookItself,
         PlanAct::Save(_) => PlanAct::Save(PlanFile::Card),

@@ -14,12 +14,13 @@ use saute_words::clock::clock;
 
 /// Height of the ribbon with its space [points].
 const RIBBON: f32 = 66.0;
+/// Height of the legend with its space, on a narrow window [points].
+const LEGEND: f32 = 70.0;
 
 /// Shows the badges and the notice where there is something to say.
 pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, layout: &Layout) {
     standing(state, ui, acts, layout);
-    // Below the ribbon of a study or a lesson.
-    let lower = if state.guided.is_some() && !layout.narrow { RIBBON } else { 0.0 };
+    let lower = clear_of(state, layout);
     if let Some(behind) = state.session.behind_s() {
         let text = state.settings.language.fill(
             "scene.behind",
@@ -36,9 +37,20 @@ pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, layout: &Layout) {
     if let Some(said) = &state.notice {
         // A click on its button must reach it; through all others it reaches the scene.
         let has_button = cfg!(not(target_arch = "wasm32")) && said.file.is_some();
-        message(ui, layout, ("notice", 52.0 + lower), has_button, &said.text, |ui| {
+        // Over the food of a narrow window there is little room.
+        let is_alone = layout.narrow && state.waiting.is_empty() && state.session.behind_s().is_none();
+        message(ui, layout, ("notice", if is_alone { 12.0 } else { 52.0 } + lower), has_button, &said.text, |ui| {
             messages::show_button(state, ui, acts, said);
         });
+    }
+}
+
+/// Height of what stands at the edge from which messages begin: the ribbon of a study or a lesson, on a narrow window the legend.
+fn clear_of(state: &WindowState, layout: &Layout) -> f32 {
+    match (state.guided.is_some(), layout.narrow && says_what_holds(state)) {
+        (true, _) => RIBBON,
+        (false, true) => LEGEND,
+        (false, false) => 0.0,
     }
 }
 
@@ -70,15 +82,15 @@ pub fn what_holds(state: &WindowState, ui: &mut Ui, acts: &mut Acts, width: f32)
     }
 }
 
-/// Where a message is that stands so far below the upper edge of the scene, and which point of it.
+/// Where a message is that stands so far from the edge of the scene, and which point of it: below the upper edge, on a narrow window above
+/// the lower one, where no food lies.
 fn place(layout: &Layout, drop: f32) -> (egui::Pos2, Align2) {
     let below = |drop: f32| egui::vec2(0.0, drop);
     match &layout.ways {
         // It covers no pan: it stands over the views, or over the curves.
         Some(ways) if layout.narrow => (ways.ground.center_top() - below(drop), Align2::CENTER_BOTTOM),
         Some(ways) => (ways.ground.center_bottom() - below(drop), Align2::CENTER_BOTTOM),
-        // On a narrow window the buttons of the eye stand at the top.
-        None if layout.narrow => (layout.free.center_top() + below(drop + layout.eye.height()), Align2::CENTER_TOP),
+        None if layout.narrow => (layout.free.center_bottom() - below(drop), Align2::CENTER_BOTTOM),
         None => (layout.free.center_top() + below(drop), Align2::CENTER_TOP),
     }
 }

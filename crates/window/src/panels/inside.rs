@@ -8,8 +8,8 @@ use saute_kitchen::{Piece, Place, celsius};
 
 use crate::act::{Act, Acts, AppAct, Card, Setting, ViewAct};
 use crate::learn::goal_choice::named_goal;
-use crate::panels::learn::callout::note_control;
 use crate::panels::learn::coach;
+use crate::panels::now::control_place;
 use crate::panels::section_read::Inside;
 use crate::panels::window_state::WindowState;
 use crate::panels::{ahead, curves, doneness_bar, probes};
@@ -78,7 +78,7 @@ fn result(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let (l, act) = (state.settings.language, Act::App(AppAct::Open(Card::Result)));
     let text = RichText::new(l.text("result.title")).size(13.0).strong();
     let response = ui.add(egui::Button::new(text).min_size(vec2(64.0, fingers::height(ui, 24.0))));
-    note_control(ui, &act, response.rect);
+    control_place::note(ui, &act, response.rect);
     if response.on_hover_text(l.text("result.hint")).clicked() {
         acts.push(act);
     }

@@ -65,13 +65,11 @@ pub fn show_all(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts
     if state.reads_out() {
         read_out::show(state, ui, whole);
     }
-    // What is due at the goal is said with the panels hidden, too.
-    if !state.settings.panels_hidden || state.alarm {
+    // What is due at the goal, and what a plan says, is said with the panels hidden, too.
+    if !state.settings.panels_hidden || state.alarm || state.is_led() {
         now::show(state, &mut memory.now, ui, acts, layout);
     }
-    learn::callout::show(state, ui, acts, layout);
-    let below = plan::strip::show(state, ui, acts, layout);
-    badge::show(state, ui, acts, &below);
+    badge::show(state, ui, acts, layout);
     alarm::show(state, ui, acts, whole);
     #[cfg(not(target_arch = "wasm32"))]
     crate::hand::show(state, ui, acts, layout);

@@ -4,7 +4,7 @@ use egui::Ui;
 use saute_picture::view::View;
 
 use crate::act::{Act, Acts, AppAct, Card, ViewAct, hint};
-use crate::panels::learn::callout::note_control;
+use crate::panels::now::control_place;
 use crate::panels::window_state::WindowState;
 use crate::spoken::view_words::ViewWords;
 use crate::ui::{fingers, theme};
@@ -170,7 +170,7 @@ fn chip(state: &WindowState, ui: &mut Ui, acts: &mut Acts, text: &str, on: bool,
     // What skill mode hides can still be clicked: it says why it is off.
     let button = if is_off(state, &act) { egui::Button::new(words) } else { palette.button(text, on) };
     let response = ui.add_enabled(!state.forbids(&act), button.min_size(size));
-    note_control(ui, &act, response.rect);
+    control_place::note(ui, &act, response.rect);
     let response = response.on_hover_text(explained(state, &act));
     if response.clicked() {
         acts.push(act);

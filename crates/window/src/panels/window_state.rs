@@ -103,6 +103,11 @@ impl WindowState<'_> {
         !self.settings.skill_mode && !self.is_blind()
     }
 
+    /// Returns true while a plan or the tutorial leads.
+    pub fn is_led(&self) -> bool {
+        self.tutorial.is_some() || self.live.is_some_and(|live| !live.is_closed())
+    }
+
     /// The scale of doneness in whose words the food that the panels show is spoken of.
     pub fn scale(&self) -> Option<Arc<Scale>> {
         self.session.scale(&self.settings.scale)

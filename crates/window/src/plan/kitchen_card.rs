@@ -30,11 +30,12 @@ pub fn page(plan: &Plan, library: &Library, speech: Speech) -> String {
                     h1 { (l.called("food", food)) ", " (plan_words::target(&plan.order.goal, speech)) }
                     p { (title) }
                     @if let Some(why) = plan_words::why_not(plan, speech) { p.notice { (why) } }
+                    @if plan.is_rough { p.notice { (l.text("plan.rough")) } }
                     table {
                         @for step in plan.steps() { (row(&step, plan, library, speech)) }
                     }
                     (promise(plan, speech))
-                    (changes(plan, speech))
+                    @if !plan.sensitivity.is_empty() { (changes(plan, speech)) }
                     p.small { (l.fill("plan.card_foot", &[("version", &env!("CARGO_PKG_VERSION"))])) }
                 }
             }

@@ -17,8 +17,8 @@ pub enum PlanAct {
     Choose(choice::PlanChoice),
     /// Searches for a plan.
     Find,
-    /// Ends the search.
-    Cancel,
+    /// Ends the search and keeps the best plan so far.
+    Stop,
     /// Sets out the food of the plan, to be cooked by a person step by step.
     CookLive,
     /// Lets the plan cook itself.
@@ -87,6 +87,7 @@ pub fn recipe_file(plan: &Plan, library: &Library, settings: &Settings) -> Strin
         plan_words::crust(&plan.promised, l),
     ];
     lines.extend(plan_words::why_not(plan, settings.speech()));
+    lines.extend(plan.is_rough.then(|| l.text("plan.rough").to_owned()));
     let comment: String = lines.iter().map(|line| format!("# {line}\n")).collect();
     comment + &plan.recipe_text()
 }

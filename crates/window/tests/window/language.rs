@@ -10,7 +10,7 @@ use saute_words::language::Language;
 type Texts = BTreeMap<String, BTreeMap<String, String>>;
 
 /// Sections of names that come from the core's data: found by the English text, not by a key in the code.
-const NAMES: [&str; 19] = [
+const NAMES: [&str; 20] = [
     "food",
     "noun",
     "id",
@@ -18,6 +18,7 @@ const NAMES: [&str; 19] = [
     "stove",
     "recipe",
     "recipe_file",
+    "range",
     "scale",
     "class",
     "change",
@@ -155,7 +156,9 @@ fn refusals() -> Vec<Refused> {
         }
         Refused::NoSuchOil { .. } => Some(Refused::Amount { what: "oil", holds_g: 900 }),
         Refused::Amount { .. } => Some(Refused::LidIsOn),
-        Refused::LidIsOn => None,
+        Refused::LidIsOn => Some(Refused::Range { key: "toss.height_mm", low: "50".into(), high: "500".into() }),
+        Refused::Range { .. } => Some(Refused::NoPose),
+        Refused::NoPose => None,
     };
     std::iter::successors(Some(Refused::NoSuchFood(food())), next).collect()
 }

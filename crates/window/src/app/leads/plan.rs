@@ -19,7 +19,7 @@ impl SauteApp {
         match act {
             PlanAct::Choose(choice) => self.settings.plan = choice,
             PlanAct::Find => self.find_plan(),
-            PlanAct::Cancel => self.leads.planning.cancel(),
+            PlanAct::Stop => self.leads.planning.stop(&self.session.library),
             PlanAct::CookLive => self.cook_live(),
             PlanAct::CookItself => self.let_plan_cook(),
             PlanAct::Save(file) => self.save_plan(file, ctx),
@@ -112,6 +112,8 @@ impl SauteApp {
             self.say_trouble(error);
             return false;
         }
+        // One leads at a time.
+        self.set_tutorial(false);
         self.leads.learn.begin_cook();
         self.sights.motions.clear();
         self.desk.card = None;

@@ -61,7 +61,7 @@ pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, whole: Rect) {
             let narrow = whole.width() < NARROW;
             ui.set_width(if narrow { whole.width() - 56.0 } else { 3.0 * (COLUMN + 14.0) });
             ui.horizontal(|ui| {
-                ui.heading(l.text("first.title"));
+                ui.heading(title(state));
                 ui.with_layout(Layout::right_to_left(Align::Center), |ui| language::chip(state, ui, acts));
             });
             ui.add_space(6.0);
@@ -200,4 +200,16 @@ fn arrow(ui: &Ui, [from, to]: [Pos2; 2]) {
     let wings = vec![to, back + 4.5 * along.rot90(), back - 4.5 * along.rot90()];
     ui.painter().line_segment([from, back], Stroke::new(2.5, theme::of(ui).text));
     ui.painter().add(Shape::convex_polygon(wings, theme::of(ui).text, Stroke::NONE));
+}
+
+/// What is cooked, and how it is to come out where a scale has words for it.
+fn title(state: &WindowState) -> String {
+    let l = state.settings.language;
+    state.scale().map_or_else(
+        || l.text("first.title").to_owned(),
+        |scale| {
+            let class = scale.name_of(scale.of_nodes(state.settings.goal(&scale)));
+            l.fill("first.title_to", &[("class", &l.called("class", class))])
+        },
+    )
 }

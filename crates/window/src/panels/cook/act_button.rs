@@ -1,7 +1,7 @@
 //! Buttons that do an act.
 
 use crate::act::{Act, Acts, hint};
-use crate::panels::learn::callout::note_control;
+use crate::panels::now::control_place;
 use crate::panels::window_state::WindowState;
 use crate::ui::theme;
 use egui::Ui;
@@ -10,7 +10,7 @@ pub(crate) fn button(state: &WindowState, ui: &mut Ui, acts: &mut Acts, text: &s
     let enabled = enabled && !state.forbids(&act);
     let response = pressed(ui, text, on, enabled, &hint(&act, state.settings.language));
     let response = why_off(state, response, &act);
-    note_control(ui, &act, response.rect);
+    control_place::note(ui, &act, response.rect);
     if response.clicked() {
         acts.push(act);
     }

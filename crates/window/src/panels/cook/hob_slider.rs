@@ -3,7 +3,7 @@
 use egui::{Align2, FontId, Rect, Response, Sense, Ui, pos2, vec2};
 
 use crate::act::{Act, Acts, CookAct};
-use crate::panels::learn::callout::note_control;
+use crate::panels::now::control_place;
 use crate::panels::window_state::WindowState;
 use crate::ui::spoken_range::spoken_range;
 use crate::ui::{fingers, theme};
@@ -153,7 +153,7 @@ fn mark(state: &WindowState, ui: &mut Ui, power: &Power, watts: f64, on: bool) -
     let place = Rect::from_min_max(pos2(x - half, upper), pos2(x + half, power.whole.bottom()));
     let response = ui.interact(place, ui.scope_id().with(("setting", watts as i64)), Sense::click());
     response.widget_info(|| egui::WidgetInfo::selected(egui::accesskit::Role::RadioButton, true, on, &spoken));
-    note_control(ui, &Act::Cook(CookAct::HobSet(watts)), place);
+    control_place::note(ui, &Act::Cook(CookAct::HobSet(watts)), place);
     let ink = if on { palette.text } else { palette.quiet };
     let tick = [pos2(x, power.track.center().y + 5.0), pos2(x, top)];
     ui.painter().line_segment(tick, egui::Stroke::new(if on { 2.5 } else { 1.5 }, ink));

@@ -1,5 +1,4 @@
-//! What is taught while one cooks: the coach's sentences, the alarm at the goal, the callout of the tutorial.
+//! What is taught while one cooks: the coach's sentences, the alarm at the goal.
 
 pub mod advice_words;
-pub mod callout;
 pub mod coach;

@@ -1,19 +1,23 @@
 //! The line that says what to do now, over the foot of the scene: a verb, its reason or the time that is left, and the one button
-//! that does it. While a plan or the tutorial leads, its own words stand instead.
+//! that does it. While a plan or the tutorial leads, its words stand there instead, and what else it shows below them.
 
+pub mod control_place;
+mod guide;
+mod led;
 mod now_words;
+mod taught;
 pub mod time_left;
 
 use std::sync::Arc;
 
-use egui::{Align2, Area, Color32, FontId, Galley, Id, Rect, Stroke, StrokeKind, Ui, Vec2, pos2, vec2};
+use egui::{Align2, Area, Color32, FontId, Galley, Id, Rect, Stroke, StrokeKind, Ui, UiBuilder, Vec2, pos2, vec2};
 use saute_kitchen::celsius;
 use saute_kitchen::food::change::doneness::Measure;
 
+use self::led::Lead;
 use self::now_words::{Deed, NowWords};
 use self::time_left::TimeLeft;
 use crate::act::{Act, Acts, CookAct};
-use crate::panels::learn::callout::control_rect;
 use crate::panels::window_state::WindowState;
 use crate::ui::layout::{GAP, Layout};
 use crate::ui::theme::{self, TOUCH};
@@ -22,72 +26,134 @@ use crate::ui::theme::{self, TOUCH};
 const SIZE: Vec2 = vec2(520.0, 64.0);
 /// Its height in the drawer of a narrow window [points].
 const DRAWER_HEIGHT: f32 = 60.0;
+/// Width below which the words of a plan get the room of the core, and their height then [points].
+const TIGHT: f32 = 460.0;
+const TIGHT_HEIGHT: f32 = 76.0;
 /// Width of the column of the core [points].
 const CORE_WIDTH: f32 = 76.0;
 /// Distance of the words from the edge, and of columns from each other [points].
 const PAD: f32 = 12.0;
+/// Time for which a pointer's click on a button that has become another one counts for nothing [wall s] (chosen: a hand takes a third of a
+/// second from seeing to clicking; a newcomer's click on "400 W" flipped the steak).
+const REACTION_S: f64 = 0.4;
 /// Sizes among which a line takes the first in which it fits [points].
 const VERB_SIZES: [f32; 4] = [20.0, 18.0, 16.0, 14.0];
 const WHY_SIZES: [f32; 3] = [14.0, 13.0, 12.0];
 
-/// Shows the line over the scene; a narrow window has it in the drawer.
+/// Shows the line over the scene; a narrow window has it in the drawer, unless that is hidden.
 pub fn show(state: &WindowState, memory: &mut TimeLeft, ui: &Ui, acts: &mut Acts, layout: &Layout) {
-    if layout.narrow || layout.ways.is_some() {
+    let in_drawer = layout.narrow && !state.settings.panels_hidden;
+    let lead = Lead::of(state);
+    let beside_ways = layout.ways.is_some() && !matches!(lead, Some(Lead::Tutorial(_)));
+    if in_drawer || beside_ways {
         return;
     }
-    let Some(words) = words(state, memory) else { return };
-    let rect = place(state, layout);
+    let Some(now) = Now::of(state, lead.as_ref(), memory) else { return };
+    let width = SIZE.x.min(layout.free.width() - 2.0 * GAP);
+    let size = vec2(width, now.height(SIZE.y, width) + now.below(ui, width));
+    let rect = place(state, layout, size);
     Area::new(Id::unique("now")).fixed_pos(rect.min).pivot(Align2::LEFT_TOP).show(ui.ctx(), |ui| {
-        line(state, &words, ui, acts, rect.size());
+        now.show(state, ui, acts, (size, now.height(SIZE.y, width)));
     });
-    // Behind a card nothing is to be pressed.
-    if state.card.is_none() {
-        ring(&words, ui);
-    }
+    now.light(state, ui);
 }
 
 /// Shows the line in the drawer of a narrow window.
 pub fn in_drawer(state: &WindowState, memory: &mut TimeLeft, ui: &mut Ui, acts: &mut Acts) {
-    if let Some(words) = words(state, memory) {
-        line(state, &words, ui, acts, vec2(ui.available_width(), DRAWER_HEIGHT));
+    let lead = Lead::of(state);
+    let Some(now) = Now::of(state, lead.as_ref(), memory) else { return };
+    let width = ui.available_width();
+    let upper = now.height(DRAWER_HEIGHT, width);
+    now.show(state, ui, acts, (vec2(width, upper + now.below(ui, width)), upper));
+    if lead.is_some() {
+        now.light(state, ui);
     }
 }
 
-/// What the line says; nothing where readings are hidden or somebody else leads.
-fn words(state: &WindowState, memory: &mut TimeLeft) -> Option<NowWords> {
-    let advice = *state.advice.first().filter(|_| state.reads_out())?;
-    let led = state.guide_leads && !advice.is_due() || state.tutorial.is_some() && !state.alarm;
-    (!led).then(|| NowWords::of(advice, state, memory))
+/// What the line tells, and who leads.
+struct Now<'a> {
+    words: NowWords,
+    lead: Option<&'a Lead<'a>>,
+    /// True if the words are those of the lead.
+    is_led: bool,
 }
 
 /// Where the line stands: at the foot of the free part, clear of the legend and of the buttons of the eye.
-fn place(state: &WindowState, layout: &Layout) -> Rect {
+fn place(state: &WindowState, layout: &Layout, size: Vec2) -> Rect {
     let free = layout.free;
-    let size = vec2(SIZE.x.min(free.width() - 2.0 * GAP), SIZE.y);
     let left = free.center().x - 0.5 * size.x;
     let beside = left + size.x + GAP <= layout.eye.left() && !crate::panels::badge::says_what_holds(state);
     let foot = free.bottom() - if beside { PAD } else { PAD + 2.0 * GAP + layout.eye.height() };
     Rect::from_min_size(pos2(left, foot - size.y), size)
 }
 
-/// Core, verb and reason, button.
-fn line(state: &WindowState, words: &NowWords, ui: &mut Ui, acts: &mut Acts, size: Vec2) {
-    let (rect, ground) = ui.allocate_exact_size(size, egui::Sense::click_and_drag());
-    ground.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Label, true, &words.spoken));
-    let palette = theme::of(ui);
-    let edge = if words.is_due { Stroke::new(2.0, palette.accent) } else { Stroke::new(1.0, palette.line) };
-    ui.painter().rect(rect, theme::CORNER, palette.solid, edge, StrokeKind::Inside);
-    let mut room = rect.shrink2(vec2(PAD, 8.0));
-    if let Some(deed) = &words.deed {
-        room.max.x -= button(ui, acts, deed, room) + PAD;
+impl<'a> Now<'a> {
+    /// What the line tells; nothing where readings are hidden and nobody else leads.
+    fn of(state: &WindowState, lead: Option<&'a Lead<'a>>, memory: &mut TimeLeft) -> Option<Self> {
+        let advice = state.advice.first().filter(|_| state.reads_out()).copied();
+        let led = lead.and_then(|lead| lead.words(advice, state));
+        let is_led = led.is_some();
+        let words = led.or_else(|| Some(NowWords::of(advice?, state, memory)))?;
+        Some(Self { words, lead, is_led })
     }
-    if let Some([core, goal]) = core(state) {
-        let column = Rect::from_min_size(room.min, vec2(CORE_WIDTH, room.height()));
-        two_lines(ui, column, [(&core, &[24.0, 20.0], palette.text), (&goal, &WHY_SIZES, palette.quiet)]);
-        room.min.x += CORE_WIDTH + PAD;
+
+    /// Returns true if a narrow line has the words of a plan, which are long: they get the room of the core.
+    fn is_tight(&self, width: f32) -> bool {
+        width < TIGHT && matches!(self.lead, Some(Lead::Plan(_)))
     }
-    let verb = if words.is_due { palette.accent } else { palette.text };
-    two_lines(ui, room, [(&words.verb, &VERB_SIZES, verb), (&words.why, &WHY_SIZES, palette.quiet)]);
+
+    /// Height of the upper part, which is `usual` high as a rule [points].
+    fn height(&self, usual: f32, width: f32) -> f32 {
+        if self.is_tight(width) { TIGHT_HEIGHT } else { usual }
+    }
+
+    /// Height of what the lead shows below it [points].
+    fn below(&self, ui: &Ui, width: f32) -> f32 {
+        self.lead.map_or(0.0, |lead| PAD + lead.height(ui, width))
+    }
+
+    /// Core, verb and reason, button: the upper part, of a height; below it what the lead shows.
+    fn show(&self, state: &WindowState, ui: &mut Ui, acts: &mut Acts, (size, height): (Vec2, f32)) {
+        let (words, palette) = (&self.words, theme::of(ui));
+        let (whole, ground) = ui.allocate_exact_size(size, egui::Sense::click_and_drag());
+        ground.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Label, true, &words.spoken));
+        let edge = if words.is_due { Stroke::new(2.0, palette.accent) } else { Stroke::new(1.0, palette.line) };
+        ui.painter().rect(whole, theme::CORNER, palette.solid, edge, StrokeKind::Inside);
+        let (rect, below) = whole.split_top_bottom_at_y(whole.top() + height);
+        if let Some(lead) = self.lead {
+            let room = Rect::from_min_max(below.min + vec2(PAD, 0.0), below.max - vec2(PAD, PAD));
+            lead.show(self.is_led, state, &mut ui.new_child(UiBuilder::new().max_rect(room)), acts);
+        }
+        let mut room = rect.shrink2(vec2(PAD, 8.0));
+        match &words.deed {
+            Some(deed) => room.max.x -= button(ui, acts, deed, room) + PAD,
+            None => forget_button(ui),
+        }
+        if let Some([core, goal]) = core(state).filter(|_| !self.is_tight(size.x)) {
+            let column = Rect::from_min_size(room.min, vec2(CORE_WIDTH, room.height()));
+            two_lines(ui, column, [(&core, &[24.0, 20.0], palette.text), (&goal, &WHY_SIZES, palette.quiet)]);
+            room.min.x += CORE_WIDTH + PAD;
+        }
+        let verb = if words.is_due { palette.accent } else { palette.text };
+        two_lines(ui, room, [(&words.verb, &VERB_SIZES, verb), (&words.why, &WHY_SIZES, palette.quiet)]);
+    }
+
+    /// Lights the control that the button stands for, or that the tutorial means. Behind a card nothing is to be pressed.
+    fn light(&self, state: &WindowState, ui: &Ui) {
+        if state.card.is_some() {
+            return;
+        }
+        let act = match &self.words.deed {
+            // Powers have a mark on the slider.
+            Some(deed) => {
+                Some(&deed.act).filter(|act| deed.is_lit && !matches!(act, Act::Cook(CookAct::HobSet(_)))).cloned()
+            }
+            None => self.lead.filter(|_| self.words.is_due).and_then(|lead| lead.control(state)),
+        };
+        if let Some(act) = act {
+            control_place::light(ui, &act);
+        }
+    }
 }
 
 /// Two lines over each other, each in the first of its sizes in which it fits the width.
@@ -115,17 +181,42 @@ fn fitted(ui: &Ui, text: &str, sizes: &[f32], width: f32, colour: Color32) -> Ar
 /// The button at the right end; returns its width.
 fn button(ui: &mut Ui, acts: &mut Acts, deed: &Deed, room: Rect) -> f32 {
     let palette = theme::of(ui);
-    let words = egui::RichText::new(&deed.text).size(16.0).strong().color(palette.on_accent);
-    let button = egui::Button::new(words).fill(palette.accent).min_size(vec2(96.0, TOUCH));
+    let words = egui::RichText::new(&deed.text).size(16.0).strong();
+    let button = if deed.is_lit {
+        egui::Button::new(words.color(palette.on_accent)).fill(palette.accent)
+    } else {
+        egui::Button::new(words)
+    };
+    let button = button.min_size(vec2(96.0, TOUCH));
     let width = 24.0 + fitted(ui, &deed.text, &[16.0], f32::INFINITY, palette.on_accent).size().x;
     let width = width.max(96.0);
     let place = Rect::from_min_size(pos2(room.right() - width, room.center().y - 0.5 * TOUCH), vec2(width, TOUCH));
-    let response = ui.put(place, button);
+    // In a ui of its own: what comes below the line begins below all of it.
+    let response = ui.new_child(UiBuilder::new().max_rect(place)).put(place, button);
     response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Button, true, &deed.spoken));
-    if response.clicked() {
+    let is_new = has_just_changed(ui, deed);
+    if response.clicked() && !(is_new && ui.input(|i| i.pointer.any_click())) {
         acts.push(deed.act.clone());
     }
     width
+}
+
+/// True for a moment after the button has become another one: a finger that was on its way meant the one before.
+fn has_just_changed(ui: &Ui, deed: &Deed) -> bool {
+    let (id, now_s) = (Id::unique("now-deed"), ui.input(|i| i.time));
+    let before: Option<(String, f64)> = ui.ctx().data(|data| data.get_temp(id));
+    let since_s = match before {
+        Some((spoken, since_s)) if spoken == deed.spoken => since_s,
+        Some(_) => now_s,
+        None => f64::NEG_INFINITY,
+    };
+    ui.ctx().data_mut(|data| data.insert_temp(id, (deed.spoken.clone(), since_s)));
+    now_s - since_s < REACTION_S
+}
+
+/// Notes that there is no button.
+fn forget_button(ui: &Ui) {
+    ui.ctx().data_mut(|data| data.remove::<(String, f64)>(Id::unique("now-deed")));
 }
 
 /// The temperature of the core, large, and the goal below it; none where doneness is told by something else.
@@ -137,11 +228,30 @@ fn core(state: &WindowState) -> Option<[String; 2]> {
     Some([core, state.settings.language.fill("now.goal", &[("temperature", &goal)])])
 }
 
-/// Lights the control that the button stands for.
-fn ring(words: &NowWords, ui: &Ui) {
-    // Powers have a mark on the slider.
-    let deed = words.deed.as_ref().filter(|deed| !matches!(deed.act, Act::Cook(CookAct::HobSet(_))));
-    let Some(rect) = deed.and_then(|deed| control_rect(ui, &deed.act)) else { return };
-    let over = ui.ctx().layer_painter(egui::LayerId::new(egui::Order::Middle, Id::unique("now-ring")));
-    over.rect_stroke(rect.expand(2.0), 9.0, Stroke::new(2.0, theme::of(ui).accent), StrokeKind::Outside);
+#[cfg(test)]
+mod tests {
+    use egui::{Context, RawInput};
+
+    use super::*;
+
+    #[test]
+    fn a_button_that_has_become_another_one_takes_no_click_for_a_moment() {
+        let ctx = Context::default();
+        let deed = |spoken: &str| Deed {
+            text: String::new(),
+            spoken: spoken.to_owned(),
+            act: Act::Cook(CookAct::Flip),
+            is_lit: true,
+        };
+        let is_new = |at_s: f64, spoken: &str| {
+            let mut is_new = false;
+            let input = RawInput { time: Some(at_s), ..RawInput::default() };
+            let _ = ctx.run_ui(input, |ui| is_new = has_just_changed(ui, &deed(spoken)));
+            is_new
+        };
+        assert!(!is_new(0.0, "400 W"), "nothing was there before");
+        assert!(is_new(1.0, "flip") && is_new(1.3, "flip") && !is_new(1.5, "flip"));
+        let _ = ctx.run_ui(RawInput { time: Some(2.0), ..RawInput::default() }, |ui| forget_button(ui));
+        assert!(!is_new(2.1, "400 W"));
+    }
 }

@@ -1,6 +1,6 @@
 //! Advice as a verb, a reason and a deed.
 
-use saute_kitchen::advice::{Advice, BROWN, Situation, WARM_ENOUGH_C};
+use saute_kitchen::advice::{Advice, BROWN, HALF_WAY, Situation, TURNS_S, WARM_ENOUGH_C};
 
 use super::time_left::{Course, TimeLeft};
 use crate::act::{Act, AppAct, Card, CookAct};
@@ -22,6 +22,8 @@ pub(super) struct Deed {
     pub spoken: String,
     /// What it does.
     pub act: Act,
+    /// True if somebody should press it now.
+    pub is_lit: bool,
 }
 
 /// What the line says.
@@ -39,6 +41,11 @@ pub(super) struct NowWords {
 }
 
 impl NowWords {
+    /// Words for an advice about the hob, which tell no time.
+    pub fn without_time(advice: Advice, state: &WindowState) -> Self {
+        Self::of(advice, state, &mut TimeLeft::default())
+    }
+
     /// Words for the most urgent advice.
     pub fn of(advice: Advice, state: &WindowState, memory: &mut TimeLeft) -> Self {
         let [verb, why] = Words { state }.of(advice, memory);
@@ -51,7 +58,7 @@ fn deed(advice: Advice, state: &WindowState) -> Option<Deed> {
     let l = state.settings.language;
     let of = |text: String, act: Act| {
         let spoken = l.fill("advice.do", &[("deed", &text)]);
-        Some(Deed { text, spoken, act })
+        Some(Deed { text, spoken, act, is_lit: true })
     };
     match advice {
         Advice::PutIn { .. } => of(l.text("hob.food_in").to_owned(), Act::Cook(CookAct::Put)),
@@ -61,10 +68,15 @@ fn deed(advice: Advice, state: &WindowState) -> Option<Deed> {
             Some(Deed { spoken: l.text("coach.take_out_spoken").to_owned(), ..deed })
         }
         Advice::Rested { .. } => of(l.text("result.title").to_owned(), Act::App(AppAct::Open(Card::Result))),
+        // Whoever does not want to wait may look: the result tells that it still rests. All controls have a button of their own for it.
+        Advice::Resting { .. } if state.settings.few => {
+            let text = l.text("result.title").to_owned();
+            Some(Deed { spoken: text.clone(), text, act: Act::App(AppAct::Open(Card::Result)), is_lit: false })
+        }
         about_hob => {
             let watts = about_hob.hob_w()?;
             let text = if watts == 0.0 { l.text("now.off").to_owned() } else { format!("{watts:.0} W") };
-            Some(Deed { text, spoken: do_it_words(watts, state), act: Act::Cook(CookAct::HobSet(watts)) })
+            Some(Deed { text, spoken: do_it_words(watts, state), act: Act::Cook(CookAct::HobSet(watts)), is_lit: true })
         }
     }
 }
@@ -93,17 +105,14 @@ impl Words<'_> {
             Advice::TurnDown { .. } => [self.text("now.turn_down"), self.text("now.hot_enough")],
             Advice::Heating { pan_c, .. } => {
                 let left = memory.until(Course::Pan, now, pan_c, WARM_ENOUGH_C);
+                let left = left.filter(|_| pan_c >= STEADY * WARM_ENOUGH_C);
                 [self.in_time("now.in_soon", "now.heating", left), self.heating_from(pan_c)]
             }
             Advice::PutIn { .. } => [self.of_food("now.put_in"), self.text("now.pan_is_hot")],
             Advice::Flip => [self.of_food("now.flip"), self.text(self.why_flip())],
             Advice::TakeOut { peak_c } => [self.of_food("now.take_out"), self.with_temperature("now.rests_up", peak_c)],
             Advice::Ready { .. } => [self.of_food("now.take_out"), self.class("now.core_is")],
-            Advice::WouldPeak { peak_c, .. } => {
-                let goal = self.state.scale().map_or(peak_c, |scale| self.state.settings.goal(&scale));
-                let left = memory.until(Course::Core, now, peak_c, goal).filter(|_| peak_c >= STEADY * goal);
-                [self.in_time("now.out_soon", "now.frying", left), self.with_temperature("now.would_peak", peak_c)]
-            }
+            Advice::WouldPeak { peak_c, .. } => self.frying(peak_c, memory),
             Advice::NotReady { share_pct, until_pct } => {
                 let [share, goal] = [share_pct, until_pct].map(|pct| format!("{pct:.0}"));
                 let why = self.fill("now.changed", &[("percent", &share), ("goal", &goal)]);
@@ -122,6 +131,43 @@ impl Words<'_> {
         }
     }
 
+    /// When to flip or to take out, whichever comes first.
+    fn frying(&self, peak_c: f64, memory: &mut TimeLeft) -> [String; 2] {
+        let now = self.state.session.kitchen.time_s();
+        let goal = self.state.scale().map_or(peak_c, |scale| self.state.settings.goal(&scale));
+        let out = memory.until(Course::Core, now, peak_c, goal).filter(|_| peak_c >= STEADY * goal);
+        let flip = self.flip_in(peak_c, goal, memory).filter(|flip| out.is_none_or(|out| *flip < out));
+        let would = self.with_temperature("now.would_peak", peak_c);
+        match (flip, out) {
+            (Some(flip), Some(out)) => [
+                self.in_time("now.flip_soon", "now.frying", Some(flip)),
+                self.in_time("now.out_after", "now.frying", Some(out)),
+            ],
+            (Some(flip), None) => [self.in_time("now.flip_soon", "now.frying", Some(flip)), would],
+            (None, out) => [self.in_time("now.out_soon", "now.frying", out), would],
+        }
+    }
+
+    /// In how long the advice asks for a flip, where that can be told: once the side below is brown or half of the heat is in; from then on
+    /// the sides take turns.
+    fn flip_in(&self, peak_c: f64, goal: f64, memory: &mut TimeLeft) -> Option<f64> {
+        let session = &self.state.session;
+        let (now, at) = (session.kitchen.time_s(), Situation::of(&session.kitchen, session.steak()?));
+        let [below, above] = at.browning;
+        let browns = memory.until(Course::Brown, now, below, BROWN).filter(|_| below >= STEADY * BROWN);
+        let brown = if below >= BROWN { Some(0.0) } else { browns };
+        let left_s = match at.since_flip_s {
+            None => {
+                let half = at.room_c + HALF_WAY * (goal - at.room_c);
+                let by_core = memory.until(Course::Core, now, peak_c, half).filter(|_| peak_c >= STEADY * half);
+                [brown, by_core].into_iter().flatten().min_by(f64::total_cmp)
+            }
+            Some(since_s) if above >= BROWN => Some((TURNS_S - since_s).max(brown.unwrap_or_default())),
+            Some(_) => brown,
+        };
+        left_s.filter(|left_s| *left_s > 0.0)
+    }
+
     /// How hot the pan is, and how long the whole cook takes where its food is judged by its core.
     fn heating_from(&self, pan_c: f64) -> String {
         let Some(whole_s) = self.state.whole_time_s() else {
@@ -137,8 +183,11 @@ impl Words<'_> {
     /// Why it is time to flip.
     fn why_flip(&self) -> &'static str {
         let session = &self.state.session;
-        let browned = session.steak().map(|piece| Situation::of(&session.kitchen, piece).browning[0]);
-        if browned.is_some_and(|below| below >= BROWN) { "now.brown_below" } else { "now.half_way" }
+        match session.steak().map(|piece| Situation::of(&session.kitchen, piece).browning.map(|b| b >= BROWN)) {
+            Some([true, true]) => "now.turns",
+            Some([true, false]) => "now.brown_below",
+            _ => "now.half_way",
+        }
     }
 
     fn text(&self, key: &'static str) -> String {

@@ -25,12 +25,17 @@ pub fn show(state: &WindowState, plan: &Plan, ui: &mut Ui, acts: &mut Acts) {
     if is_of_other_choice(state) {
         ui.label(RichText::new(l.text("plan.other_choice")).size(13.0).color(theme::of(ui).accent));
     }
+    if plan.is_rough {
+        ui.label(RichText::new(l.text("plan.rough")).size(13.0).color(theme::of(ui).quiet));
+    }
     buttons(state, ui, acts);
     promise(state, plan, ui);
     time_line::show(state, plan, ui);
     plan.steps().iter().for_each(|step| row(state, plan, step, ui));
     ui.add_space(6.0);
-    ui.label(RichText::new(l.text("plan.if_different")).strong());
+    if !plan.sensitivity.is_empty() {
+        ui.label(RichText::new(l.text("plan.if_different")).strong());
+    }
     for s in &plan.sensitivity {
         ui.label(RichText::new(plan_words::sentence(s, &plan.order.goal, settings.speech())).size(13.5));
     }

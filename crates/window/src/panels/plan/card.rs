@@ -79,7 +79,8 @@ fn searching(state: &WindowState, ui: &mut Ui, acts: &mut Acts, share: f32, doin
         state.planning.left_s().map(|left_s| l.fill("plan.left", &[("time", &clock(10.0 * (0.1 * left_s).ceil()))]));
     ui.label(RichText::new(left.unwrap_or_default()).color(theme::of(ui).quiet));
     ui.label(RichText::new(l.text("plan.meanwhile")).size(13.0).color(theme::of(ui).quiet));
-    if ui.add(theme::of(ui).button(l.text("plan.cancel"), false)).clicked() {
-        acts.push(Act::Learn(LearnAct::Plan(PlanAct::Cancel)));
+    let ends = if state.planning.has_so_far() { "plan.stop" } else { "plan.cancel" };
+    if ui.add(theme::of(ui).button(l.text(ends), false)).clicked() {
+        acts.push(Act::Learn(LearnAct::Plan(PlanAct::Stop)));
     }
 }

@@ -2,10 +2,7 @@
 //! to its speed, and the result measures the cook by what the plan promised.
 
 use egui::{Key, Modifiers};
-use egui_kittest::{
-    Harness,
-    kittest::{NodeT, Queryable},
-};
+use egui_kittest::{Harness, kittest::Queryable};
 use saute_kitchen::Library;
 use saute_kitchen::advice::Advice;
 use saute_plan::goal::mark::Mark;
@@ -151,16 +148,16 @@ fn the_end_is_done_when_the_food_is_out_and_the_hob_is_off() {
     act(&mut harness, Act::Cook(CookAct::Out));
     wait(&mut harness, 204.0);
     assert!(harness.state().session().kitchen.hob_w() > 0.0);
-    harness.get_by_label("Hob off");
+    harness.get_by_label_contains("Hob off, ");
     save(&mut harness, "plan-live-hob-left-phone");
     harness.get_by_label("Do it: hob off").click();
     steps(&mut harness, 3);
     assert_eq!(harness.state().session().kitchen.hob_w(), 0.0);
-    harness.get_by_label("Rested: serve");
+    harness.get_by_label_contains("Rested: serve");
 }
 
 #[test]
-fn time_slows_down_for_a_step_which_the_strip_says_and_comes_back_to_its_speed() {
+fn time_slows_down_for_a_step_which_the_guide_says_and_comes_back_to_its_speed() {
     let (mut harness, _) = live(WIDE);
     assert!(says(&harness, "Step 1 of"), "steps count from 1");
     assert!(!says(&harness, "Start the clock"), "doing the step that is due starts it");
@@ -183,11 +180,10 @@ fn time_slows_down_for_a_step_which_the_strip_says_and_comes_back_to_its_speed()
 fn a_step_can_be_done_by_the_button_once_it_is_due_and_the_eye_follows_what_comes_out() {
     let (mut harness, _) = live(WIDE);
     go(&mut harness, 100.0);
-    let is_off =
-        |harness: &Harness<'static, SauteApp>| harness.get_by_label("Do it: flip 1").accesskit_node().is_disabled();
-    assert!(is_off(&harness), "5 s before");
+    let is_there = |harness: &Harness<'static, SauteApp>| harness.query_by_label("Do it: flip 1").is_some();
+    assert!(!is_there(&harness), "5 s before");
     wait(&mut harness, 105.0);
-    assert!(!is_off(&harness));
+    assert!(is_there(&harness));
     go(&mut harness, 199.8);
     wait(&mut harness, 200.0);
     let pan_before = harness.state().on_screen(glam::Vec3::ZERO, WINDOW).expect("in view");

@@ -4,3 +4,4 @@ mod at_home;
 mod followed;
 mod plan;
 mod refused;
+mod searching;

@@ -11,7 +11,7 @@ use saute_window::ui::layout::Layout;
 use super::{PHONE, WIDE, act, says};
 use crate::harness::{save, steps, window};
 
-/// Presses the button that the callout means, where it means one now.
+/// Presses the button that the line means, where it means one now.
 fn follow(harness: &mut Harness<'static, SauteApp>, step: Step) {
     let meant = match step {
         _ if says(harness, "First the hob.") => {
@@ -21,7 +21,7 @@ fn follow(harness: &mut Harness<'static, SauteApp>, step: Step) {
         Step::HobOn => Some("1100 W"),
         Step::PutIn => Some("In the pan"),
         Step::Inside => Some("Cut"),
-        Step::Flip => says(harness, "Now: click").then_some("Flip"),
+        Step::Flip => says(harness, "Flip it now: click").then_some("Flip"),
         Step::TakeOut if says(harness, "once more") => Some("Flip"),
         Step::TakeOut => says(harness, "click “Take out”").then_some("Take out"),
         Step::HobOff => Some("off"),
@@ -85,12 +85,11 @@ fn the_tutorial_can_be_left_covers_no_pan_and_runs_fast_only_while_one_waits() {
         harness.state_mut().session_mut().set_paused(true);
         steps(&mut harness, 12);
         save(&mut harness, if size == WIDE { "tutorial-begin" } else { "tutorial-begin-phone" });
-        let callout = harness.get_by_label_contains("Turn the hob on: click").rect();
+        let line = harness.get_by_label_contains("Turn the hob on. Click").rect();
         let whole = egui::Rect::from_min_size(egui::Pos2::ZERO, size);
         // The pan stands in the middle of what no panel covers.
         let pan = Layout::new(whole, harness.state().settings()).free.center();
-        let clear = if size == WIDE { pan.x - callout.right() > 120.0 } else { pan.y - callout.bottom() > 60.0 };
-        assert!(clear, "{callout:?} {pan:?}");
+        assert!(line.top() - pan.y > 120.0, "{line:?} {pan:?}");
         assert_eq!(harness.state().session().speed, 1.0);
         harness.get_by_label("1100 W").click();
         steps(&mut harness, 4);

@@ -1,0 +1,254 @@
+//! The guide of a cook that follows a plan, on the line: the next step with its time; below it its cue, a bell and a way out; in the
+//! end what it gave beside what was promised.
+
+use egui::{RichText, Ui, vec2};
+use saute_plan::goal::Outcome;
+use saute_plan::schedule::Deed as Task;
+use saute_plan::schedule::follow::{Followed, LATE_S, Left};
+use saute_plan::schedule::voice::Keeping;
+
+use super::now_words::{Deed, NowWords};
+use crate::act::{Act, Acts, AppAct, Card, LearnAct, TimeAct};
+use crate::panels::cook::hob_bar::capitalised;
+use crate::panels::window_state::WindowState;
+use crate::plan::PlanAct;
+use crate::ui::bell::{self, Bell};
+use crate::ui::{fingers, theme};
+use saute_session::plan::live::{Guidance, Live, READY_S};
+use saute_words::clock::clock;
+use saute_words::language::Language;
+use saute_words::{cue_words, plan_words};
+
+/// Height of the cue, which has the buttons beside it [points]: always the same, so that nothing moves when the words change.
+const CUE: f32 = 48.0;
+/// Height of the cue in a line that is narrower than a width, and of the row of buttons below it [points].
+const NARROW_CUE: f32 = 54.0;
+const NARROW: f32 = 460.0;
+const ROW: f32 = 30.0;
+/// Height of the bell [points].
+const BELL: f32 = 24.0;
+
+/// The guide of a cook that follows a plan.
+pub(super) struct Guide<'a> {
+    live: &'a Live,
+    guidance: Guidance,
+}
+
+impl<'a> Guide<'a> {
+    /// What it says now.
+    pub fn of(live: &'a Live, state: &WindowState) -> Self {
+        Self { live, guidance: live.guidance(state.session) }
+    }
+
+    /// Returns true once the rest is over.
+    pub fn is_over(&self) -> bool {
+        self.live.gave().is_some()
+    }
+
+    /// Words for the next step, or for the end.
+    pub fn words(&self, state: &WindowState) -> NowWords {
+        self.live.gave().map_or_else(|| self.next(state), |gave| self.end(gave, state))
+    }
+
+    fn next(&self, state: &WindowState) -> NowWords {
+        let l = state.settings.language;
+        let (verb, why) = (self.step(l), self.said(l));
+        let spoken = l.fill("tutorial.spoken", &[("verb", &verb), ("why", &why)]);
+        NowWords { verb, why, spoken, deed: self.deed(state), is_due: self.is_due() }
+    }
+
+    /// What comes next, and when.
+    fn step(&self, l: Language) -> String {
+        let deeds = capitalised(&cue_words::deeds(&self.guidance.next, l));
+        l.fill("plan.deed_when", &[("deed", &deeds), ("when", &self.when(l))])
+    }
+
+    fn end(&self, gave: &Outcome, state: &WindowState) -> NowWords {
+        let l = state.settings.language;
+        let (verb, why) = (l.text("plan.over").to_owned(), self.line(gave, "plan.was_reached", state));
+        let spoken = l.fill("tutorial.spoken", &[("verb", &verb), ("why", &why)]);
+        let text = l.text("result.title").to_owned();
+        let act = Act::App(AppAct::Open(Card::Result));
+        NowWords {
+            verb,
+            why,
+            spoken,
+            deed: Some(Deed { spoken: text.clone(), text, act, is_lit: true }),
+            is_due: false,
+        }
+    }
+
+    fn due_in_s(&self) -> f64 {
+        self.guidance.due_in_s().unwrap_or_default()
+    }
+
+    fn is_due(&self) -> bool {
+        self.guidance.due_in_s().is_some_and(|in_s| in_s <= 0.0)
+    }
+
+    /// A step that is done early is none of the plan.
+    fn can_do(&self) -> bool {
+        self.is_due() && self.guidance.next.iter().any(|f| f.step.deed != Task::Serve)
+    }
+
+    /// The button: does what is due, starts the clock, or lets it run up to the next step.
+    fn deed(&self, state: &WindowState) -> Option<Deed> {
+        let l = state.settings.language;
+        if self.can_do() {
+            return Some(self.do_it(l));
+        }
+        // Doing the step starts the clock too: there is one way to go on.
+        let (key, act, is_lit) = if state.session.paused {
+            ("plan.start", Act::Time(TimeAct::Pause), self.due_in_s() > 0.0)
+        } else if self.due_in_s() > READY_S && state.session.speed < 20.0 {
+            ("plan.hurry", Act::Learn(LearnAct::Plan(PlanAct::Hurry)), false)
+        } else {
+            return None;
+        };
+        let text = l.text(key).to_owned();
+        Some(Deed { spoken: text.clone(), text, act, is_lit })
+    }
+
+    fn do_it(&self, l: Language) -> Deed {
+        let deeds = cue_words::deeds(&self.guidance.next, l);
+        Deed {
+            text: l.text("plan.do_it_short").to_owned(),
+            spoken: l.fill("plan.do_it", &[("deed", &deeds)]),
+            act: Act::Learn(LearnAct::Plan(PlanAct::DoStep)),
+            is_lit: true,
+        }
+    }
+
+    /// In how long, now, or how late.
+    fn when(&self, l: Language) -> String {
+        match self.due_in_s() {
+            s if s > 0.0 => l.fill("plan.in", &[("time", &clock(s.ceil()))]),
+            s if s > -LATE_S => l.text("plan.now").to_owned(),
+            s => l.fill("plan.late_by", &[("seconds", &format!("{:.0}", -s))]),
+        }
+    }
+
+    /// Where one is in the plan; that time slowed down, else whether the last step was early or late and that the others keep their times.
+    fn said(&self, l: Language) -> String {
+        let [step, all] = self.guidance.place();
+        let place = l.fill("plan.step_of", &[("step", &step), ("all", &all)]);
+        // After the last step time stands still.
+        let said = match self.live.returns_to().filter(|_| step < all) {
+            Some(speed) => l.fill("plan.returns_to", &[("speed", &format!("{speed:.0}"))]),
+            None => last_words(&self.guidance, l),
+        };
+        format!("{place} {said}")
+    }
+
+    /// What was promised or reached.
+    fn line(&self, outcome: &Outcome, key: &'static str, state: &WindowState) -> String {
+        let (l, settings) = (state.settings.language, state.settings);
+        let [share, crust] = [outcome.target_share_pct, outcome.crust_pct].map(|pct| format!("{pct:.0}"));
+        let core = settings.fine_temperature(outcome.core_peak_c);
+        let class = plan_words::class(self.live.goal(), l);
+        l.fill(key, &[("core", &core), ("share", &share), ("class", &class), ("crust", &crust)])
+    }
+
+    /// Height of what stands below a line of a width [points].
+    pub fn height(ui: &Ui, width: f32) -> f32 {
+        if width < NARROW { NARROW_CUE + ui.spacing().item_spacing.y + fingers::height(ui, ROW) } else { CUE }
+    }
+
+    /// Shows the bell, the cue and the way out; where the advice has the word, the step and its button too.
+    pub fn show(&self, has_word: bool, state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+        let from_right = egui::Layout::right_to_left(egui::Align::Center);
+        if ui.available_height() <= CUE {
+            ui.with_layout(from_right, |ui| {
+                self.ways_out(has_word, state, ui, acts);
+                ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| {
+                    self.bell(state, ui);
+                    self.cue(has_word, state, ui);
+                });
+            });
+            return;
+        }
+        ui.allocate_ui(vec2(ui.available_width(), NARROW_CUE), |ui| {
+            ui.set_min_height(NARROW_CUE);
+            self.cue(has_word, state, ui);
+        });
+        ui.horizontal(|ui| {
+            ui.set_height(fingers::height(ui, ROW));
+            self.bell(state, ui);
+            ui.with_layout(from_right, |ui| self.ways_out(has_word, state, ui, acts));
+        });
+    }
+
+    fn bell(&self, state: &WindowState, ui: &mut Ui) {
+        if !self.is_over() {
+            let (l, rings) = (state.settings.language, self.is_due());
+            let spoken = l.text(if rings { "plan.bell_rings" } else { "plan.bell_waits" });
+            bell::show(ui, &Bell { size: BELL, spoken, rings, moves: !state.settings.moves_less() });
+        }
+    }
+
+    /// How the plan was left, else what there is to see at the step, or what was promised.
+    fn cue(&self, has_word: bool, state: &WindowState, ui: &mut Ui) {
+        let (l, palette) = (state.settings.language, theme::of(ui));
+        let senses = || self.guidance.next.iter().filter_map(|f| self.sense(state, f)).collect::<Vec<_>>().join(" ");
+        let (words, ink) = match (self.is_over(), self.left(state)) {
+            (true, _) => (self.line(&self.live.plan().promised, "plan.was_promised", state), palette.quiet),
+            (false, Some(left)) => (left_words(left, l), palette.accent),
+            (false, None) if !has_word => (self.step(l), palette.text),
+            (false, None) => (senses(), palette.quiet),
+        };
+        ui.add(egui::Label::new(RichText::new(words).size(12.5).color(ink)).wrap());
+    }
+
+    fn sense(&self, state: &WindowState, followed: &Followed) -> Option<String> {
+        // Of food that is out there is nothing to feel.
+        let followed = Some(followed).filter(|followed| followed.left != Left::Hob)?;
+        let sense = self.live.plan().sense(&followed.step, &state.session.library)?;
+        Some(cue_words::sense(&sense, state.settings.speech()))
+    }
+
+    fn left(&self, state: &WindowState) -> Option<Keeping> {
+        Some(self.live.keeping(state.session)).filter(|keeping| *keeping != Keeping::Kept)
+    }
+
+    /// Ends the guide; where the advice has the word, the guide's button stands here.
+    fn ways_out(&self, has_word: bool, state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+        let (l, palette, size) = (state.settings.language, theme::of(ui), vec2(44.0, fingers::height(ui, ROW)));
+        let leave = palette.button(l.text("plan.leave"), false).min_size(size);
+        if ui.add(leave).on_hover_text(l.text("plan.leave_hint")).clicked() {
+            acts.push(Act::Learn(LearnAct::Plan(PlanAct::Leave)));
+        }
+        if has_word || self.is_over() {
+            return;
+        }
+        let Some(Deed { text, spoken, act, .. }) = self.deed(state) else { return };
+        let response = ui.add(palette.button(&text, false).min_size(size));
+        response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Button, true, &spoken));
+        if response.clicked() {
+            acts.push(act);
+        }
+    }
+}
+
+/// How the plan was left, and who speaks then.
+fn left_words(keeping: Keeping, l: Language) -> String {
+    match keeping {
+        Keeping::Kept => String::new(),
+        Keeping::Missed(deed) => l.fill("plan.missed", &[("deed", &cue_words::deed(&deed, l))]),
+        Keeping::OtherPower(w) => l.fill("plan.other_power", &[("power", &format!("{w:.0}"))]),
+    }
+}
+
+fn last_words(guidance: &Guidance, l: Language) -> String {
+    guidance.last.map_or_else(
+        || l.text("plan.begin_how").to_owned(),
+        |(deed, late_s)| {
+            let seconds = format!("{:.0}", late_s.abs());
+            let key = match late_s {
+                s if s > LATE_S => "plan.was_late",
+                s if s < -LATE_S => "plan.was_early",
+                _ => "plan.was_right",
+            };
+            l.fill(key, &[("deed", &cue_words::deed(&deed, l)), ("seconds", &seconds)])
+        },
+    )
+}
