@@ -93,7 +93,7 @@ fn a_session_that_asks_for_what_no_hand_can_is_refused_with_the_reason() {
     for (case, why) in [
         ("food-at-0-k", "food begins with -25 to 60 °C"),
         ("shake-nan", "shake.amplitude_mm may be 0 to 100"),
-        ("toss-minus-1-m", "toss.height_mm may be 50 to 500"),
+        ("toss-minus-1-m", "toss.height_mm may be 0 to 500"),
     ] {
         let path = format!("{}/tests/cli/cases/{case}.saute", env!("CARGO_MANIFEST_DIR"));
         let ran = run(&["replay", &path, "--json"]);

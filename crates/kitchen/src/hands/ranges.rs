@@ -1,6 +1,6 @@
 //! The ranges of what hands may ask for, stated once in the units of a recipe. Whatever gives a kitchen a command passes here: recipes,
-//! Python, sessions, links, phones and devices. Recipes and Python also keep to the ranges of masses and of the pan's place, for which the
-//! kitchen has bounds of its own.
+//! Python, sessions, links, phones and devices. Recipes and Python also keep to the ranges of masses, of tilt and toss and of the pan's
+//! place, for which the kitchen has wider bounds of its own.
 //!
 //! | command | what is checked here | what its execution checks |
 //! |---|---|---|
@@ -55,6 +55,10 @@ pub const HALVE_AT_MM: Limits = limits(-150.0, 150.0, 0.0);
 pub const LIFT_MM: Limits = limits(0.0, 500.0, 0.0);
 /// Duration of the pan on the cloth [s]; the checked default is that of `kitchen.toml`.
 pub const COOL_S: Limits = limits(0.1, 600.0, 3.0);
+/// Tilt and toss that a kitchen carries out [°, mm] (chosen: a pan may be turned over, and tossed so that food hardly leaves it; a recipe
+/// keeps to what a cook does on purpose).
+const ANY_TILT_DEG: Limits = limits(-180.0, 180.0, 0.0);
+const ANY_TOSS_MM: Limits = limits(0.0, TOSS_HEIGHT_MM.high, TOSS_HEIGHT_MM.default);
 /// Place of food relative to the pan's centre along each axis [mm] (chosen: beyond the rim of the widest pan).
 pub const PLACE_MM: Limits = limits(-200.0, 200.0, 0.0);
 /// Place of the pan relative to the ring's centre along each axis [mm] (chosen: within reach of an arm).
@@ -69,7 +73,9 @@ impl Limits {
     /// Refuses a value beyond the range of a key, and one that is no number.
     fn check(&self, key: &'static str, value: f64) -> Result<(), Refused> {
         let more = ROUNDING * (self.high - self.low);
-        if (self.low - more..=self.high + more).contains(&value) { Ok(()) } else { Err(self.refusal(key)) }
+        // What is zero in one unit is zero in the other.
+        let less = if self.low == 0.0 { 0.0 } else { more };
+        if (self.low - less..=self.high + more).contains(&value) { Ok(()) } else { Err(self.refusal(key)) }
     }
 
     fn refusal(&self, key: &'static str) -> Refused {
@@ -87,12 +93,12 @@ impl Command {
             Self::Halve { at, .. } if at.is_finite() => Ok(()),
             Self::Halve { .. } => Err(HALVE_AT_MM.refusal("halve.at_mm")),
             Self::Cool { for_s } => COOL_S.check("cool.for_s", *for_s),
-            Self::Toss { height } => TOSS_HEIGHT_MM.check("toss.height_mm", 1e3 * height),
+            Self::Toss { height } => ANY_TOSS_MM.check("toss.height_mm", 1e3 * height),
             Self::Shake { amplitude, hz, for_s } => SHAKE_AMPLITUDE_MM
                 .check("shake.amplitude_mm", 1e3 * amplitude)
                 .and(SHAKE_HZ.check("shake.hz", *hz))
                 .and(FOR_S.check("shake.for_s", *for_s)),
-            Self::Tilt { angle, towards } => limits(TILT_DEG[0], TILT_DEG[1], 0.0)
+            Self::Tilt { angle, towards } => ANY_TILT_DEG
                 .check("tilt.deg", angle.to_degrees())
                 .and(TOWARDS_DEG.check("tilt.towards_deg", towards.to_degrees())),
             Self::Press { newtons, for_s, .. } => {

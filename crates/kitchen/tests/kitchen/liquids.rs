@@ -77,9 +77,7 @@ fn oil_that_runs_keeps_its_mass_and_its_heat_and_is_nowhere_negative() {
     let shake = Command::Shake { amplitude: 0.05, hz: 4.0, for_s: 5.0 };
     let slanting = Command::Tilt { angle: 1.2, towards: 4.0 };
     let level = Command::Tilt { angle: 0.0, towards: 0.0 };
-    for (step, motion) in
-        [slanting, shake, Command::Tilt { angle: 80f64.to_radians(), towards: 1.0 }, level].iter().enumerate()
-    {
+    for (step, motion) in [slanting, shake, Command::Tilt { angle: 2.6, towards: 1.0 }, level].iter().enumerate() {
         apply(&mut kitchen, motion.clone());
         run(&mut kitchen, 6.0);
         let liquids = &kitchen.pan_state().liquids;
