@@ -12,14 +12,6 @@ use crate::app::SauteApp;
 const LAST_SLICE: f64 = 0.95;
 
 impl SauteApp {
-    /// Opens all controls, or leaves the few of a first cook; whoever opened them is told the way back.
-    pub(super) fn toggle_few(&mut self) {
-        self.settings.few = !self.settings.few;
-        if !self.settings.few {
-            self.say("top.all_said");
-        }
-    }
-
     /// Shows or hides the cut. In the pan its face points towards +x, so the camera moves to that side.
     pub(crate) fn toggle_slice(&mut self) {
         self.sights.slice = if self.sights.slice.is_some() { None } else { Some(0.0) };
