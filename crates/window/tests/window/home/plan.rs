@@ -260,7 +260,7 @@ fn a_late_step_is_said_to_be_late_and_moves_no_other() {
     steps(&mut harness, 12);
     harness.get_by_label_contains("Do it: hob to 2000 W").click();
     steps(&mut harness, 3);
-    (0..570).for_each(|_| harness.state_mut().session_mut().tick().expect("ticks"));
+    (0..562).for_each(|_| harness.state_mut().session_mut().tick().expect("ticks"));
     steps(&mut harness, 12);
     harness.get_by_label_contains("12 s late");
     save(&mut harness, "plan-live-late-phone");
