@@ -36,8 +36,7 @@ pub fn run(args: &PlanArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
         |option, path: Option<&Path>, example| path.map(|p| OutFile::prepare_as(option, p, example)).transpose();
     let recipe = prepare("--out", args.out.as_deref(), "RECIPE.toml")?;
     let card = prepare("--card", args.card.as_deref(), "CARD.html")?;
-    let Searched { plan, wall, is_stopped } =
-        search(order, &data.library).map_err(|error| options::of_job(error, args))?;
+    let (plan, wall) = search(order, &data.library).map_err(|error| options::of_job(error, args))?;
     let plan = plan.ok_or(CliError::PlanInterrupted)?;
     let is_met = plan.shortfalls().is_empty();
     if let Some(file) = recipe {
@@ -50,7 +49,7 @@ pub fn run(args: &PlanArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
     if !is_met {
         text::why_not(&plan).into_iter().for_each(stderr::say);
     }
-    if is_stopped {
+    if plan.is_stopped {
         stderr::say("stopped: this is the best so far; started again, the search gives the whole plan");
         return Ok(exit_code::interrupted());
     }
@@ -64,22 +63,14 @@ fn write(file: OutFile, text: &str) -> Result<(), CliError> {
     Ok(())
 }
 
-/// What a search came to.
-struct Searched {
-    /// The plan; none if it was stopped before a candidate was cooked.
-    plan: Option<Plan>,
-    wall: Duration,
-    is_stopped: bool,
-}
-
-/// Runs the jobs of a search on every core, until a signal asks for what there is.
-fn search(order: Order, library: &Library) -> Result<Searched, JobError> {
+/// Runs the jobs of a search on every core, until a signal asks for what there is: no plan before a candidate was cooked.
+fn search(order: Order, library: &Library) -> Result<(Option<Plan>, Duration), JobError> {
     let started = Instant::now();
     let (progress, interruption) = (Progress::over(PARTS), Interruption::watch());
     let mut planner = Planner::new(order, Arc::new(library.clone()))?;
     loop {
         if let plan @ Some(_) = planner.plan() {
-            return Ok(Searched { plan, wall: started.elapsed(), is_stopped: false });
+            return Ok((plan, started.elapsed()));
         }
         let (jobs, doing) = (planner.next_jobs(), planner.doing());
         let run = |_, job: &Job| {
@@ -89,7 +80,7 @@ fn search(order: Order, library: &Library) -> Result<Searched, JobError> {
         let results = map_all(&jobs, run).into_iter().collect::<Result<Option<Vec<_>>, _>>()?;
         match results {
             Some(results) => planner.take(results),
-            None => return Ok(Searched { plan: planner.so_far(), wall: started.elapsed(), is_stopped: true }),
+            None => return Ok((planner.so_far(), started.elapsed())),
         }
     }
 }

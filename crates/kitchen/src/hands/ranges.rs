@@ -10,7 +10,7 @@
 //! | `Put`, `Move` | place | floor, other food |
 //! | `Halve` | that its place is a number | length of the piece |
 //! | `Cool`, `Toss`, `Shake`, `Tilt`, `Press` | all numbers | – |
-//! | `Lead`, `HoldPan` | that the pose is one | reach: beyond it the hand stays at its edge |
+//! | `Lead`, `HoldPan` | – | that the pose is one, and reach: beyond it the hand stays at its edge |
 
 use crate::data::number_text::number_text;
 use crate::dynamics::Pose;
@@ -104,7 +104,7 @@ impl Command {
             Self::Press { newtons, for_s, .. } => {
                 PRESS_N.check("press.n", *newtons).and(FOR_S.check("press.for_s", *for_s))
             }
-            Self::Lead { to: pose, .. } | Self::HoldPan { pose } => usable(pose).map(drop),
+            Self::Lead { .. } | Self::HoldPan { .. } => Ok(()),
             Self::Hob(_) | Self::HobHold { .. } | Self::MovePan { .. } => Ok(()),
             Self::Oil { .. } | Self::Butter(_) | Self::Water(_) => Ok(()),
             Self::Flip { .. } | Self::Rest { .. } | Self::LetGo | Self::Lid(_) | Self::Wipe => Ok(()),

@@ -18,7 +18,7 @@ const HORIZON_S: f64 = 1800.0;
 /// needs half a minute to come to the core).
 const SETTLES_S: f64 = 30.0;
 const FALLEN_K: f64 = 0.3;
-/// Time step, of the longest stable one [-] (chosen: the peak then changes by less than 0.01 K with half of it).
+/// Time step, of the longest stable one [-] (chosen: about that of the step before, 0.35 Δx²·c/λ).
 const OF_STABLE: f64 = 0.7;
 
 /// Expected peak of the core temperature [K] if the piece rests from now on, and the time until then [s].

@@ -52,9 +52,7 @@ impl<'a> Guide<'a> {
 
     fn next(&self, state: &WindowState) -> NowWords {
         let l = state.settings.language;
-        let (verb, why) = (self.step(l), self.said(l));
-        let spoken = l.fill("tutorial.spoken", &[("verb", &verb), ("why", &why)]);
-        NowWords { verb, why, spoken, deed: self.deed(state), is_due: self.is_due() }
+        NowWords::told(self.step(l), self.said(l), self.deed(state), self.is_due(), l)
     }
 
     /// What comes next, and when.
@@ -66,16 +64,8 @@ impl<'a> Guide<'a> {
     fn end(&self, gave: &Outcome, state: &WindowState) -> NowWords {
         let l = state.settings.language;
         let (verb, why) = (l.text("plan.over").to_owned(), self.line(gave, "plan.was_reached", state));
-        let spoken = l.fill("tutorial.spoken", &[("verb", &verb), ("why", &why)]);
-        let text = l.text("result.title").to_owned();
-        let act = Act::App(AppAct::Open(Card::Result));
-        NowWords {
-            verb,
-            why,
-            spoken,
-            deed: Some(Deed { spoken: text.clone(), text, act, is_lit: true }),
-            is_due: false,
-        }
+        let result = Deed::called(l.text("result.title"), Act::App(AppAct::Open(Card::Result)), true);
+        NowWords::told(verb, why, Some(result), false, l)
     }
 
     fn due_in_s(&self) -> f64 {
@@ -105,8 +95,7 @@ impl<'a> Guide<'a> {
         } else {
             return None;
         };
-        let text = l.text(key).to_owned();
-        Some(Deed { spoken: text.clone(), text, act, is_lit })
+        Some(Deed::called(l.text(key), act, is_lit))
     }
 
     fn do_it(&self, l: Language) -> Deed {

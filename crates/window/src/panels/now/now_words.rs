@@ -9,6 +9,7 @@ use crate::panels::learn::advice_words::{advice_words, class_now, do_it_words, r
 use crate::panels::window_state::WindowState;
 use saute_session::Forecast;
 use saute_words::clock::{clock, whole_minutes};
+use saute_words::language::Language;
 
 /// Share of the goal's temperature from which the pace of the core tells how long it takes [-] (chosen: before, it still follows the
 /// first heat of the pan, and a cook was told 5 min and then 12).
@@ -26,6 +27,13 @@ pub(super) struct Deed {
     pub is_lit: bool,
 }
 
+impl Deed {
+    /// A button that is called what stands on it.
+    pub fn called(text: &str, act: Act, is_lit: bool) -> Self {
+        Self { text: text.to_owned(), spoken: text.to_owned(), act, is_lit }
+    }
+}
+
 /// What the line says.
 pub(super) struct NowWords {
     /// The verb, or what goes on.
@@ -41,6 +49,12 @@ pub(super) struct NowWords {
 }
 
 impl NowWords {
+    /// Words of whoever else leads: what is heard is what is seen.
+    pub fn told(verb: String, why: String, deed: Option<Deed>, is_due: bool, l: Language) -> Self {
+        let spoken = l.fill("now.spoken", &[("verb", &verb), ("why", &why)]);
+        Self { verb, why, spoken, deed, is_due }
+    }
+
     /// Words for an advice about the hob, which tell no time.
     pub fn without_time(advice: Advice, state: &WindowState) -> Self {
         Self::of(advice, state, &mut TimeLeft::default())
@@ -70,8 +84,7 @@ fn deed(advice: Advice, state: &WindowState) -> Option<Deed> {
         Advice::Rested { .. } => of(l.text("result.title").to_owned(), Act::App(AppAct::Open(Card::Result))),
         // Whoever does not want to wait may look: the result tells that it still rests. All controls have a button of their own for it.
         Advice::Resting { .. } if state.settings.few => {
-            let text = l.text("result.title").to_owned();
-            Some(Deed { spoken: text.clone(), text, act: Act::App(AppAct::Open(Card::Result)), is_lit: false })
+            Some(Deed::called(l.text("result.title"), Act::App(AppAct::Open(Card::Result)), false))
         }
         about_hob => {
             let watts = about_hob.hob_w()?;

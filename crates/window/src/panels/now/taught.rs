@@ -25,7 +25,7 @@ pub(super) fn words(tutorial: &Tutorial, state: &WindowState) -> NowWords {
     }
     let [verb, why] = keys(tutorial.step(), state.advice.first()).map(|key| l.text(key).to_owned());
     let is_due = !tutorial.step().waits() || verb != l.text(waiting(tutorial.step()));
-    NowWords { spoken: l.fill("tutorial.spoken", &[("verb", &verb), ("why", &why)]), verb, why, deed: None, is_due }
+    NowWords::told(verb, why, None, is_due, l)
 }
 
 /// The control that is meant.
