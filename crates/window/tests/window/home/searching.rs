@@ -61,10 +61,11 @@ impl Helper for HalfWayHelper {
 fn a_search_that_is_stopped_keeps_the_best_so_far_and_says_that_it_is_rough() {
     let library = Library::embedded().expect("embedded data");
     let plan = Plan { is_stopped: true, is_rough: true, sensitivity: Vec::new(), ..plan(&library) };
+    let mut harness = window(WIDE);
+    harness.state_mut().employ(Box::new(HalfWay(plan)));
+    act(&mut harness, Act::App(AppAct::Open(Card::Plan)));
     for (size, name) in [(WIDE, "wide"), (PHONE, "phone")] {
-        let mut harness = window(size);
-        harness.state_mut().employ(Box::new(HalfWay(plan.clone())));
-        act(&mut harness, Act::App(AppAct::Open(Card::Plan)));
+        harness.set_size(size);
         act(&mut harness, Act::Learn(LearnAct::Plan(PlanAct::Find)));
         harness.get_by_label_contains("Search: 40 %");
         harness.get_by_label("Stop, keep the best so far").click();
@@ -72,10 +73,10 @@ fn a_search_that_is_stopped_keeps_the_best_so_far_and_says_that_it_is_rough() {
         harness.get_by_label_contains("The search was stopped.");
         save(&mut harness, &format!("plan-stopped-{name}"));
         assert!(harness.query_by_label_contains("If something is different").is_none(), "nothing was varied");
-        harness.get_by_label("Cook it live").click();
-        steps(&mut harness, 3);
-        harness.get_by_label_contains("Step 1 of");
     }
+    harness.get_by_label("Cook it live").click();
+    steps(&mut harness, 3);
+    harness.get_by_label_contains("Step 1 of");
 }
 
 /// The kind of work does in slices, on threads, what a plain loop does.
