@@ -1,10 +1,17 @@
 //! What was measured, from the options and the log.
 
 use saute_kitchen::Library;
-use saute_plan::fit::log_file::{CORE_WORDS, LogError, LogFile, PAN_WORDS, Unit};
-use saute_plan::fit::observed::{END, Observed, Quantity};
+use saute_plan::fit::compared::Compared;
+use saute_plan::fit::log::log_error::LogError;
+use saute_plan::fit::log::log_file::LogFile;
+use saute_plan::fit::log::logger::{Logger, loggers};
+use saute_plan::fit::log::reading::{Choices, Pick, Reading};
+use saute_plan::fit::log::times::TimeForm;
+use saute_plan::fit::log::unit::Unit;
+use saute_plan::fit::observed::{END, Observed};
+use saute_recipe::Recipe;
 
-use super::{FitArgs, UnitArg};
+use super::{FitArgs, TimesArg, UnitArg};
 use crate::error::CliError;
 use crate::input::data_library::DataLibrary;
 use crate::input::text_file;
@@ -12,13 +19,17 @@ use crate::input::text_file;
 /// Largest log [MiB] (chosen: a day at one row a second).
 const LARGEST_MIB: u64 = 16;
 
-/// Returns what was measured.
-pub fn observed(args: &FitArgs, data: &DataLibrary) -> Result<Observed, CliError> {
+/// Returns what was measured, and how the log was read.
+pub fn observed(args: &FitArgs, recipe: &Recipe, data: &DataLibrary) -> Result<(Observed, Option<Reading>), CliError> {
     let mut observed = Observed::default();
+    let mut reading = None;
     if let Some(path) = &args.log {
         let bytes = text_file::bytes(path, LARGEST_MIB, ".csv", "the part of the log that holds the cook")?;
-        let log = LogFile::parse(&path.display().to_string(), &String::from_utf8_lossy(&bytes)).map_err(of_log)?;
-        add_curves(&mut observed, &log, args)?;
+        let log = LogFile::parse(&path.display().to_string(), &bytes).map_err(of_log)?;
+        let compared = compared(args, recipe);
+        let read = log.read(&choices(args, &log, compared.begin(recipe))?).map_err(of_log)?;
+        compared.add(&read, &mut observed);
+        reading = Some(read);
     }
     if let Some(grams) = args.weight_g {
         if !(1.0..=1e4).contains(&grams) {
@@ -29,7 +40,46 @@ pub fn observed(args: &FitArgs, data: &DataLibrary) -> Result<Observed, CliError
     if let Some(class) = &args.class {
         add_class(&mut observed, class, &args.scale, data)?;
     }
-    Ok(observed)
+    Ok((observed, reading))
+}
+
+/// The part of the log that is compared.
+fn compared(args: &FitArgs, recipe: &Recipe) -> Compared {
+    let mut compared = Compared::of(recipe, args.shift_s);
+    if let Some(from_s) = args.from_s {
+        (compared.core_from_s, compared.pan_from_s) = (from_s, from_s);
+    }
+    compared.to_s = args.to_s.unwrap_or(compared.to_s);
+    compared
+}
+
+/// What is chosen for the log; where core or pan is named, the other one is not guessed.
+fn choices(args: &FitArgs, log: &LogFile, begin: Option<(f64, f64)>) -> Result<Choices, CliError> {
+    let logger = args.maker.as_deref().map(maker).transpose()?;
+    let column = |name: &Option<String>| name.as_ref().map(|name| log.column(name, logger)).transpose().map_err(of_log);
+    let named = args.core.is_some() || args.pan.is_some();
+    let pick = |column: Option<usize>| match column {
+        Some(at) => Pick::Column(at),
+        None if named => Pick::No,
+        None => Pick::ByHeader,
+    };
+    Ok(Choices {
+        logger,
+        time: column(&args.time)?,
+        core: pick(column(&args.core)?),
+        pan: pick(column(&args.pan)?),
+        unit: args.unit.map(unit),
+        form: args.times.map(form),
+        begin,
+    })
+}
+
+fn maker(id: &str) -> Result<&'static Logger, CliError> {
+    Logger::named(id).ok_or_else(|| {
+        let known: Vec<&str> = loggers().iter().map(|logger| &*logger.id).collect();
+        let remedy = format!("use one of: {}", known.join(", "));
+        CliError::place(format!("--maker {id}"), "is no maker of thermometers with a preset", remedy)
+    })
 }
 
 fn add_class(observed: &mut Observed, class: &str, scale: &str, data: &DataLibrary) -> Result<(), CliError> {
@@ -46,34 +96,6 @@ fn add_class(observed: &mut Observed, class: &str, scale: &str, data: &DataLibra
     Err(CliError::place(format!("--class {class}"), message, format!("use one of: {}", known(&data.library))))
 }
 
-fn add_curves(observed: &mut Observed, log: &LogFile, args: &FitArgs) -> Result<(), CliError> {
-    let time = args.time.as_deref().map_or(Ok(log.time_column()), |name| log.column(name)).map_err(of_log)?;
-    let guessed = args.core.is_none() && args.pan.is_none();
-    let mut count = 0;
-    for (quantity, named, words) in
-        [(Quantity::Core, &args.core, &CORE_WORDS[..]), (Quantity::Pan, &args.pan, &PAN_WORDS[..])]
-    {
-        let column = match named {
-            Some(name) => Some(log.column(name).map_err(of_log)?),
-            None if guessed => log.column_with(words, time),
-            None => None,
-        };
-        let Some(column) = column else { continue };
-        let unit = args.unit.map_or_else(|| Unit::of_header(log.header(column)), unit);
-        let mut curve = log.curve(time, column, unit).map_err(of_log)?;
-        curve.iter_mut().for_each(|(at, _)| *at += args.shift_s);
-        curve.retain(|(at, _)| *at >= 0.0);
-        observed.add_curve(quantity, &curve);
-        count += 1;
-    }
-    if count == 0 {
-        let remedy = "name them: --core COLUMN, --pan COLUMN";
-        let path = args.log.as_ref().map(|p| p.display().to_string()).unwrap_or_default();
-        return Err(CliError::place(path, "no header says which column is the core's or the pan's", remedy));
-    }
-    Ok(())
-}
-
 fn unit(unit: UnitArg) -> Unit {
     match unit {
         UnitArg::C => Unit::Celsius,
@@ -81,8 +103,18 @@ fn unit(unit: UnitArg) -> Unit {
     }
 }
 
+fn form(form: TimesArg) -> TimeForm {
+    match form {
+        TimesArg::S => TimeForm::Seconds,
+        TimesArg::Min => TimeForm::Minutes,
+        TimesArg::H => TimeForm::Hours,
+        TimesArg::Days => TimeForm::Days,
+        TimesArg::Ms => TimeForm::Milliseconds,
+        TimesArg::MinS => TimeForm::MinSec,
+        TimesArg::HMin => TimeForm::HourMin,
+    }
+}
+
 fn of_log(error: LogError) -> CliError {
-    let place = format!("{}:{}", error.file, error.line);
-    let (message, remedy) = error.message.split_once("; ").unwrap_or((&error.message, "see saute fit --help"));
-    CliError::place(place, message, remedy)
+    CliError::place(format!("{}:{}", error.file, error.line), error.message, error.remedy)
 }

@@ -26,8 +26,8 @@ use crate::workers::map_all;
 /// `saute fit`.
 #[derive(Debug, clap::Args)]
 pub struct FitArgs {
-    /// Log of a thermometer: a CSV file with a column of times (s, min:s or a clock) and columns of temperatures. Optional if a
-    /// weight or a class is given.
+    /// Log of a thermometer: a CSV file with a column of times and columns of temperatures, as makers, loggers and spreadsheets write
+    /// it. Optional if a weight or a class is given.
     #[arg(value_name = "LOG.csv")]
     pub log: Option<PathBuf>,
     /// Recipe of what was cooked: its steps at the times (at_s, after_s) at which they were done.
@@ -42,12 +42,25 @@ pub struct FitArgs {
     /// Column of the pan's temperature, by header or number from 1.
     #[arg(long, value_name = "COLUMN", requires = "log")]
     pub pan: Option<String>,
-    /// Unit of the temperatures [default: °F where the header of a column says so, else °C].
+    /// Preset of the thermometer's maker: combustion, meater, fireboard, thermoworks, inkbird, heatermeter, home-assistant, artisan,
+    /// max31855, spreadsheet [default: the log says enough of itself].
+    #[arg(long, value_name = "MAKER", requires = "log")]
+    pub maker: Option<String>,
+    /// What the times are, where the log can be read in two ways.
+    #[arg(long, value_name = "FORM", requires = "log")]
+    pub times: Option<TimesArg>,
+    /// Unit of the temperatures [default: as header, rows or the lines above the table say, else °C].
     #[arg(long, value_name = "UNIT", requires = "log")]
     pub unit: Option<UnitArg>,
     /// Time in the recipe at which the log begins [s].
     #[arg(long, value_name = "S", default_value_t = 0.0, allow_negative_numbers = true, requires = "log")]
     pub shift_s: f64,
+    /// Time in the recipe from which the log is compared [s] [default: the core from the put on, the pan from the beginning].
+    #[arg(long, value_name = "S", allow_negative_numbers = true, requires = "log")]
+    pub from_s: Option<f64>,
+    /// Time in the recipe up to which the log is compared [s] [default: the end of the recipe].
+    #[arg(long, value_name = "S", allow_negative_numbers = true, requires = "log")]
+    pub to_s: Option<f64>,
     /// Weight of the food at the end [g].
     #[arg(long, value_name = "G", allow_negative_numbers = true)]
     pub weight_g: Option<f64>,
@@ -60,9 +73,33 @@ pub struct FitArgs {
     /// Folder in which kitchen-at-home.toml is written; `saute --data DIR` cooks in the kitchen that was found.
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
+    /// Writes the kitchen although it does not describe what was measured.
+    #[arg(long, requires = "out")]
+    pub force: bool,
     /// Prints the numbers as JSON.
     #[arg(long)]
     pub json: bool,
+}
+
+/// What the times of a log are.
+#[derive(Clone, Copy, Debug, clap::ValueEnum)]
+pub enum TimesArg {
+    /// Seconds.
+    S,
+    /// Minutes.
+    Min,
+    /// Hours.
+    H,
+    /// Days, as spreadsheets count.
+    Days,
+    /// Milliseconds.
+    Ms,
+    /// Minutes and seconds: 1:30.
+    #[value(name = "min:s")]
+    MinS,
+    /// Hours and minutes: 18:03.
+    #[value(name = "h:min")]
+    HMin,
 }
 
 /// Unit of temperatures.
@@ -81,11 +118,12 @@ const PARTS: u64 = 10;
 pub fn run(args: &FitArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
     let recipe = recipe_source::load(&args.recipe, data)?;
     let data = &data.on_hob(recipe.hob_kind.as_deref())?;
-    let observed = log::observed(args, data)?;
+    let (observed, reading) = log::observed(args, &recipe, data)?;
     let file = args.out.as_deref().map(prepare).transpose()?;
     let (found, wall) = fitted(recipe.clone(), data, &observed).map_err(|error| of_fit(&error, args))?;
-    let answer = answer::Answer::new(&found, &recipe, &data.library, wall);
-    if let Some(file) = file {
+    let describes = found.describes();
+    let answer = answer::Answer::new(&found, &recipe, &data.library, reading, wall);
+    if let Some(file) = file.filter(|_| describes || args.force) {
         let place = file.place().to_string();
         file.fill(answer.data_file(args.log.as_deref()).as_bytes())?;
         stderr::say(format!(
@@ -94,15 +132,22 @@ pub fn run(args: &FitArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
         ));
     }
     stdout::print(&if args.json { json::text(&answer)? } else { answer.text() })?;
-    let describes = found.describes();
     if !describes {
-        stderr::say(format!(
-            "the model does not describe the measurements: they miss it by {:.1} times their errors; the intervals are widened by that",
-            found.misfit
-        ));
-        stderr::say("  remedy: check the times and powers of the recipe, the columns, their unit and --shift-s");
+        no_description(&found, args);
     }
     Ok(exit_code::of_goal(describes))
+}
+
+fn no_description(found: &Found, args: &FitArgs) {
+    stderr::say(format!(
+        "the model does not describe the measurements: they miss it by {:.1} times their errors; the intervals are widened by that",
+        found.misfit
+    ));
+    stderr::say(format!("  it fits worst {}", answer::worst(&found.worst)));
+    stderr::say("  remedy: check the times and powers of the recipe, the columns, their unit and --shift-s");
+    if args.out.is_some() && !args.force {
+        stderr::say("  no kitchen was written; --force writes it all the same");
+    }
 }
 
 fn prepare(dir: &Path) -> Result<OutFile, CliError> {

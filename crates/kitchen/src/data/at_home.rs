@@ -21,6 +21,12 @@ pub(crate) const AT_HOME_FILE: &str = "kitchen-at-home.toml";
 /// The hob on which is cooked unless another is named.
 pub const DEFAULT_HOB: &str = "induction";
 
+/// Least and largest factor on the hob's efficiency [-].
+pub const HOB_FACTOR: [f64; 2] = [0.3, 1.5];
+
+/// Least and largest factor on the contact conductance [-].
+pub const CONTACT_FACTOR: [f64; 2] = [0.2, 5.0];
+
 /// `data/kitchen-at-home.toml`: the hob, and factors on the program's kitchen.
 #[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -31,10 +37,10 @@ pub struct KitchenAtHome {
     #[schemars(example = &"gas")]
     pub hob: String,
     /// Factor on the hob's efficiency [-]; the efficiency is 1 at most.
-    #[schemars(range(min = 0.3, max = 1.5), example = 0.93)]
+    #[schemars(range(min = HOB_FACTOR[0], max = HOB_FACTOR[1]), example = 0.93)]
     pub hob_factor: f64,
     /// Factor on the contact conductance between food and pan [-].
-    #[schemars(range(min = 0.2, max = 5.0), example = 1.1)]
+    #[schemars(range(min = CONTACT_FACTOR[0], max = CONTACT_FACTOR[1]), example = 1.1)]
     pub contact_factor: f64,
     /// Source of the numbers.
     #[schemars(example = &"fitted to steak.csv")]

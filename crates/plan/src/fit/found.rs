@@ -5,6 +5,7 @@ use saute_kitchen::data::at_home::KitchenAtHome;
 use saute_kitchen::food::description::Confidence;
 use serde::{Deserialize, Serialize};
 
+use super::observed::Quantity;
 use super::parameters::Parameters;
 
 /// Quantile of the normal distribution for a two-sided interval of 90 % [-].
@@ -36,6 +37,24 @@ impl Estimate {
 /// Misfit from which the model does not describe a log [-] (chosen: residuals of twice the errors of thermometers).
 pub const LARGEST_MISFIT: f64 = 2.0;
 
+/// Misfit up to which what was found is of medium confidence, above it of low [-] (chosen: as the thermometers err).
+const GOOD_MISFIT: f64 = 1.0;
+
+/// Where a fit misses what was measured most.
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
+pub struct Worst {
+    /// What was measured.
+    pub quantity: Quantity,
+    /// Time of the cook [s].
+    pub at_s: f64,
+    /// What was read [K, kg].
+    pub read: f64,
+    /// What the fitted kitchen would have shown [K, kg].
+    pub expected: f64,
+    /// How far they are apart, over the thermometer's standard deviation [-].
+    pub off: f64,
+}
+
 /// What a fit found.
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
 pub struct Found {
@@ -45,11 +64,15 @@ pub struct Found {
     pub contact: Estimate,
     /// Thickness of the food [mm].
     pub thickness_mm: Estimate,
-    /// Root mean square of the residuals over their standard deviations [-]; above 1 the model does not describe the log, and the
-    /// intervals are widened by it.
+    /// Root mean square of the residuals over their standard deviations, outlying ones counted less [-]; above 1 the model does not
+    /// describe the log, and the intervals are widened by it.
     pub misfit: f64,
     /// Number of values that were compared [-].
     pub samples: usize,
+    /// Where it misses most.
+    pub worst: Worst,
+    /// True if a value is at the end of the range in which it was searched.
+    pub is_at_bound: bool,
     /// Number of rounds [-].
     pub rounds: usize,
 }
@@ -80,7 +103,7 @@ impl Found {
             hob_factor: earlier.hob_factor * self.hob_efficiency.value / assumed,
             contact_factor: earlier.contact_factor * self.contact.value,
             source: format!("fitted to {samples} values of {log}; misfit {misfit:.2}"),
-            confidence: Confidence::Medium,
+            confidence: if *misfit <= GOOD_MISFIT { Confidence::Medium } else { Confidence::Low },
         }
     }
 }

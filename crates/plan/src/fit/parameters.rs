@@ -1,7 +1,7 @@
 //! What a kitchen at home may have otherwise than the program's data.
 
 use saute_kitchen::Library;
-use saute_kitchen::data::at_home::KitchenAtHome;
+use saute_kitchen::data::at_home::{CONTACT_FACTOR, HOB_FACTOR, KitchenAtHome};
 use saute_recipe::Recipe;
 use serde::Serialize;
 
@@ -16,7 +16,10 @@ pub type Logs = nalgebra::SVector<f64, COUNT>;
 /// measures a thickness of 25 mm with a ruler to 2 mm).
 const PRIOR: [f64; COUNT] = [0.6, 0.30, 0.08];
 
-/// Largest efficiency that a fit begins with [-] (chosen).
+/// Standard deviations of its prior within which a thickness is searched [-] (chosen: a third of the stated thickness).
+const FAR: f64 = 4.0;
+
+/// Largest efficiency of a fit [-] (chosen: a little always is lost).
 const MOST_EFFICIENCY: f64 = 0.99;
 
 /// What a kitchen at home may have otherwise than the program's data.
@@ -49,6 +52,20 @@ impl Parameters {
         let [odds, contact, thickness] = (*logs).into();
         let hob_efficiency = 1.0 / (1.0 + libm::exp(-odds));
         Self { hob_efficiency, contact: libm::exp(contact), thickness: libm::exp(thickness) }
+    }
+
+    /// Returns the least and the largest transformed parameters of a fit [-]: factors of hob and contact that a kitchen at home can state,
+    /// and a thickness within [`FAR`] standard deviations of the stated one.
+    pub fn bounds(recipe: &Recipe, library: &Library) -> [Logs; 2] {
+        let (start, earlier) = (Self::of(recipe, library), &library.at_home);
+        let shipped = library.hob.efficiency() / earlier.hob_factor;
+        let of = |end: usize| {
+            let [hob, contact] = [HOB_FACTOR[end], CONTACT_FACTOR[end] / earlier.contact_factor];
+            let away = if end == 0 { -FAR } else { FAR };
+            let thickness = start.thickness * libm::exp(away * PRIOR[2]);
+            Self { hob_efficiency: (shipped * hob).min(MOST_EFFICIENCY), contact, thickness }.logs()
+        };
+        [of(0), of(1)]
     }
 
     /// Returns the standard deviations of the transformed parameters before anything was measured [-].

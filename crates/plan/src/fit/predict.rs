@@ -58,11 +58,11 @@ pub struct Job {
 }
 
 impl Job {
-    /// Cooks, and returns the values at the times of the samples [K, kg].
+    /// Cooks, and returns the values at the times of the samples [K, kg]; NaN for a row of a log after the end of the cook.
     ///
     /// # Errors
     ///
-    /// If the kitchen cannot be built, a step cannot be carried out, or the cook ends before the last sample.
+    /// If the kitchen cannot be built, a step cannot be carried out, or the cook ends before all rows or before another value.
     pub fn run(&self) -> Result<Vec<f64>, FitError> {
         let mut predicting = Predicting::begin(self)?;
         loop {
@@ -112,29 +112,49 @@ impl Predicting {
     pub fn second(&mut self) -> Result<Option<Vec<f64>>, FitError> {
         for _ in 0..TICKS_PER_S {
             while let Some(sample) = self.samples.get(self.values.len()) {
-                if !has_reached(&self.cook, sample.at_s)? {
-                    break;
+                match reached(&self.cook, sample)? {
+                    Reached::NotYet => break,
+                    Reached::Now => self.values.push(value(&self.cook.kitchen, sample.quantity)),
+                    Reached::Never => self.values.push(f64::NAN),
                 }
-                self.values.push(value(&self.cook.kitchen, sample.quantity));
             }
             if self.values.len() == self.samples.len() {
-                return Ok(Some(std::mem::take(&mut self.values)));
+                return self.all().map(Some);
             }
             self.cook.advance().map_err(|e| FitError::Cook(e.to_string()))?;
         }
         Ok(None)
     }
+
+    /// The values of all samples, if one of them was reached.
+    fn all(&mut self) -> Result<Vec<f64>, FitError> {
+        match self.samples.first() {
+            Some(first) if self.values.iter().all(|value| value.is_nan()) => {
+                Err(FitError::Ended { at_s: first.at_s, end_s: self.cook.kitchen.time_s() })
+            }
+            _ => Ok(std::mem::take(&mut self.values)),
+        }
+    }
 }
 
-/// True if a cook has come to a time [s].
-fn has_reached(cook: &Cook, at_s: f64) -> Result<bool, FitError> {
-    if cook.kitchen.time_s() >= at_s - 0.5 * saute_kitchen::TICK_S {
-        return Ok(true);
+/// How a cook stands to the time of a sample.
+enum Reached {
+    NotYet,
+    Now,
+    Never,
+}
+
+/// A log may go on after the cook; a weight or a class that was noted then is a mistake.
+fn reached(cook: &Cook, sample: &Sample) -> Result<Reached, FitError> {
+    let end_s = cook.kitchen.time_s();
+    if end_s >= sample.at_s - 0.5 * saute_kitchen::TICK_S {
+        return Ok(Reached::Now);
     }
     match cook.stopped() {
-        None => Ok(false),
-        Some(_) if at_s == END => Ok(true),
-        Some(_) => Err(FitError::Ended { at_s, end_s: cook.kitchen.time_s() }),
+        None => Ok(Reached::NotYet),
+        Some(_) if sample.at_s == END => Ok(Reached::Now),
+        Some(_) if matches!(sample.quantity, Quantity::Pan | Quantity::Core) => Ok(Reached::Never),
+        Some(_) => Err(FitError::Ended { at_s: sample.at_s, end_s }),
     }
 }
 

@@ -7,4 +7,5 @@ mod advised;
 mod fit;
 mod forecast;
 mod judgement;
+mod logs;
 mod verified;

@@ -2,9 +2,11 @@
 
 use saute_kitchen::food::ZERO_C;
 use saute_kitchen::{InputError, Library};
-use saute_plan::fit::log_file::{CORE_WORDS, LogError, LogFile, PAN_WORDS, Unit};
+use saute_plan::fit::log::log_error::LogError;
 use saute_plan::fit::observed::{END, Observed, Quantity};
 use saute_recipe::Recipe;
+
+use super::open_log::OpenLog;
 
 /// What a row is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,30 +47,6 @@ pub struct Row {
     pub value: String,
 }
 
-/// Columns of a log, by their places.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Columns {
-    /// Times.
-    pub time: usize,
-    /// Temperatures of the core.
-    pub core: Option<usize>,
-    /// Temperatures of the pan.
-    pub pan: Option<usize>,
-    /// True if the temperatures are in °F, false if in °C; as the headers say unless it was chosen.
-    pub fahrenheit: Option<bool>,
-    /// Time of the cook at which the log begins [s].
-    pub shift_s: f64,
-}
-
-impl Columns {
-    /// Returns the columns that the headers of a log name.
-    pub fn of(log: &LogFile) -> Self {
-        let time = log.time_column();
-        let [core, pan] = [&CORE_WORDS[..], &PAN_WORDS[..]].map(|words| log.column_with(words, time));
-        Self { time, core, pan, ..Self::default() }
-    }
-}
-
 /// What was cooked.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Cooked {
@@ -98,8 +76,8 @@ impl Cooked {
 /// Everything that was entered.
 #[derive(Debug, Default)]
 pub struct Entered {
-    /// The log with its name and the columns that are read.
-    pub log: Option<(String, LogFile, Columns)>,
+    /// The log.
+    pub log: Option<OpenLog>,
     /// Values by hand.
     pub rows: Vec<Row>,
     /// What was cooked.
@@ -131,26 +109,26 @@ impl Entered {
     /// # Errors
     ///
     /// If it is no table.
-    pub fn take_log(&mut self, name: &str, text: &str) -> Result<(), LogError> {
-        let log = LogFile::parse(name, text)?;
-        let columns = Columns::of(&log);
-        self.log = Some((name.to_owned(), log, columns));
+    pub fn take_log(&mut self, name: &str, bytes: &[u8]) -> Result<(), LogError> {
+        self.log = Some(OpenLog::open(name, bytes)?);
         Ok(())
     }
 
-    /// Returns what was observed; temperatures by hand are in °F if `fahrenheit` is true.
+    /// Returns what was observed in a recipe's cook; temperatures by hand are in °F if `fahrenheit` is true.
     ///
     /// # Errors
     ///
-    /// If a column or a row cannot be read.
-    pub fn observed(&self, library: &Library, scale: &str, fahrenheit: bool) -> Result<Observed, EnteredError> {
+    /// If the log or a row cannot be read.
+    pub fn observed(
+        &mut self,
+        recipe: &Recipe,
+        library: &Library,
+        scale: &str,
+        fahrenheit: bool,
+    ) -> Result<Observed, EnteredError> {
         let mut observed = Observed::default();
-        if let Some((_, log, columns)) = &self.log {
-            for (quantity, column) in [(Quantity::Core, columns.core), (Quantity::Pan, columns.pan)] {
-                if let Some(column) = column {
-                    observed.add_curve(quantity, &curve(log, columns, column)?);
-                }
-            }
+        if let Some(log) = &mut self.log {
+            log.add(recipe, &mut observed)?;
         }
         let mut curves = [(Quantity::Pan, Vec::new()), (Quantity::Core, Vec::new())];
         for (at, row) in self.rows.iter().enumerate() {
@@ -170,13 +148,6 @@ impl Entered {
         }
         curves.iter().filter(|(_, curve)| !curve.is_empty()).for_each(|(q, curve)| observed.add_curve(*q, curve));
         Ok(observed)
-    }
-
-    /// Returns the points of the log that are read: of the pan and of the core [s, K].
-    pub fn points(&self) -> [Vec<(f64, f64)>; 2] {
-        let Some((_, log, columns)) = &self.log else { return Default::default() };
-        let of = |column: Option<usize>| column.and_then(|c| curve(log, columns, c).ok()).unwrap_or_default();
-        [of(columns.pan), of(columns.core)]
     }
 
     /// Returns the recipe of what was cooked, given what the window shows and the plan.
@@ -200,17 +171,6 @@ impl Entered {
         };
         Ok(Recipe::parse(&text.ok_or(EnteredError::NoRecipe)?, &name, library)?)
     }
-}
-
-/// A column of a log in the time of the cook; what was before it is left out.
-fn curve(log: &LogFile, columns: &Columns, column: usize) -> Result<Vec<(f64, f64)>, LogError> {
-    let unit = match columns.fahrenheit {
-        Some(true) => Unit::Fahrenheit,
-        Some(false) => Unit::Celsius,
-        None => Unit::of_header(log.header(column)),
-    };
-    let curve = log.curve(columns.time, column, unit)?.into_iter();
-    Ok(curve.map(|(at_s, kelvin)| (at_s + columns.shift_s, kelvin)).filter(|(at_s, _)| *at_s >= 0.0).collect())
 }
 
 /// A time as it is typed [s]: `90`, `1:30`; the end if nothing is.
@@ -241,15 +201,27 @@ fn grams_of(text: &str) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::open_log::Columns;
     use super::*;
+    use saute_plan::fit::log::reading::{Choices, Pick};
+    use saute_plan::fit::log::unit::Unit;
+
+    const RECIPE: &str = "[[food]]\nid = \"steak\"\nkind = \"beef-lean\"\nsize_mm = [40, 30, 14]\ninitial_c = 5\n[[step]]\nat_s = 5\n\
+                          put = \"steak\"\n[[step]]\nat_s = 60\nend = true\n";
 
     fn row(seen: Seen, time: &str, value: &str) -> Row {
         Row { seen, time: time.into(), value: value.into() }
     }
 
+    fn kitchen() -> (Library, Recipe) {
+        let library = Library::embedded().expect("embedded data");
+        let recipe = Recipe::parse(RECIPE, "steak.toml", &library).expect("a recipe");
+        (library, recipe)
+    }
+
     #[test]
     fn rows_are_read_as_people_type_them_and_a_wrong_one_is_named() {
-        let library = Library::embedded().expect("embedded data");
+        let (library, recipe) = kitchen();
         let rows = vec![
             row(Seen::Core, "5:00", "30,5"),
             row(Seen::Pan, "90", "210 °C"),
@@ -257,27 +229,36 @@ mod tests {
             row(Seen::Class, "", "medium"),
         ];
         let mut entered = Entered { rows, ..Entered::default() };
-        let samples = entered.observed(&library, "chefs", false).expect("is read").samples();
+        let samples = entered.observed(&recipe, &library, "chefs", false).expect("is read").samples();
         let read: Vec<(Quantity, f64)> = samples.iter().map(|s| (s.quantity, s.at_s)).collect();
         assert_eq!(read[..2], [(Quantity::Pan, 90.0), (Quantity::Core, 300.0)]);
         assert!((samples[1].value - 303.65).abs() < 1e-9 && samples.len() == 4);
-        let fahrenheit = entered.observed(&library, "chefs", true).expect("is read").samples();
+        let fahrenheit = entered.observed(&recipe, &library, "chefs", true).expect("is read").samples();
         assert!(fahrenheit[1].value < 275.0, "30.5 °F is about freezing");
         for wrong in [row(Seen::Core, "", "30"), row(Seen::Pan, "1:75", "30"), row(Seen::Class, "", "blue")] {
             entered.rows[1] = wrong.clone();
-            assert_eq!(entered.observed(&library, "chefs", false), Err(EnteredError::Row(2)), "{wrong:?}");
+            let refused = entered.observed(&recipe, &library, "chefs", false);
+            assert_eq!(refused, Err(EnteredError::Row(2)), "{wrong:?}");
         }
     }
 
     #[test]
-    fn a_log_is_read_by_its_headers_and_by_what_is_chosen_instead() {
+    fn a_log_is_compared_from_the_put_on_as_it_reads_and_as_is_chosen() {
+        let (library, recipe) = kitchen();
         let mut entered = Entered::default();
-        entered.take_log("log.csv", "Time,Probe (°F),Other\n0:00,41,400\n0:10,50,410\n").expect("a table");
-        assert_eq!(entered.points()[1], [(0.0, 278.15), (10.0, 283.15)]);
-        let (_, _, columns) = entered.log.as_mut().expect("a log");
-        assert_eq!((columns.core, columns.pan), (Some(1), None));
-        *columns = Columns { pan: Some(2), core: None, fahrenheit: Some(false), shift_s: -5.0, ..*columns };
-        assert_eq!(entered.points()[0], [(5.0, 410.0 + ZERO_C)], "what was before the cook is left out");
-        assert!(entered.take_log("empty.csv", "").is_err());
+        entered.take_log("log.csv", b"Time,Probe (\xc2\xb0F),Other\n0:00,70,400\n0:10,41,410\n").expect("a table");
+        let observed = |entered: &mut Entered| {
+            let samples = entered.observed(&recipe, &library, "chefs", false).expect("is read").samples();
+            samples.iter().map(|s| (s.quantity, s.at_s, s.value)).collect::<Vec<_>>()
+        };
+        assert_eq!(observed(&mut entered), [(Quantity::Core, 10.0, 278.15)], "before the put the probe is in the air");
+        let choices = Choices { pan: Pick::Column(2), core: Pick::No, unit: Some(Unit::Celsius), ..Choices::default() };
+        entered.log.as_mut().expect("a log").choose(Columns { choices, shift_s: -5.0 });
+        assert_eq!(
+            observed(&mut entered),
+            [(Quantity::Pan, 5.0, 410.0 + ZERO_C)],
+            "what was before the cook is left out"
+        );
+        assert!(entered.take_log("empty.csv", b"").is_err());
     }
 }

@@ -4,4 +4,5 @@ pub mod craft;
 pub mod entered;
 pub mod fitting;
 pub mod kept;
+pub mod open_log;
 pub mod why_not;

@@ -1,6 +1,6 @@
 //! Why a kitchen cannot be fitted: what was entered is missing or wrong, or whoever fits cannot cook it.
 
-use saute_plan::fit::log_file::LogError;
+use saute_plan::fit::log::log_error::{LogError, Question};
 use saute_plan::fit::predict::FitError;
 use serde::{Deserialize, Serialize};
 
@@ -28,6 +28,12 @@ pub enum WhyNot {
         /// What is wrong there.
         detail: String,
     },
+    /// The log does not state the unit of its temperatures.
+    WhichUnit,
+    /// The log's times can be read in several ways.
+    WhichTimes,
+    /// Several columns of the log can be the core's or the pan's.
+    WhichColumn,
     /// The recipe cannot be read.
     Recipe {
         /// Its name.
@@ -77,7 +83,12 @@ impl From<saute_kitchen::InputError> for WhyNot {
 
 impl From<LogError> for WhyNot {
     fn from(error: LogError) -> Self {
-        Self::Log { file: error.file, line: error.line, detail: error.message }
+        match error.question {
+            Some(Question::Unit(_)) => Self::WhichUnit,
+            Some(Question::Times(_)) => Self::WhichTimes,
+            Some(Question::Core(_) | Question::Pan(_)) => Self::WhichColumn,
+            None => Self::Log { file: error.file, line: error.line, detail: error.message },
+        }
     }
 }
 
@@ -103,6 +114,9 @@ impl WhyNot {
             Self::Log { file, line, detail } => {
                 l.fill("athome.wrong_log", &[("file", file), ("line", line), ("detail", detail)])
             }
+            Self::WhichUnit => l.text("athome.which_unit").to_owned(),
+            Self::WhichTimes => l.text("athome.which_times").to_owned(),
+            Self::WhichColumn => l.text("athome.which_column").to_owned(),
             Self::Recipe { file, line, detail } => {
                 l.fill("athome.wrong_recipe", &[("file", file), ("line", line), ("detail", detail)])
             }

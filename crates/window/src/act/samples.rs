@@ -18,7 +18,8 @@ use crate::ui::glance::EyeView;
 use crate::ui::interface_size::InterfaceSize;
 use crate::ui::quality_choice::QualityChoice;
 use crate::ui::theme::Theme;
-use saute_session::at_home::entered::{Columns, Cooked};
+use saute_session::at_home::entered::Cooked;
+use saute_session::at_home::open_log::Columns;
 use saute_session::export::Export;
 use saute_words::language::Language;
 

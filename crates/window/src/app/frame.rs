@@ -153,10 +153,10 @@ impl SauteApp {
         }
         let read = match read {
             Ok(bytes) if is_session(&bytes) => return self.open_session(name, &bytes),
+            Ok(bytes) if is_table(name) => return self.open_log(name, &bytes),
             read => read,
         };
         match read.map(String::from_utf8) {
-            Ok(Ok(text)) if is_table(name) => self.open_log(name, &text),
             Ok(Ok(text)) if self.desk.card == Some(Card::AtHome) => self.take_cooked(name, &text),
             Ok(Ok(text)) => self.open_recipe(&text, name),
             Ok(Err(_)) => self.desk.notice.say(self.settings.language.fill("notice.not_text", &[("file", &name)])),
@@ -215,10 +215,10 @@ impl SauteApp {
     }
 }
 
-/// True for the name of a table, as thermometers write their logs.
+/// True for the names of tables, as thermometers write their logs; those included that a log's reader refuses by their kind.
 fn is_table(name: &str) -> bool {
     let name = name.to_lowercase();
-    [".csv", ".tsv"].iter().any(|ending| name.ends_with(ending))
+    [".csv", ".tsv", ".txt", ".log", ".json", ".xlsx", ".xls", ".ods"].iter().any(|ending| name.ends_with(ending))
 }
 
 /// How long a frame may spend on stepping the world, when the last one took `wall_s`.

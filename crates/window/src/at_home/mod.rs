@@ -2,7 +2,8 @@
 
 pub mod acts;
 
-use saute_session::at_home::entered::{Columns, Cooked, Row};
+use saute_session::at_home::entered::{Cooked, Row};
+use saute_session::at_home::open_log::Columns;
 
 /// What is done about the kitchen at home.
 #[derive(Clone, Debug, PartialEq)]

@@ -18,8 +18,8 @@ impl SauteApp {
         match act {
             AtHomeAct::Rows(rows) => entered.rows = rows,
             AtHomeAct::Columns(columns) => {
-                if let Some((_, _, chosen)) = &mut entered.log {
-                    *chosen = columns;
+                if let Some(log) = &mut entered.log {
+                    log.choose(columns);
                 }
             }
             AtHomeAct::Cooked(cooked) => entered.cooked = cooked,
@@ -36,9 +36,9 @@ impl SauteApp {
     }
 
     /// Takes a log, and opens the card.
-    pub(crate) fn open_log(&mut self, name: &str, text: &str) {
+    pub(crate) fn open_log(&mut self, name: &str, bytes: &[u8]) {
         self.desk.card = Some(Card::AtHome);
-        if let Err(error) = self.leads.at_home.entered.take_log(name, text) {
+        if let Err(error) = self.leads.at_home.entered.take_log(name, bytes) {
             self.desk.notice.say(WhyNot::from(error).words(self.settings.language));
         }
     }
@@ -54,7 +54,6 @@ impl SauteApp {
 
     fn fit_kitchen(&mut self) {
         let library = Arc::clone(&self.session.library);
-        let entered = &self.leads.at_home.entered;
         let shown = self.session.exported(Export::Recipe).ok().and_then(|(bytes, _)| String::from_utf8(bytes).ok());
         let plan = self
             .leads
@@ -62,9 +61,10 @@ impl SauteApp {
             .plan()
             .or(self.leads.live.as_ref().map(Live::plan))
             .map(saute_plan::schedule::Plan::recipe_text);
+        let (entered, fahrenheit) = (&mut self.leads.at_home.entered, self.settings.fahrenheit);
         let made = entered
-            .observed(&library, SCALE, self.settings.fahrenheit)
-            .and_then(|observed| Ok((observed, entered.recipe(&library, shown, plan)?)));
+            .recipe(&library, shown, plan)
+            .and_then(|recipe| Ok((entered.observed(&recipe, &library, SCALE, fahrenheit)?, recipe)));
         let (observed, recipe) = match made {
             Ok(made) => made,
             Err(error) => {
@@ -84,8 +84,7 @@ impl SauteApp {
 
     fn keep_kitchen(&mut self) {
         let Some(fitted) = self.leads.at_home.fitted() else { return };
-        let log =
-            self.leads.at_home.entered.log.as_ref().map_or("what was entered by hand", |(name, _, _)| name.as_str());
+        let log = self.leads.at_home.entered.log.as_ref().map_or("what was entered by hand", |log| log.name.as_str());
         let name = std::path::Path::new(log).file_name().map_or(log.into(), |name| name.to_string_lossy());
         self.settings.kitchen = Some(KeptKitchen::of(fitted, &self.keeps.library, &name));
         self.enter_kitchen();

@@ -1,14 +1,13 @@
 //! What was observed: what was cooked, the log of a thermometer, and values by hand.
 
-use egui::{DragValue, RichText, TextEdit, Ui, vec2};
-use saute_plan::fit::log_file::LogFile;
+use egui::{RichText, TextEdit, Ui, vec2};
 
-use crate::act::{Act, Acts, AppAct, LearnAct};
+use crate::act::{Act, Acts, LearnAct};
 use crate::at_home::AtHomeAct;
 use crate::at_home::acts::SCALE;
 use crate::panels::window_state::WindowState;
 use crate::ui::theme;
-use saute_session::at_home::entered::{Columns, Cooked, Row, Seen};
+use saute_session::at_home::entered::{Cooked, Row, Seen};
 
 /// Most rows by hand [-] (chosen: who has more has a log).
 const MOST_ROWS: usize = 40;
@@ -20,7 +19,7 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     cooked(state, ui, acts);
     ui.add_space(6.0);
     ui.label(RichText::new(l.text("athome.log")).strong());
-    log(state, ui, acts);
+    super::log::show(state, ui, acts);
     ui.add_space(6.0);
     ui.label(RichText::new(l.text("athome.by_hand")).strong());
     rows(state, ui, acts);
@@ -56,89 +55,8 @@ fn cooked(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
 }
 
 /// The name of a file without its folders.
-fn file_name(path: &str) -> &str {
+pub(super) fn file_name(path: &str) -> &str {
     path.rsplit(['/', '\\']).next().unwrap_or(path)
-}
-
-/// The log with its columns, or the way to one.
-fn log(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
-    let (l, entered) = (state.settings.language, &state.at_home.entered);
-    ui.horizontal_wrapped(|ui| {
-        if ui.add(theme::of(ui).button(l.text("athome.choose_file"), false)).clicked() {
-            acts.push(Act::App(AppAct::ChooseFile));
-        }
-        if entered.log.is_some() && ui.add(theme::of(ui).button(l.text("athome.no_log"), false)).clicked() {
-            acts.push(Act::Learn(LearnAct::AtHome(AtHomeAct::NoLog)));
-        }
-    });
-    let Some((name, log, chosen)) = &entered.log else {
-        ui.label(RichText::new(l.text("athome.log_how")).size(13.0).color(theme::of(ui).quiet));
-        return;
-    };
-    ui.label(RichText::new(l.fill("athome.log_is", &[("file", &file_name(name)), ("rows", &log.rows())])).size(13.5));
-    let mut columns = *chosen;
-    egui::Grid::new("columns").num_columns(2).spacing(vec2(10.0, 6.0)).show(ui, |ui| {
-        let mut time = Some(columns.time);
-        column(state, ui, log, "athome.time", &mut time, false);
-        columns.time = time.unwrap_or(columns.time);
-        column(state, ui, log, "athome.core", &mut columns.core, true);
-        column(state, ui, log, "athome.pan", &mut columns.pan, true);
-        unit(state, ui, &mut columns);
-        ui.label(l.text("athome.shift"));
-        let drag = DragValue::new(&mut columns.shift_s).suffix(" s").range(-7200.0..=7200.0).speed(1.0);
-        let spoken = l.text("athome.shift");
-        let shown = columns_shift(ui, drag);
-        shown.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::SpinButton, true, spoken));
-        ui.end_row();
-    });
-    if columns != *chosen {
-        acts.push(Act::Learn(LearnAct::AtHome(AtHomeAct::Columns(columns))));
-    }
-}
-
-fn columns_shift(ui: &mut Ui, drag: DragValue) -> egui::Response {
-    ui.add_sized(vec2(110.0, ui.spacing().interact_size.y), drag)
-}
-
-fn column(
-    state: &WindowState,
-    ui: &mut Ui,
-    log: &LogFile,
-    key: &'static str,
-    chosen: &mut Option<usize>,
-    may_be_none: bool,
-) {
-    let l = state.settings.language;
-    let none = l.text("athome.no_column");
-    ui.label(l.text(key));
-    let name = |at: usize| format!("{}: {}", at + 1, log.header(at));
-    let shown = chosen.map_or_else(|| none.to_owned(), name);
-    let combo = egui::ComboBox::from_id_salt(key).selected_text(&shown).width(230.0);
-    let response = combo.show_ui(ui, |ui| {
-        if may_be_none {
-            ui.selectable_value(chosen, None, none);
-        }
-        for at in 0..log.headers().len() {
-            ui.selectable_value(chosen, Some(at), name(at));
-        }
-    });
-    let spoken = format!("{}: {shown}", l.text(key));
-    response.response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::ComboBox, true, &spoken));
-    ui.end_row();
-}
-
-fn unit(state: &WindowState, ui: &mut Ui, columns: &mut Columns) {
-    let l = state.settings.language;
-    ui.label(l.text("settings.unit"));
-    ui.horizontal(|ui| {
-        for (text, unit) in [(l.text("athome.by_header"), None), ("°C", Some(false)), ("°F", Some(true))] {
-            let on = columns.fahrenheit == unit;
-            if ui.add(theme::of(ui).button(text, on).min_size(vec2(40.0, 30.0))).clicked() {
-                columns.fahrenheit = unit;
-            }
-        }
-    });
-    ui.end_row();
 }
 
 /// Values by hand, a row each.

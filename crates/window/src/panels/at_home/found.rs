@@ -3,9 +3,10 @@
 use egui::{RichText, Ui, vec2};
 use egui_plot::{Line, Plot, PlotPoints, Points};
 use saute_kitchen::celsius;
-use saute_plan::fit::found::Estimate;
+use saute_plan::fit::found::{Estimate, Worst};
 use saute_plan::fit::observed::Quantity;
 use saute_plan::fit::run::Fitted;
+use saute_words::clock::clock;
 
 use crate::act::{Act, Acts, LearnAct};
 use crate::at_home::AtHomeAct;
@@ -71,11 +72,32 @@ fn found(state: &WindowState, fitted: &Fitted, ui: &mut Ui, acts: &mut Acts) {
         false => ("athome.misfit_bad", theme::of(ui).accent),
     };
     ui.label(RichText::new(l.fill(key, &[("misfit", &misfit), ("values", &found.samples)])).size(13.5).color(colour));
+    worst(state, &found.worst, ui);
     plot(state, fitted, ui);
-    if ui.add(theme::of(ui).primary(l.text("athome.keep"))).clicked() {
+    let keep = if found.describes() { "athome.keep" } else { "athome.keep_anyway" };
+    if ui.add(theme::of(ui).primary(l.text(keep))).clicked() {
         acts.push(Act::Learn(LearnAct::AtHome(AtHomeAct::Keep)));
     }
     ui.label(RichText::new(l.text("athome.keep_how")).size(13.0).color(theme::of(ui).quiet));
+}
+
+/// Where the fit misses most.
+fn worst(state: &WindowState, worst: &Worst, ui: &mut Ui) {
+    let (l, settings) = (state.settings.language, state.settings);
+    let (key, unit): (&str, &str) = match worst.quantity {
+        Quantity::Pan => ("athome.pan", settings.unit()),
+        Quantity::Core | Quantity::CorePeak => ("athome.core", settings.unit()),
+        Quantity::Mass => ("athome.weight", "g"),
+    };
+    let value = |value: f64| match worst.quantity {
+        Quantity::Mass => format!("{:.1} {unit}", 1e3 * value),
+        _ => format!("{:.1} {unit}", settings.degrees(celsius(value))),
+    };
+    let at = if worst.at_s.is_finite() { clock(worst.at_s) } else { l.text("athome.at_end").to_owned() };
+    let (read, expected) = (value(worst.read), value(worst.expected));
+    let parts: [(&str, &dyn std::fmt::Display); 4] =
+        [("at", &at), ("what", &l.text(key)), ("read", &read), ("expected", &expected)];
+    ui.label(RichText::new(l.fill("athome.worst", &parts)).size(13.0).color(theme::of(ui).quiet));
 }
 
 /// What was measured as points, what the fitted kitchen would have shown as lines.

@@ -4,3 +4,4 @@ pub mod card;
 pub mod chip;
 mod entry;
 mod found;
+mod log;

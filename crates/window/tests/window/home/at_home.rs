@@ -118,9 +118,10 @@ fn a_log_gives_the_kitchen_which_is_kept_used_and_left_again() {
     harness.get_by_label("Core: 2: Probe 1 (°F)");
     harness.get_by_label("Pan: 3: Pan (°F)");
     // The log began ten seconds before the hob was switched on.
-    let (_, _, columns) = harness.state().at_home().entered.log.as_ref().expect("a log");
-    let columns = saute_session::at_home::entered::Columns { shift_s: -10.0, ..*columns };
+    let log = harness.state().at_home().entered.log.as_ref().expect("a log");
+    let columns = saute_session::at_home::open_log::Columns { shift_s: -10.0, ..*log.columns() };
     act(&mut harness, Act::Learn(LearnAct::AtHome(AtHomeAct::Columns(columns))));
+    harness.get_by_label_contains("Read as minutes and seconds: ");
     save(&mut harness, "athome-entered");
     harness.get_by_label("Find my kitchen").click();
     steps(&mut harness, 2);
@@ -158,6 +159,26 @@ fn a_log_gives_the_kitchen_which_is_kept_used_and_left_again() {
     steps(&mut harness, 3);
     assert_eq!(efficiency(&harness), library.hob.efficiency());
     assert!(harness.state().settings().kitchen.as_ref().is_some_and(|kept| !kept.is_used), "it is not forgotten");
+}
+
+/// In one window: a question has its answers beside it, and what is no log is called by its name.
+#[test]
+fn a_log_that_can_be_read_in_two_ways_is_asked_about() {
+    let mut harness = window(WIDE);
+    let text = "Time,Core\n1:00,6\n2:30,20\n4:00,40\n";
+    act(&mut harness, Act::App(AppAct::OpenFile(file("two-ways.csv", text))));
+    harness.get_by_label("The times can be read in two ways: which are they?");
+    save(&mut harness, "athome-question");
+    harness.get_by_label("hours and minutes").click();
+    steps(&mut harness, 3);
+    harness.get_by_label_contains("Read as hours and minutes: 180:00 from 1:00.");
+    act(&mut harness, Act::App(AppAct::OpenFile(file("unit.csv", "Time,Core\n0:00,43\n5:00,70\n14:00,115\n"))));
+    harness.get_by_label_contains("Nothing states the unit");
+    harness.get_by_label("°F").click();
+    steps(&mut harness, 3);
+    harness.get_by_label_contains("3 values in °F");
+    act(&mut harness, Act::App(AppAct::OpenFile(file("log.xlsx", "PK\u{3}\u{4}"))));
+    harness.get_by_label_contains("is a spreadsheet");
 }
 
 #[test]
