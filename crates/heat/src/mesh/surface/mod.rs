@@ -49,8 +49,9 @@ pub struct Surface {
 /// Chosen: the surface layers do not fit into a thinner body; a longer one does not fit into a pan.
 pub const EXTENT: [f64; 2] = [3e-3, 0.3];
 
-/// Largest number of triangles of a surface [-] (chosen: more detail is lost in the volume mesh).
-pub const MOST_TRIANGLES: usize = 100_000;
+/// Largest number of triangles of a surface [-] (chosen: a file of cooked foods has up to 430,000, two for each of the about
+/// 200,000 vertices that it is made of; more detail is lost in the volume mesh).
+pub const MOST_TRIANGLES: usize = 500_000;
 
 impl Surface {
     /// Returns the closed surface of loose triangles whose unit has the given length [m].
