@@ -71,7 +71,9 @@ impl Component {
 /// The accessors of a file with the buffers.
 pub struct Elements<'a> {
     pub document: &'a Document,
-    pub buffers: &'a [Vec<u8>],
+    buffers: &'a [Vec<u8>],
+    /// Types of positions.
+    of_positions: &'static [Component],
 }
 
 /// An accessor whose type and extent have been checked.
@@ -79,6 +81,8 @@ pub struct Checked<'a> {
     index: usize,
     accessor: &'a Accessor,
     component: Component,
+    /// Size of an element [B].
+    size: usize,
     /// The elements of the view; there are none if all are zero but the sparse ones.
     dense: Option<Strided<'a>>,
 }
@@ -91,10 +95,15 @@ impl<'a> Checked<'a> {
 }
 
 impl<'a> Elements<'a> {
+    /// Returns the accessors of a file.
+    pub fn of(document: &'a Document, buffers: &'a [Vec<u8>]) -> Self {
+        let is_quantized = document.extensions_used.iter().any(|name| name == QUANTIZATION);
+        Self { document, buffers, of_positions: if is_quantized { &OF_QUANTIZED } else { &[F32] } }
+    }
+
     /// Checks an accessor of positions.
     pub fn positions(&self, index: usize) -> Result<Checked<'a>, ReadError> {
-        let is_quantized = self.document.extensions_used.iter().any(|name| name == QUANTIZATION);
-        self.checked(index, Dimensions::Vec3, if is_quantized { &OF_QUANTIZED } else { &[F32] })
+        self.checked(index, Dimensions::Vec3, self.of_positions)
     }
 
     /// Checks an accessor of indices.
@@ -119,7 +128,7 @@ impl<'a> Elements<'a> {
                 return Err(extensions::without_data(&self.document.extensions_used, &format!("accessor {index}")));
             }
         };
-        Ok(Checked { index, accessor, component, dense })
+        Ok(Checked { index, accessor, component, size, dense })
     }
 
     /// Returns elements of a view, which must not overlap, and must lie within it and within its buffer.
@@ -181,14 +190,13 @@ impl<'a> Elements<'a> {
             None => vec![zero; checked.count()],
         };
         let Some(sparse) = &checked.accessor.sparse else { return Ok(elements) };
-        let numbers = if checked.accessor.dimensions == Dimensions::Scalar { 1 } else { OF_POSITION };
-        let size = numbers * checked.component.size();
-        let (places, values) = (&sparse.indices, &sparse.values);
-        let wrong =
-            || ReadError::new(format!("accessor {} has sparse elements of no valid place", checked.index), DAMAGED);
-        let kind = Component::of(places.component_type, &OF_INDICES).ok_or_else(wrong)?;
-        let places = self.strided(checked.index, places.buffer_view, places.byte_offset, kind.size(), sparse.count)?;
-        let values = self.strided(checked.index, values.buffer_view, values.byte_offset, size, sparse.count)?;
+        let (index, places, values) = (checked.index, &sparse.indices, &sparse.values);
+        let wrong = || ReadError::new(format!("accessor {index} has sparse elements without a place in it"), DAMAGED);
+        // As many as the accessor has: one may not be given again and again.
+        let kind = Component::of(places.component_type, &OF_INDICES).filter(|_| sparse.count <= checked.count());
+        let kind = kind.ok_or_else(wrong)?;
+        let places = self.strided(index, places.buffer_view, places.byte_offset, kind.size(), sparse.count)?;
+        let values = self.strided(index, values.buffer_view, values.byte_offset, checked.size, sparse.count)?;
         for (place, value) in places.iter().zip(values.iter()) {
             *elements.get_mut(kind.number(place) as usize).ok_or_else(wrong)? = element(value);
         }

@@ -15,7 +15,7 @@ const STRIPS_AND_FANS: std::ops::RangeInclusive<u32> = 5..=6;
 
 /// Returns the triangles of the default scene, or of all meshes of a file without scenes.
 pub fn triangles(document: &Document, buffers: &[Vec<u8>]) -> Result<Soup, ReadError> {
-    let elements = Elements { document, buffers };
+    let elements = Elements::of(document, buffers);
     let mut reader = Reader { elements, soup: Soup::default(), visited: vec![false; document.nodes.len()] };
     if document.scenes.is_empty() {
         let mut primitives = document.meshes.iter().flat_map(|mesh| &mesh.primitives);

@@ -226,6 +226,9 @@ fn sparse_positions_are_read_with_and_without_a_view() {
     assert!(gltf(&file).is_err(), "an index beyond the accessor");
     file["accessors"][0]["count"] = json!(u64::MAX / 64);
     assert!(gltf(&file).unwrap_err().message.contains("triangles"), "judged before memory is taken");
+    file["accessors"][0]["count"] = json!(4);
+    file["accessors"][0]["sparse"]["count"] = json!(5);
+    assert!(gltf(&file).is_err(), "more sparse elements than elements");
 }
 
 #[test]

@@ -139,7 +139,10 @@ fn an_open_surface_is_reported_alone_and_with_its_food() {
 #[test]
 fn the_unit_of_a_surface_on_its_own_is_an_option() {
     let folder = DataFolder::new();
-    let metres = folder.put("piece.obj", &WEDGE.replace("50", "0.05").replace("30", "0.03").replace("18", "0.018").replace("12", "0.012"));
+    let metres = folder.put(
+        "piece.obj",
+        &WEDGE.replace("50", "0.05").replace("30", "0.03").replace("18", "0.018").replace("12", "0.012"),
+    );
     let ran = check(&metres);
     assert!(ran.code == Some(2) && ran.out.contains("--scale-mm 1000 for metres"), "{}", ran.out);
     let with = |scale: &str, path: &Path| run(&["food", "check", path.to_str().unwrap(), "--scale-mm", scale]);
