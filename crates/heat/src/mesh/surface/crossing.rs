@@ -23,9 +23,14 @@ pub fn crossings(surface: &Surface) -> Result<(), Defect> {
     for t in 0..surface.triangles.len() {
         let [low, high] = bounds(surface.corners(t));
         let first = surface.corners(t)[0].to_array();
+        let is_near = |other: usize| {
+            let [l, h] = bounds(surface.corners(other));
+            l.cmple(high).all() && low.cmple(h).all()
+        };
         tree.overlapping(low, high, |other| {
             pairs += 1;
-            if other as usize > t && cross_each_other(surface, t, other as usize) {
+            let other = other as usize;
+            if other > t && is_near(other) && cross_each_other(surface, t, other) {
                 if trouble.count == 0 {
                     trouble.place = first;
                 }
