@@ -12,36 +12,46 @@ use crate::mesh::bounds::bounds;
 /// seconds).
 const MOST_PAIRS: usize = 25 * MOST_TRIANGLES;
 
-/// Checks that no two triangles intersect.
+/// Returns the pairs of given triangles with any others that intersect; a pair of two given ones is found once.
+///
+/// The vertices lie within `margin` [m] of their places in the tree.
 ///
 /// # Errors
-/// [`Defect::Crossing`] with the number of pairs, or [`Defect::Dense`] if there are too many pairs to look at.
-pub fn crossings(surface: &Surface) -> Result<(), Defect> {
-    let tree = TriangleTree::new(surface);
-    let mut trouble = Trouble::at(0, [0.0; 3]);
+/// [`Defect::Dense`] if there are too many pairs to look at.
+pub fn crossing_pairs(
+    surface: &Surface,
+    tree: &TriangleTree,
+    given: impl Iterator<Item = usize>,
+    margin: f64,
+) -> Result<Vec<[u32; 2]>, Defect> {
+    let mut found = Vec::new();
+    let mut is_done = vec![false; surface.triangles.len()];
     let mut pairs = 0;
-    for t in 0..surface.triangles.len() {
+    for t in given {
         let [low, high] = bounds(surface.corners(t));
-        let first = surface.corners(t)[0].to_array();
         let is_near = |other: usize| {
             let [l, h] = bounds(surface.corners(other));
             l.cmple(high).all() && low.cmple(h).all()
         };
-        tree.overlapping(low, high, |other| {
+        is_done[t] = true;
+        tree.overlapping(low - DVec3::splat(margin), high + DVec3::splat(margin), |other| {
             pairs += 1;
-            let other = other as usize;
-            if other > t && is_near(other) && cross_each_other(surface, t, other) {
-                if trouble.count == 0 {
-                    trouble.place = first;
-                }
-                trouble.count += 1;
+            let is_open = !is_done[other as usize];
+            if is_open && is_near(other as usize) && cross_each_other(surface, t, other as usize) {
+                found.push([t as u32, other]);
             }
         });
         if pairs > MOST_PAIRS {
-            return Err(Defect::Dense(first));
+            return Err(Defect::Dense(surface.corners(t)[0].to_array()));
         }
     }
-    if trouble.count > 0 { Err(Defect::Crossing(trouble)) } else { Ok(()) }
+    Ok(found)
+}
+
+/// Returns the number of pairs and the first place; none without a pair.
+pub fn trouble(surface: &Surface, pairs: &[[u32; 2]]) -> Option<Trouble> {
+    let [first, _] = pairs.first()?;
+    Some(Trouble::at(pairs.len(), surface.corners(*first as usize)[0].to_array()))
 }
 
 /// Returns the side of the plane through a, b, c on which p lies, exactly: 1, 0 or −1.
