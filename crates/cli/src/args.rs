@@ -247,7 +247,7 @@ pub struct FoodCheckArgs {
     #[arg(value_name = "FILE")]
     pub file: PathBuf,
     /// Millimetres in one unit of a surface on its own: 1000 for metres, 25.4 for inches; by default 1000 for glTF, else 1.
-    #[arg(long, value_name = "MM", value_parser = scale_mm)]
+    #[arg(long, value_name = "MM", value_parser = scale_mm, allow_negative_numbers = true)]
     pub scale_mm: Option<f64>,
     /// Prints the findings and numbers as JSON.
     #[arg(long)]
