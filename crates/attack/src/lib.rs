@@ -119,7 +119,7 @@ pub const TARGETS: &[Target] = &[
     Target {
         name: "stl",
         work: Work::Builds,
-        sources: &["crates/surface/src/stl_file.rs", "crates/heat/src/mesh/surface/weld.rs"],
+        sources: &["crates/surface/src/stl_file/", "crates/heat/src/mesh/surface/weld.rs"],
         run: surface_files::stl,
     },
     Target {
@@ -127,17 +127,13 @@ pub const TARGETS: &[Target] = &[
         work: Work::Builds,
         sources: &[
             "crates/surface/src/obj_file.rs",
+            "crates/surface/src/text_lines.rs",
             "crates/heat/src/mesh/surface/defect.rs",
             "crates/heat/src/mesh/surface/crossing.rs",
         ],
         run: surface_files::obj,
     },
-    Target {
-        name: "gltf",
-        work: Work::Builds,
-        sources: &["crates/surface/src/gltf_file.rs"],
-        run: surface_files::gltf,
-    },
+    Target { name: "gltf", work: Work::Builds, sources: &["crates/surface/src/gltf_file/"], run: surface_files::gltf },
     Target { name: "kitchen", work: Work::Builds, sources: &["crates/kitchen/src/bytes/"], run: stored::kitchen },
     Target {
         name: "session",

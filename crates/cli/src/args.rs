@@ -8,6 +8,7 @@ use saute_kitchen::data::library::DEFAULT_SCALE;
 use crate::bench_heat::BenchHeatArgs;
 use crate::bench_paper::BenchPaperArgs;
 use crate::class::ClassCommand;
+use crate::commands::food_check::scale_mm;
 use crate::fit::FitArgs;
 use crate::gallery::GalleryArgs;
 use crate::haptics::{CheckArgs, DevicesArgs};
@@ -245,6 +246,9 @@ pub struct FoodCheckArgs {
     /// Food file (.toml), or a surface on its own (.stl, .obj, .gltf, .glb).
     #[arg(value_name = "FILE")]
     pub file: PathBuf,
+    /// Millimetres in one unit of a surface on its own: 1000 for metres, 25.4 for inches; by default 1000 for glTF, else 1.
+    #[arg(long, value_name = "MM", value_parser = scale_mm, allow_negative_numbers = true)]
+    pub scale_mm: Option<f64>,
     /// Prints the findings and numbers as JSON.
     #[arg(long)]
     pub json: bool,

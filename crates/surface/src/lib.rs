@@ -13,12 +13,17 @@
 
 mod gltf_file;
 mod obj_file;
+mod read_error;
 mod stl_file;
+mod text_lines;
 
 use std::path::Path;
 
+pub use read_error::{Place, ReadError};
 pub use saute_heat::Soup;
 use saute_heat::mesh::surface::MOST_TRIANGLES;
+
+use crate::read_error::TOO_LARGE;
 
 /// A format of surface files, with its default unit of length [mm].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -59,26 +64,10 @@ impl Format {
     }
 }
 
-/// The reason why a surface file cannot be read, with a remedy for the user.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{message}")]
-pub struct ReadError {
-    /// The problem, as a predicate of the file's name.
-    pub message: String,
-    /// The remedy, as an instruction.
-    pub remedy: String,
-}
-
-impl ReadError {
-    fn new(message: impl Into<String>, remedy: impl Into<String>) -> Self {
-        Self { message: message.into(), remedy: remedy.into() }
-    }
-}
-
 /// Returns the loose triangles of a surface file, in the unit of the file, with z up.
 ///
-/// `sibling` returns the bytes of another file in the same folder (the `.bin` of a glTF). glTF files have y up and are
-/// rotated. The triangles are not checked; [`saute_heat::Surface::close`] does that.
+/// `sibling` returns the bytes of another file by its path relative to the same folder (the `.bin` of a glTF); the path is
+/// decoded, and leads out of the folder only by a link. glTF files have y up and are rotated. The triangles are not checked; [`saute_heat::Surface::close`] does that.
 ///
 /// # Errors
 /// [`ReadError`] if the format is unknown, the file is not valid or too large, or it contains no triangle.
@@ -111,10 +100,3 @@ fn enough_room(triangles: usize, corners: usize) -> Result<(), ReadError> {
     }
     Ok(())
 }
-
-/// The remedy for files that are too large.
-const TOO_LARGE: &str =
-    "export only the body, and reduce the number of its triangles in your modelling program (decimate)";
-
-/// The remedy for files that are damaged or misnamed.
-const DAMAGED: &str = "export it again; the file is damaged, or its extension does not match its format";

@@ -114,11 +114,12 @@ fn surfaces(dir: &Path, texts: &BTreeMap<String, String>) -> PyResult<BTreeMap<S
 
 fn surface(path: &Path) -> PyResult<saute_surface::Soup> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
-    // What a surface file names lies beside it.
+    // What a surface file names lies in its folder, unless a link leads out of it.
     let beside = |other: &str| {
-        let is_plain = !other.contains(['/', '\\', ':']) && other != "..";
-        is_plain.then(|| bytes(&path.with_file_name(other), LARGEST_SURFACE).ok()).flatten()
+        let file = path.with_file_name(other).canonicalize().ok()?;
+        let folder = path.canonicalize().ok()?.parent()?.to_owned();
+        file.starts_with(folder).then(|| bytes(&file, LARGEST_SURFACE).ok()).flatten()
     };
     saute_surface::read(&name, &bytes(path, LARGEST_SURFACE)?, beside)
-        .map_err(|error| errors::argument(format!("{}: {}", path.display(), error.message), error.remedy))
+        .map_err(|error| errors::argument(format!("{}: {error}", path.display()), error.remedy))
 }

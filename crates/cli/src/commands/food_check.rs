@@ -1,11 +1,15 @@
 //! `saute food check`.
 
+use std::ops::RangeInclusive;
 use std::path::Path;
 use std::process::ExitCode;
 
 use saute_kitchen::Library;
+use saute_kitchen::data::echo::shortened;
 use saute_kitchen::data::food_check::{Finding, FoodReport, SurfaceReport, check_food};
-use saute_kitchen::data::library::{close_surface, surface_file};
+use saute_kitchen::data::library::surface_file;
+use saute_kitchen::heat::{Defect, Surface};
+use saute_surface::Place;
 use serde::Serialize;
 
 use crate::args::FoodCheckArgs;
@@ -26,16 +30,29 @@ struct Verdict {
     surface: Option<SurfaceReport>,
 }
 
+/// Lengths of a unit that a surface may have [mm] (as of the key `scale_mm` of a food).
+const SCALES_MM: RangeInclusive<f64> = 1e-6..=1e6;
+
+/// Returns the length that an option states [mm].
+pub fn scale_mm(text: &str) -> Result<f64, String> {
+    let stated = text.parse::<f64>().ok().filter(|mm| SCALES_MM.contains(mm));
+    stated.ok_or_else(|| format!("give a length from {:e} to {:e} mm", SCALES_MM.start(), SCALES_MM.end()))
+}
+
 /// Checks a food file or a surface.
 pub fn run(args: &FoodCheckArgs, data: Option<&Path>) -> Result<ExitCode, CliError> {
     let file = args.file.display().to_string();
     let mut verdict = Verdict { file, ok: false, findings: Vec::new(), food: None, surface: None };
     if saute_surface::Format::of(&verdict.file).is_some() {
-        match closed(&args.file) {
+        match closed(&args.file, args.scale_mm) {
             Ok(report) => verdict.surface = Some(report),
             Err(finding) => verdict.findings.push(finding),
         }
     } else {
+        if args.scale_mm.is_some() {
+            let remedy = "write scale_mm under [mesh] in the food's file, or name the surface itself";
+            return Err(CliError::place("--scale-mm", "is only for a surface on its own", remedy));
+        }
         match food(&args.file, data)? {
             Ok(report) => verdict.food = Some(report),
             Err(findings) => verdict.findings = findings,
@@ -52,7 +69,8 @@ fn food(path: &Path, data: Option<&Path>) -> Result<Result<FoodReport, Vec<Findi
     // The user's own kinetics are in a folder next to the one of the food.
     let beside = path.parent().filter(|p| p.ends_with("foods")).and_then(Path::parent);
     let library: Library = data_library::kinetics(data.or(beside))?;
-    let soup = match surface_file(&text).map(|name| surface::read(&path.with_file_name(name))) {
+    let named = surface_file(&text).map(|name| path.with_file_name(name));
+    let soup = match named.map(|path| surface::read(&path).map_err(|error| surface::refused(&path, error))) {
         None => None,
         Some(Ok(soup)) => Some(soup),
         Some(Err(error)) => {
@@ -63,10 +81,33 @@ fn food(path: &Path, data: Option<&Path>) -> Result<Result<FoodReport, Vec<Findi
     Ok(check_food(&text, soup.as_ref(), &library))
 }
 
-fn closed(path: &Path) -> Result<SurfaceReport, Finding> {
-    let soup = surface::read(path).map_err(|e| finding(1, "", &e))?;
-    let error = |message| Finding { line: 1, key: String::new(), message, remedy: "correct the surface".into() };
-    close_surface(&soup, "the surface", None).map(|s| SurfaceReport::of(&s)).map_err(error)
+/// Checks a surface on its own, given the millimetres in one of its units unless they are the usual ones.
+fn closed(path: &Path, scale_mm: Option<f64>) -> Result<SurfaceReport, Finding> {
+    let finding = |line, message: &str, remedy| Finding {
+        line,
+        key: String::new(),
+        message: shortened(message).into_owned(),
+        remedy,
+    };
+    let soup = surface::read(path).map_err(|error| match error.place {
+        Place::Line(line) => finding(line, &error.message, error.remedy),
+        Place::File | Place::Byte(_) => finding(1, &error.to_string(), error.remedy),
+    })?;
+    let unit_mm = scale_mm.unwrap_or(soup.unit_mm);
+    let surface = Surface::close(&soup, 1e-3 * unit_mm);
+    let surface = surface.map_err(|defect| finding(1, &format!("is not sound: {defect}"), remedy(&defect, unit_mm)))?;
+    Ok(SurfaceReport::of(&surface))
+}
+
+/// Returns the remedy for a surface on its own: its unit is an option, not yet a key of a food.
+fn remedy(defect: &Defect, unit_mm: f64) -> String {
+    match defect {
+        Defect::TooSmall(_) | Defect::TooLarge(_) => format!(
+            "state the length of its unit, taken as {unit_mm} mm: --scale-mm 1000 for metres, 25.4 for inches, 10 for \
+             centimetres, 1 for millimetres; or scale the body in your modelling program"
+        ),
+        other => other.remedy(),
+    }
 }
 
 fn finding(line: usize, key: &str, error: &CliError) -> Finding {

@@ -73,9 +73,10 @@ impl Found {
         let foods = self.own.texts.iter().filter(|(path, _)| path.starts_with("foods/"));
         let named = foods.filter_map(|(path, text)| Some((path.clone(), library::surface_file(text)?)));
         for (path, file) in named.collect::<Vec<_>>() {
-            match surface_file::read(&dir.join(&path).with_file_name(file)) {
+            let surface = dir.join(&path).with_file_name(file);
+            match surface_file::read(&surface) {
                 Ok(soup) => drop(self.own.surfaces.insert(path, soup)),
-                Err(error) => self.set_aside(path, error),
+                Err(error) => self.set_aside(path, surface_file::refused(&surface, error)),
             }
         }
     }

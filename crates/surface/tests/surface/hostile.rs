@@ -4,6 +4,7 @@ use std::time::Duration;
 
 use saute_fixtures::processor;
 use saute_heat::Surface;
+use saute_heat::mesh::surface::MOST_TRIANGLES;
 use saute_surface::{ReadError, Soup, read};
 
 /// Longest time of the processor that a small file may take [s].
@@ -108,17 +109,20 @@ fn nodes_that_contain_themselves_or_nest_without_end_are_refused() {
 
 #[test]
 fn a_body_with_too_many_triangles_is_refused_before_it_is_stored() {
-    // One mesh of four triangles in many nodes.
+    // One mesh of twice four triangles in many nodes.
     let nodes = vec![r#"{"mesh": 0}"#; 90_000].join(",");
     let all: Vec<String> = (0..90_000).map(|i| i.to_string()).collect();
     let text = String::from_utf8(gltf(r#"{"mesh": 0}"#, &nodes)).unwrap();
     let text =
         text.replace(r#""scenes": [{"nodes": [0]}]"#, &format!(r#""scenes": [{{"nodes": [{}]}}]"#, all.join(",")));
-    assert!(outcome("a.gltf", text.as_bytes()).unwrap_err().contains("more than 100000 triangles"));
-    let obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\n".to_owned() + &"f 1 2 3\n".repeat(100_001);
-    assert!(outcome("a.obj", obj.as_bytes()).unwrap_err().contains("more than 100000 triangles"));
-    let polygon = "v 0 0 0\nf ".to_owned() + &"1 ".repeat(100_003);
-    assert!(outcome("a.obj", polygon.as_bytes()).unwrap_err().contains("more than 100000 triangles"));
+    let primitive = r#"{"attributes": {"POSITION": 0}, "indices": 1}"#;
+    let text = text.replace(primitive, &[primitive; 2].join(","));
+    let too_many = format!("more than {MOST_TRIANGLES} triangles");
+    assert!(outcome("a.gltf", text.as_bytes()).unwrap_err().contains(&too_many));
+    let obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\n".to_owned() + &"f 1 2 3\n".repeat(MOST_TRIANGLES + 1);
+    assert!(outcome("a.obj", obj.as_bytes()).unwrap_err().contains(&too_many));
+    let polygon = "v 0 0 0\nf ".to_owned() + &"1 ".repeat(MOST_TRIANGLES + 3);
+    assert!(outcome("a.obj", polygon.as_bytes()).unwrap_err().contains(&too_many));
 }
 
 #[test]

@@ -4,4 +4,7 @@
 #![allow(clippy::unwrap_used)]
 
 mod formats;
+mod gltf_of_other_tools;
 mod hostile;
+mod obj_of_other_tools;
+mod stl_of_other_tools;

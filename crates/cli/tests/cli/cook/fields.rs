@@ -97,6 +97,8 @@ fn an_output_folder_has_tables_as_parquet_and_the_cooked_food_as_gltf() {
     let surface = extent(&soup.vertices);
     let expected = [0.060, 0.050, 0.015];
     assert!((0..3).all(|k| (surface[k] / expected[k] - 1.0).abs() < 0.12), "{surface:?} m");
+    let checked = run(&["food", "check", out.join("cooked.glb").to_str().unwrap()]);
+    assert!(checked.code == Some(0) && checked.out.contains("closed surface: "), "{}{}", checked.out, checked.err);
 }
 
 /// Length, width and height of points.

@@ -137,6 +137,39 @@ fn an_open_surface_is_reported_alone_and_with_its_food() {
 }
 
 #[test]
+fn the_unit_of_a_surface_on_its_own_is_an_option() {
+    let folder = DataFolder::new();
+    let metres = folder.put(
+        "piece.obj",
+        &WEDGE.replace("50", "0.05").replace("30", "0.03").replace("18", "0.018").replace("12", "0.012"),
+    );
+    let ran = check(&metres);
+    assert!(ran.code == Some(2) && ran.out.contains("--scale-mm 1000 for metres"), "{}", ran.out);
+    let with = |scale: &str, path: &Path| run(&["food", "check", path.to_str().unwrap(), "--scale-mm", scale]);
+    let ran = with("1000", &metres);
+    assert!(ran.code == Some(0) && ran.out.contains("22.50 cm³"), "{}{}", ran.out, ran.err);
+    for wrong in ["0", "-1", "nan", "inf", "1e308", "wide"] {
+        let ran = with(wrong, &metres);
+        assert!(ran.code == Some(2) && ran.err.contains("--scale-mm"), "{wrong}: {}", ran.err);
+    }
+    let food = folder.put("salmon.toml", &documented()[0]);
+    assert!(with("10", &food).err.contains("write scale_mm under [mesh]"), "{}", with("10", &food).err);
+}
+
+#[test]
+fn an_error_of_a_surface_names_its_line_or_its_byte_alone_and_with_its_food() {
+    let folder = DataFolder::new();
+    let surface = folder.put("my-piece.obj", &WEDGE.replace("v 50 30 0", "v 50,0 30 0"));
+    let ran = check(&surface);
+    assert!(ran.code == Some(2) && ran.out.contains("my-piece.obj:3: \"50,0\" has a comma"), "{}", ran.out);
+    let ran = check(&folder.put("wedge.toml", &meshed_food()));
+    assert!(ran.code == Some(2) && ran.out.contains("my-piece.obj:3 \"50,0\" has a comma"), "{}", ran.out);
+    let binary = folder.put("piece.stl", "");
+    std::fs::write(&binary, [&[0; 80][..], &9u32.to_le_bytes(), &[0; 100]].concat()).unwrap();
+    assert!(check(&binary).out.contains("byte 184: ends before"), "{}", check(&binary).out);
+}
+
+#[test]
 fn a_missing_file_is_reported() {
     let ran = check(Path::new("nowhere.toml"));
     assert!(ran.code == Some(2) && ran.err.contains("nowhere.toml"), "{}", ran.err);

@@ -3,40 +3,55 @@
 use glam::DVec3;
 use robust::{Coord, Coord3D, orient2d, orient3d};
 
-use super::Surface;
 use super::defect::{Defect, Trouble};
 use super::triangle_tree::TriangleTree;
+use super::{MOST_TRIANGLES, Surface};
 use crate::mesh::bounds::bounds;
 
-/// Largest number of pairs of triangles whose boxes overlap [-] (chosen: a sound body of 100,000 triangles has some twenty
-/// for each; more take seconds).
-const MOST_PAIRS: usize = 10_000_000;
+/// Largest number of pairs of triangles whose boxes overlap [-] (measured: cooked foods have 24 for each triangle; more take
+/// seconds).
+const MOST_PAIRS: usize = 25 * MOST_TRIANGLES;
 
-/// Checks that no two triangles intersect.
+/// Returns the pairs of given triangles with any others that intersect; a pair of two given ones is found once.
+///
+/// The vertices lie within `margin` [m] of their places in the tree.
 ///
 /// # Errors
-/// [`Defect::Crossing`] with the number of pairs, or [`Defect::Dense`] if there are too many pairs to look at.
-pub fn crossings(surface: &Surface) -> Result<(), Defect> {
-    let tree = TriangleTree::new(surface);
-    let mut trouble = Trouble::at(0, [0.0; 3]);
+/// [`Defect::Dense`] if there are too many pairs to look at.
+pub fn crossing_pairs(
+    surface: &Surface,
+    tree: &TriangleTree,
+    given: impl Iterator<Item = usize>,
+    margin: f64,
+) -> Result<Vec<[u32; 2]>, Defect> {
+    let mut found = Vec::new();
+    let mut is_done = vec![false; surface.triangles.len()];
     let mut pairs = 0;
-    for t in 0..surface.triangles.len() {
+    for t in given {
         let [low, high] = bounds(surface.corners(t));
-        let first = surface.corners(t)[0].to_array();
-        tree.overlapping(low, high, |other| {
+        let is_near = |other: usize| {
+            let [l, h] = bounds(surface.corners(other));
+            l.cmple(high).all() && low.cmple(h).all()
+        };
+        is_done[t] = true;
+        tree.overlapping(low - DVec3::splat(margin), high + DVec3::splat(margin), |other| {
             pairs += 1;
-            if other as usize > t && cross_each_other(surface, t, other as usize) {
-                if trouble.count == 0 {
-                    trouble.place = first;
-                }
-                trouble.count += 1;
+            let is_open = !is_done[other as usize];
+            if is_open && is_near(other as usize) && cross_each_other(surface, t, other as usize) {
+                found.push([t as u32, other]);
             }
         });
         if pairs > MOST_PAIRS {
-            return Err(Defect::Dense(first));
+            return Err(Defect::Dense(surface.corners(t)[0].to_array()));
         }
     }
-    if trouble.count > 0 { Err(Defect::Crossing(trouble)) } else { Ok(()) }
+    Ok(found)
+}
+
+/// Returns the number of pairs and the first place; none without a pair.
+pub fn trouble(surface: &Surface, pairs: &[[u32; 2]]) -> Option<Trouble> {
+    let [first, _] = pairs.first()?;
+    Some(Trouble::at(pairs.len(), surface.corners(*first as usize)[0].to_array()))
 }
 
 /// Returns the side of the plane through a, b, c on which p lies, exactly: 1, 0 or −1.
@@ -54,8 +69,15 @@ fn cross_each_other(surface: &Surface, s: usize, t: usize) -> bool {
     let (left, right) = (surface.triangles[s], surface.triangles[t]);
     let shared = left.iter().filter(|v| right.contains(v)).count();
     let (p, q) = (surface.corners(s), surface.corners(t));
-    if q.iter().all(|v| side(p[0], p[1], p[2], *v) == 0) {
+    // A common corner lies in the plane; the exact predicate takes longest to find that.
+    let sides = [0, 1, 2].map(|k| if left.contains(&right[k]) { 0 } else { side(p[0], p[1], p[2], q[k]) });
+    if sides == [0; 3] {
         return overlap_in_plane(left, right, p, q);
+    }
+    let on_one_side = !(sides.contains(&1) && sides.contains(&-1));
+    if on_one_side && sides.iter().filter(|s| **s == 0).count() == shared {
+        // The second triangle meets the plane of the first in common corners alone.
+        return false;
     }
     // Two triangles with a common edge that are not coplanar have no other common point.
     shared < 2 && (pierces(left, right, p, q) || pierces(right, left, q, p))

@@ -46,7 +46,7 @@ pub fn weld(soup: &Soup, metres: f64) -> Result<Surface, Defect> {
         return Err(Defect::Degenerate(Trouble::at(soup.triangles.len(), low.to_array())));
     }
     let surface = Surface { vertices: welder.vertices.iter().map(DVec3::to_array).collect(), triangles };
-    slivers(&surface, tolerance)?;
+    without_slivers(&surface, tolerance)?;
     Ok(surface)
 }
 
@@ -69,17 +69,25 @@ fn sound(soup: &Soup) -> Result<(), Defect> {
 }
 
 /// Checks that no triangle has collinear corners, to the weld distance [m].
-fn slivers(surface: &Surface, tolerance: f64) -> Result<(), Defect> {
-    let flat = |&t: &usize| {
-        let [a, b, c] = surface.corners(t);
-        let longest = a.distance(b).max(b.distance(c)).max(c.distance(a));
-        (b - a).cross(c - a).length() <= tolerance * longest
-    };
-    let found: Vec<usize> = (0..surface.triangles.len()).filter(flat).collect();
+fn without_slivers(surface: &Surface, tolerance: f64) -> Result<(), Defect> {
+    let found: Vec<usize> = (0..surface.triangles.len()).filter(|t| is_sliver(surface, *t, tolerance)).collect();
     match found.first() {
         None => Ok(()),
         Some(&first) => Err(Defect::Degenerate(Trouble::at(found.len(), surface.corners(first)[0].to_array()))),
     }
+}
+
+/// Returns true if the corners of a triangle are collinear, to a distance [m].
+fn is_sliver(surface: &Surface, triangle: usize, tolerance: f64) -> bool {
+    let [a, b, c] = surface.corners(triangle);
+    let longest = a.distance(b).max(b.distance(c)).max(c.distance(a));
+    (b - a).cross(c - a).length() <= tolerance * longest
+}
+
+/// Returns those of some triangles of a welded surface whose corners are collinear.
+pub fn slivers_among(surface: &Surface, triangles: &[usize]) -> Vec<usize> {
+    let tolerance = TOGETHER * DVec3::from(surface.extent()).length();
+    triangles.iter().copied().filter(|t| is_sliver(surface, *t, tolerance)).collect()
 }
 
 /// The vertices found so far, in buckets.

@@ -103,6 +103,35 @@ fn a_body_that_crosses_itself_is_reported() {
 }
 
 #[test]
+fn a_small_fold_is_smoothed_and_a_large_one_is_reported() {
+    let plain = ball(10.0, 5);
+    let usual = close(&plain).unwrap();
+    // Two corners change places.
+    let exchanged = |at_least_mm: f64| {
+        let far = |p: &[f64; 3]| p.iter().zip(plain.vertices[0]).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt();
+        let others = plain.vertices.iter().filter(|p| far(p) >= at_least_mm);
+        let (one, other) = (plain.vertices[0], *others.min_by(|p, q| far(p).total_cmp(&far(q))).unwrap());
+        let mut soup = plain.clone();
+        soup.vertices.iter_mut().for_each(|p| {
+            *p = if *p == one {
+                other
+            } else if *p == other {
+                one
+            } else {
+                *p
+            }
+        });
+        soup
+    };
+    let surface = close(&exchanged(0.1)).unwrap();
+    assert_eq!(surface.triangles.len(), usual.triangles.len());
+    assert!((surface.volume() / usual.volume() - 1.0).abs() < 1e-3);
+    let moved = surface.vertices.iter().filter(|p| !usual.vertices.contains(p)).count();
+    assert!((1..100).contains(&moved), "{moved} corners of {}", usual.vertices.len());
+    assert!(matches!(close(&exchanged(3.0)), Err(Defect::Crossing(_))), "{:?}", close(&exchanged(3.0)));
+}
+
+#[test]
 fn folded_faces_that_lie_on_each_other_are_reported() {
     // A flat fold: the top's middle pulled sideways in the top's plane beyond an edge.
     let square = [[-10.0, -10.0], [10.0, -10.0], [10.0, 10.0], [-10.0, 10.0]];
