@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 use crate::session::beginning::Beginning;
 use crate::session::entry::Deed;
 use crate::session::recording::{FRAMES_PER_HASH, Recording, Saved};
-use crate::session::stored_entries::{MOST_ACTS, MOST_ADDED, MOST_ENTRIES, StoredEntries, Unread};
+use crate::session::stored_entries::{Counts, MOST_ACTS, MOST_ADDED, MOST_ENTRIES, StoredEntries, Unread};
 
 /// Ending of the names of session files.
 pub const ENDING: &str = "saute";
@@ -159,16 +159,13 @@ impl Recording {
         let first = next_body(&mut rest).and_then(|body| postcard::take_from_bytes::<Record>(body).ok());
         let Some((Record::Begins(beginning), [])) = first else { return Err(SessionError::NoBeginning) };
         let mut recording = Self::with(beginning.into_owned());
-        let (mut sound, mut is_beyond) = (rest, false);
+        let (mut sound, mut is_beyond, mut counts) = (rest, false, Counts::default());
         while let Some(body) = next_body(&mut rest) {
-            match recording.read_body(body) {
-                Ok(()) => sound = rest,
-                Err(Unread::Damaged) => break,
-                Err(Unread::Beyond) => {
-                    is_beyond = true;
-                    break;
-                }
+            if let Err(unread) = recording.read_body(body, &mut counts) {
+                is_beyond = unread == Unread::Beyond;
+                break;
             }
+            sound = rest;
         }
         recording.mark_saved();
         let (lost, sound) = (sound.len(), bytes.len() - sound.len());
@@ -176,15 +173,17 @@ impl Recording {
     }
 
     /// Adds what the body of a record says.
-    fn read_body(&mut self, body: &[u8]) -> Result<(), Unread> {
+    fn read_body(&mut self, body: &[u8], counts: &mut Counts) -> Result<(), Unread> {
         if let Some(stored) = StoredEntries::of(body) {
-            return self.read_entries(stored);
+            return self.read_entries(stored, counts);
         }
         let (record, left) = postcard::take_from_bytes::<Record>(body).map_err(|_| Unread::Damaged)?;
         if !left.is_empty() {
             return Err(Unread::Damaged);
         }
-        self.read(record).ok_or(Unread::Damaged)
+        let is_undone = matches!(record, Record::Undone(..));
+        self.read(record).ok_or(Unread::Damaged)?;
+        if is_undone && !counts.again(self.entries()) { Err(Unread::Beyond) } else { Ok(()) }
     }
 
     /// Adds what a record says; `None` if it does not follow from those before.

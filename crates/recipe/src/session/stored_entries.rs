@@ -13,15 +13,18 @@ pub const MOST_ACTS: usize = 50_000;
 /// Largest number of foods that are added [-] (chosen: five full pans; each asks for a mesh).
 pub const MOST_ADDED: usize = 500;
 
+/// Entries that are looked at again where some were undone, in all [-] (chosen: a thousand undos of a session of a hundred thousand
+/// entries; less than a second).
+const MOST_LOOKED_AT: usize = 100_000_000;
+
 /// Number of the record of entries.
 const ENTRIES: u32 = 1;
 
 impl Recording {
     /// Adds entries; none of them if one does not hold.
-    pub(super) fn read_entries(&mut self, mut stored: StoredEntries) -> Result<(), Unread> {
+    pub(super) fn read_entries(&mut self, mut stored: StoredEntries, counts: &mut Counts) -> Result<(), Unread> {
         let before = self.moment();
         let mut last = self.entries().last().map_or((0, false), |entry| (entry.frame, entry.after_steps));
-        let mut counts = Counts::of(self.entries());
         let mut frame = 0_u64;
         let read = loop {
             let entry = match stored.next_entry(frame) {
@@ -56,17 +59,20 @@ pub(super) enum Unread {
 
 /// Numbers of entries, of those that are no poses, and of foods that are added.
 #[derive(Default)]
-struct Counts {
+pub(super) struct Counts {
     entries: usize,
     acts: usize,
     added: usize,
+    /// Entries that were looked at again because some were undone.
+    looked_at: usize,
 }
 
 impl Counts {
-    fn of(entries: &[Entry]) -> Self {
-        let mut counts = Self::default();
-        entries.iter().for_each(|entry| drop(counts.add(&entry.deed)));
-        counts
+    /// Counts the entries that stay where some were undone; returns false if that happens too often.
+    pub(super) fn again(&mut self, entries: &[Entry]) -> bool {
+        let looked_at = self.looked_at + entries.len();
+        *self = Self { looked_at, ..Self::default() };
+        entries.iter().all(|entry| self.add(&entry.deed)) && looked_at <= MOST_LOOKED_AT
     }
 
     /// Counts an entry; returns false if there are too many with it.
@@ -140,6 +146,21 @@ mod tests {
             assert!(damage.is_beyond && opened.recording.entries().len() == most, "{damage:?}");
             assert!(damage.to_string().contains("are left out") && !damage.to_string().contains("damaged"), "{damage}");
         }
+    }
+
+    #[test]
+    fn a_session_that_is_undone_again_and_again_ends_in_a_moment() {
+        let pose = Deed::Command(Command::HoldPan { pose: Pose::at(0.0, 0.0, 0.1) });
+        let count = MOST_LOOKED_AT / 1000;
+        let mut file = file_of(count, &pose);
+        let mut whole = Recording::from_file(&file).expect("opens").recording;
+        for _ in 0..1200 {
+            whole.truncate(whole.moment());
+            file.extend(whole.unsaved());
+        }
+        let opened = Recording::from_file(&file).expect("opens");
+        assert!(opened.damage.is_some_and(|damage| damage.is_beyond), "{:?}", opened.damage);
+        assert_eq!(opened.recording.entries().len(), count);
     }
 
     #[test]
