@@ -22,6 +22,7 @@ use crate::pan::hold::{HoldControl, Holding};
 use crate::pan::pan_model::{PanModel, PanSolver, PanState};
 use crate::piece::food_contact::Touching;
 use crate::piece::layout::{Floor, Footprint};
+use crate::piece::memory::{Load, TooMuch};
 use crate::piece::piece_state::{Piece, Place};
 use crate::piece::work;
 use crate::tick::clock::Clock;
@@ -157,6 +158,14 @@ pub enum SetupError {
     /// A food begins as ice whose file does not say how it freezes, or by rules that know no ice.
     #[error("\"{0}\" cannot begin below 0 °C: its file has no table [freezing], or it follows the rules of 2013")]
     NoIce(String),
+    /// A food needs more memory than there is for it.
+    #[error("\"{food}\" does not fit: {excess}")]
+    TooMuch {
+        /// Its name.
+        food: String,
+        /// What it needs, and what fits.
+        excess: TooMuch,
+    },
     /// An oil that every kitchen needs is set aside.
     #[error(transparent)]
     Oil(#[from] LibraryError),
@@ -168,10 +177,13 @@ pub enum SetupError {
     Build(#[from] BuildError),
 }
 
+fn no_such_food(library: &Library, kind: &str) -> SetupError {
+    SetupError::NoSuchFood(kind.to_owned(), Library::names(&library.foods))
+}
+
 /// Builds the model of a piece.
 pub(crate) fn built(library: &Library, kind: &str, spec: &PieceSpec) -> Result<FoodModel, SetupError> {
-    let no_such_food = || SetupError::NoSuchFood(kind.to_owned(), Library::names(&library.foods));
-    let food = library.foods.get(kind).ok_or_else(no_such_food)?;
+    let food = library.foods.get(kind).ok_or_else(|| no_such_food(library, kind))?;
     Ok(FoodModel::build(food, &library.kinetics[&food.kinetics], &library.components, spec)?)
 }
 
@@ -243,10 +255,11 @@ impl Kitchen {
     /// Adds a piece, with known models, to which one that had to be built is added.
     pub fn add_with(&mut self, library: &Library, order: &PieceOrder, models: &mut Models) -> Result<(), SetupError> {
         order.check()?;
-        let food = library.foods.get(&order.kind);
-        if order.temperature < kelvin(0.0) && food.is_some_and(|food| !food.may_be_ice(order.rules)) {
+        let food = library.foods.get(&order.kind).ok_or_else(|| no_such_food(library, &order.kind))?;
+        if order.temperature < kelvin(0.0) && !food.may_be_ice(order.rules) {
             return Err(SetupError::NoIce(order.kind.clone()));
         }
+        Load::of(self).add(food, order, 1)?;
         let food = FoodKey::ordered(order, library);
         let parts = models.food(&food, &self.fixed, library)?;
         let piece = Piece::new((order, food.data_hash), self.next_key, parts, &self.fixed.room);

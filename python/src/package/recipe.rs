@@ -109,7 +109,12 @@ impl Source {
         let unreadable = |why: String| {
             errors::argument(format!("{file}: cannot be read: {why}"), "name a recipe file, which is text".to_owned())
         };
-        let size = std::fs::metadata(path).map_err(|e| unreadable(e.to_string()))?.len();
+        let about = std::fs::metadata(path).map_err(|e| unreadable(e.to_string()))?;
+        // A pipe or a device could block where it is opened, or have no end.
+        if !about.is_file() {
+            return Err(unreadable("it is no file".to_owned()));
+        }
+        let size = about.len();
         if size > LARGEST {
             return Err(unreadable(format!("it has {size} bytes of at most {LARGEST}")));
         }

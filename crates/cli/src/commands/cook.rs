@@ -58,9 +58,9 @@ struct Onlookers<'a> {
 impl Onlookers<'_> {
     /// Cooks to the end; returns it with its pictures and the wall time of the simulation, without pictures and fields.
     ///
-    /// A signal ends a cook with an output folder early, with an error that says what is left; later it is too late to matter.
+    /// A signal ends a cook early, with an error that says what is left; later it is too late to matter.
     fn cook(mut self, mut cook: Cook) -> Result<(Cook, Vec<Snapshot>, Duration), CliError> {
-        let interruption = self.out.as_ref().map_or_else(Interruption::default, |_| Interruption::watch());
+        let interruption = Interruption::watch();
         let progress = Progress::start(&cook);
         let mut snapshots = Vec::new();
         let (started, mut looking) = (Instant::now(), Duration::ZERO);
@@ -77,8 +77,9 @@ impl Onlookers<'_> {
                 session.on_tick(&cook.kitchen)?;
             }
             progress.show(&cook);
-            if let (true, Some(out)) = (interruption.is_asked(), &self.out) {
-                return Err(CliError::Interrupted { at_s: cook.kitchen.time_s(), left: out.left() });
+            if interruption.is_asked() {
+                let left = self.out.as_ref().map_or_else(|| "nothing was written".to_owned(), |out| out.left());
+                return Err(CliError::Interrupted { at_s: cook.kitchen.time_s(), left });
             }
         }
         let wall = started.elapsed().saturating_sub(looking);

@@ -11,6 +11,7 @@ use crate::error::CliError;
 use crate::exit_code;
 use crate::input::data_library::DataLibrary;
 use crate::input::session_source;
+use crate::output::interruption::Interruption;
 use crate::output::out_file::OutFile;
 use crate::output::progress::Progress;
 use crate::output::{json, stderr, stdout, text_summary};
@@ -23,10 +24,14 @@ pub fn run(args: &ReplayArgs, data: &DataLibrary) -> Result<ExitCode, CliError> 
         args.to_recipe.as_deref().map(|path| OutFile::prepare_as("--to-recipe", path, "FILE.toml")).transpose()?;
     let mut cook = session_source::play_again(recording, data)?;
     let started = Instant::now();
-    let progress = Progress::start(&cook);
+    let (interruption, progress) = (Interruption::watch(), Progress::start(&cook));
     while cook.stopped().is_none() {
         cook.advance()?;
         progress.show(&cook);
+        if interruption.is_asked() {
+            let left = "nothing was written".to_owned();
+            return Err(CliError::Interrupted { at_s: cook.kitchen.time_s(), left });
+        }
     }
     drop(progress);
     let summary = cook.summary(started.elapsed().as_secs_f64());

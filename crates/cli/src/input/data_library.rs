@@ -20,6 +20,13 @@ const SCALES: &str = "doneness.toml";
 /// Files that are read in the `--data` folder itself.
 const FILES: [&str; 3] = [SCALES, "goals.toml", "kitchen-at-home.toml"];
 
+/// Files that are read of one folder [-] (chosen: far more than anybody keeps; a folder of more is a mistake).
+const MOST_FILES: usize = 2000;
+/// Entries that are looked at in one folder [-] (chosen: it may hold other files besides).
+const MOST_ENTRIES: usize = 100_000;
+/// Length of all texts [bytes] (chosen: the shipped ones have 0.2 MB).
+const MOST_TEXT: usize = 32 << 20;
+
 /// The library, with the list of the files that come from the `--data` folder.
 #[derive(Clone, Debug)]
 pub struct DataLibrary {
@@ -57,15 +64,30 @@ impl Own {
 struct Found {
     own: OwnFiles,
     errors: Vec<CliError>,
+    /// Length of all texts [bytes].
+    length: usize,
 }
 
 impl Found {
-    /// Adds a text file. One that cannot be read is set aside.
+    /// Adds a text file. One that cannot be read is set aside, and one that leads out of the folder.
     fn add(&mut self, dir: &Path, name: String) {
-        match text_file::read_regular(&dir.join(&name)) {
+        let path = dir.join(&name);
+        let text = within(dir, &path).and_then(|()| text_file::read(&path));
+        match text.and_then(|text| self.has_room(&path, text)) {
             Ok(text) => drop(self.own.texts.insert(name, text)),
             Err(error) => self.set_aside(name, error),
         }
+    }
+
+    /// Returns a text that the memory for all of them takes.
+    fn has_room(&mut self, path: &Path, text: String) -> Result<String, CliError> {
+        self.length += text.len();
+        if self.length <= MOST_TEXT {
+            return Ok(text);
+        }
+        self.length -= text.len();
+        let message = format!("is one too many: the files of --data have more than {} MiB", MOST_TEXT >> 20);
+        Err(CliError::place(path.display(), message, "keep only the files that you use in the folder"))
     }
 
     /// Adds the surfaces that the foods name. A food whose surface cannot be read is set aside.
@@ -74,9 +96,10 @@ impl Found {
         let named = foods.filter_map(|(path, text)| Some((path.clone(), library::surface_file(text)?)));
         for (path, file) in named.collect::<Vec<_>>() {
             let surface = dir.join(&path).with_file_name(file);
-            match surface_file::read(&surface) {
+            let read = || surface_file::read(&surface).map_err(|error| surface_file::refused(&surface, error));
+            match within(dir, &surface).and_then(|()| read()) {
                 Ok(soup) => drop(self.own.surfaces.insert(path, soup)),
-                Err(error) => self.set_aside(path, surface_file::refused(&surface, error)),
+                Err(error) => self.set_aside(path, error),
             }
         }
     }
@@ -167,6 +190,17 @@ fn read_folders(dir: &Path) -> Result<Found, CliError> {
     Ok(found)
 }
 
+/// Refuses a file that leads out of the folder, by a link to another place.
+fn within(dir: &Path, path: &Path) -> Result<(), CliError> {
+    // What cannot be followed is named where it is read.
+    let (Ok(dir), Ok(file)) = (dir.canonicalize(), path.canonicalize()) else { return Ok(()) };
+    if file.starts_with(&dir) {
+        return Ok(());
+    }
+    let message = format!("leads out of --data, to {}", file.display());
+    Err(CliError::place(path.display(), message, "copy the file into the folder"))
+}
+
 /// Returns a library with the kinetics that a food can name: the shipped ones and the ones in a folder.
 pub fn kinetics(dir: Option<&Path>) -> Result<Library, CliError> {
     let mut found = Found::default();
@@ -183,9 +217,17 @@ fn toml_names(folder: &Path) -> Result<Vec<String>, CliError> {
     let unreadable = |e: std::io::Error| {
         CliError::place(folder.display(), format!("cannot be read: {e}"), "check the folder's permissions")
     };
+    let too_many = || {
+        let message =
+            format!("holds more than {MOST_FILES} .toml files, or more than {MOST_ENTRIES} files of all kinds");
+        CliError::place(folder.display(), message, "keep only the files that you use in the folder")
+    };
     let mut names = Vec::new();
-    for entry in std::fs::read_dir(folder).map_err(unreadable)? {
+    for (count, entry) in std::fs::read_dir(folder).map_err(unreadable)?.enumerate() {
         let name = entry.map_err(unreadable)?.file_name();
+        if count == MOST_ENTRIES || names.len() > MOST_FILES {
+            return Err(too_many());
+        }
         let Some(name) = name.to_str() else { continue };
         if name.ends_with(".toml") && !name.starts_with('.') {
             names.push(name.to_owned());

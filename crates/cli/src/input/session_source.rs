@@ -13,9 +13,6 @@ use crate::input::data_library::DataLibrary;
 use crate::input::{recipe_source, text_file};
 use crate::output::stderr;
 
-/// Larger files are not read [MiB] (chosen: a day with a pan in the hand).
-const LARGEST_MIB: u64 = 512;
-
 /// A recipe, or a session that was recorded.
 #[derive(Debug)]
 pub enum Source {
@@ -40,9 +37,9 @@ pub fn is_session(path: &Path) -> bool {
     read && session_file::is_session(&start)
 }
 
-/// Reads a session. A damaged end is said on stderr, and the rest is returned.
+/// Reads a session. An end that is not read is said on stderr, and the rest is returned.
 pub fn load_session(path: &Path) -> Result<Recording, CliError> {
-    let bytes = text_file::bytes(path, LARGEST_MIB, ".saute", "a session file")?;
+    let bytes = text_file::bytes(path, session_file::LARGEST_MIB, ".saute", "a session file")?;
     let opened = Recording::from_file(&bytes).map_err(|error| {
         let text = error.to_string();
         let (message, remedy) = text.split_once("; ").unwrap_or((&text, "name another file"));

@@ -9,20 +9,15 @@ use crate::error::CliError;
 /// Larger files are not read [MiB] (chosen: the largest shipped file has 4 kB).
 const LARGEST_MIB: u64 = 4;
 
-/// Reads a UTF-8 file that must be a regular one: a pipe or a device in a folder could block, or have no end.
-pub fn read_regular(path: &Path) -> Result<String, CliError> {
-    let is_other = path.metadata().is_ok_and(|data| !data.is_file() && !data.is_dir());
-    if is_other {
-        return Err(CliError::place(path.display(), "is no regular file", "replace it by a .toml file"));
-    }
-    read(path)
-}
-
-/// Reads a file of at most so many MiB, with its ending and what it holds for messages.
+/// Reads a file of at most so many MiB, with its ending and what it holds for messages. It must be a regular one: a pipe or a device
+/// could block where it is opened, or have no end.
 pub fn bytes(path: &Path, largest_mib: u64, ending: &str, content: &str) -> Result<Vec<u8>, CliError> {
     let refused = |message: String, remedy: String| CliError::place(path.display(), message, remedy);
     if path.is_dir() {
         return Err(refused("is a folder, not a file".into(), format!("name a {ending} file in it")));
+    }
+    if path.metadata().is_ok_and(|data| !data.is_file()) {
+        return Err(refused("is a pipe or a device, not a file".into(), format!("name a {ending} file")));
     }
     let largest = largest_mib << 20;
     let mut bytes = Vec::new();

@@ -7,21 +7,50 @@ pub const GAP: usize = 8;
 /// Colour of the gap (chosen: that of a dark page).
 const GROUND: [u8; 4] = [24, 24, 24, 255];
 
-/// Sets pictures in rows of so many, with a gap between.
-pub fn in_rows(pictures: &[Picture], columns: usize) -> Picture {
-    let columns = pictures.len().clamp(1, columns);
-    let [wide, high] = pictures.first().map_or([0, 0], |p| [p.width, p.height]);
-    let rows = pictures.len().div_ceil(columns);
-    let [width, height] = [columns * (wide + GAP) - GAP, (rows * (high + GAP)).saturating_sub(GAP)];
-    let mut rgba = GROUND.repeat(width * height);
-    for (k, picture) in pictures.iter().enumerate() {
+/// A sheet of pictures of one size in rows, with a gap between; each is copied where it belongs, and need not be kept.
+pub struct Rows {
+    columns: usize,
+    /// Width and height of a picture [px].
+    each: [usize; 2],
+    sheet: Picture,
+}
+
+impl Rows {
+    /// Returns an empty sheet for a number of pictures of a size [px], in rows of so many.
+    pub fn new(count: usize, columns: usize, each: [usize; 2]) -> Self {
+        let columns = count.clamp(1, columns);
+        let [width, height] = extent(count, columns, each);
+        Self { columns, each, sheet: Picture { width, height, rgba: GROUND.repeat(width * height) } }
+    }
+
+    /// Copies the picture of a number, counted row by row, to its place.
+    pub fn place(&mut self, k: usize, picture: &Picture) {
+        let ([wide, high], columns) = (self.each, self.columns);
         let (left, top) = (k % columns * (wide + GAP), k / columns * (high + GAP));
         for (y, row) in picture.rgba.chunks_exact(4 * wide).enumerate() {
-            let at = 4 * ((top + y) * width + left);
-            rgba[at..at + row.len()].copy_from_slice(row);
+            let at = 4 * ((top + y) * self.sheet.width + left);
+            self.sheet.rgba[at..at + row.len()].copy_from_slice(row);
         }
     }
-    Picture { width, height, rgba }
+
+    /// Returns the sheet.
+    pub fn into_picture(self) -> Picture {
+        self.sheet
+    }
+}
+
+/// Width and height of a sheet [px].
+pub fn extent(count: usize, columns: usize, [wide, high]: [usize; 2]) -> [usize; 2] {
+    let columns = count.clamp(1, columns);
+    [columns * (wide + GAP) - GAP, (count.div_ceil(columns) * (high + GAP)).saturating_sub(GAP)]
+}
+
+/// Sets pictures in rows of so many, with a gap between.
+pub fn in_rows(pictures: &[Picture], columns: usize) -> Picture {
+    let each = pictures.first().map_or([0, 0], |p| [p.width, p.height]);
+    let mut rows = Rows::new(pictures.len(), columns, each);
+    pictures.iter().enumerate().for_each(|(k, picture)| rows.place(k, picture));
+    rows.into_picture()
 }
 
 #[cfg(test)]

@@ -13,7 +13,7 @@ use saute_mirror::rig_file;
 use saute_mirror::stereo::Stereo;
 use saute_picture::View;
 use saute_picture::cut::section::Picture;
-use saute_picture::still::animation::{Format, animation};
+use saute_picture::still::animation::Format;
 use saute_picture::still::png_file::png_bytes;
 use saute_picture::still::series::Series;
 use saute_picture::still::shot::{Eye, ShotOptions, cook_to_end, shot_of};
@@ -23,10 +23,10 @@ use saute_scene::light::photo::Photo;
 use saute_window::mirror::still::mirror_shot_of;
 
 use super::choices::{LightName, QualityName, StereoName, ViewName, WhiteName};
-use super::contact_sheet::contact_sheet;
+use super::contact_sheet::{check_sheet, contact_sheet};
 use super::eye::{eye, field_of_view};
 use super::size::size;
-use super::time_lapse::time_lapse;
+use super::time_lapse::{Lapse, time_lapse};
 use crate::error::CliError;
 use crate::input::data_library::DataLibrary;
 use crate::input::{session_source, text_file};
@@ -172,12 +172,11 @@ pub fn run(args: &ShotArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
         }
         Kind::Sheet => {
             let mut series = Series::of(cook, options, args.size)?;
-            png_bytes(&contact_sheet(&mut series, &args.contact_sheet)?)?
+            png_bytes(&contact_sheet(&mut series, &args.contact_sheet, args.size)?)?
         }
         Kind::Lapse(format, every_s) => {
-            let until_s = args.at.unwrap_or(cook.runner.recipe().max_s);
             let mut series = Series::of(cook, options, args.size)?;
-            animation(format, &time_lapse(&mut series, every_s, until_s, args.at.is_some())?)?
+            time_lapse(&mut series, &Lapse { format, every_s, until_s: args.at, size: args.size })?
         }
     };
     out.fill(&bytes)?;
@@ -208,7 +207,11 @@ impl Kind {
         if ending.as_deref() != Some("png") {
             return Err(wrong("pictures are written as PNG: write --out FILE.png"));
         }
-        Ok(if args.contact_sheet.is_empty() { Self::One(args.at) } else { Self::Sheet })
+        if args.contact_sheet.is_empty() {
+            return Ok(Self::One(args.at));
+        }
+        check_sheet(args.contact_sheet.len(), args.size)?;
+        Ok(Self::Sheet)
     }
 }
 

@@ -1,10 +1,13 @@
 //! Sessions: `cook --record`, `replay`, and `shot` of a session; refusals, damage and kills.
 
 use std::path::{Path, PathBuf};
+use std::process::{Command as Process, Stdio};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, SystemTime};
 
-use saute_recipe::Recording;
+use saute_kitchen::{Command, Library};
+use saute_recipe::session::{Deed, Entry, MOST_ACTS};
+use saute_recipe::{Recipe, Recording};
 use serde_json::Value;
 
 use crate::running::{Ran, SHORT, run, saute};
@@ -167,6 +170,60 @@ fn a_picture_of_a_session_is_that_of_its_recipe() {
     assert!(late.err.contains("past the end"), "{}", late.err);
 }
 
+/// Writes a session of a recipe to which a number of entries were added, the last one at a frame.
+fn long_session(dir: &Path, entries: usize, frame: u64) -> PathBuf {
+    let library = Library::embedded().unwrap();
+    let recipe = Recipe::parse(SHORT, "short.toml", &library).unwrap();
+    let mut recording = Recording::begin(&recipe, false, &library);
+    for entry in 1..=entries {
+        let frame = frame * entry as u64 / entries as u64;
+        recording.restore(Entry { frame, after_steps: false, deed: Deed::Command(Command::Hob(0.0)) });
+    }
+    let path = dir.join("long.saute");
+    std::fs::write(&path, recording.to_file()).unwrap();
+    path
+}
+
+/// Frames of six days.
+const SIX_DAYS: u64 = 6 * 24 * 3600 * 60;
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_replay_of_days_ends_with_130_when_it_is_stopped_and_so_does_a_cook_without_files() {
+    let dir = tempfile::tempdir().unwrap();
+    let (session, recipe) = (long_session(dir.path(), 1, SIX_DAYS), dir.path().join("long.toml"));
+    std::fs::write(&recipe, SHORT.replace("max_s = 100", "max_s = 80000").replace("after_s = 10", "after_s = 30000"))
+        .unwrap();
+    for args in [["replay", name(&session)], ["cook", name(&recipe)]] {
+        let child = saute().args(args).stderr(Stdio::piped()).stdout(Stdio::piped()).spawn().unwrap();
+        let pid = child.id().to_string();
+        while !catches_interrupts(&pid) {
+            std::thread::sleep(Duration::from_millis(5));
+        }
+        assert!(Process::new("kill").args(["-INT", &pid]).status().unwrap().success());
+        let ended: Ran = child.wait_with_output().unwrap().into();
+        assert_eq!(ended.code, Some(130), "{args:?}: {}", ended.err);
+        assert!(ended.err.contains("interrupted at") && ended.err.contains("nothing was written"), "{}", ended.err);
+    }
+}
+
+/// Returns true once a process has a handler of its own for SIGINT.
+#[cfg(target_os = "linux")]
+fn catches_interrupts(pid: &str) -> bool {
+    let status = std::fs::read_to_string(format!("/proc/{pid}/status")).unwrap();
+    let caught = status.lines().find_map(|line| line.strip_prefix("SigCgt:")).unwrap();
+    u64::from_str_radix(caught.trim(), 16).unwrap() >> 1 & 1 == 1
+}
+
+#[test]
+fn a_session_of_too_many_entries_is_played_up_to_its_limit_and_says_so() {
+    let dir = tempfile::tempdir().unwrap();
+    let session = long_session(dir.path(), MOST_ACTS + 1000, 600);
+    let ran = run(&["replay", name(&session)]);
+    assert!(ran.err.contains("at most 500000 entries, 50000 of them no poses"), "{}", ran.err);
+    assert!(ran.err.contains("the session opens up to 9."), "{}", ran.err);
+}
+
 /// Number of kills: SAUTE_RANDOM_KILLS, or the share of the campaign that ./test.sh makes.
 fn kills() -> u64 {
     std::env::var("SAUTE_RANDOM_KILLS").map_or(SHARE_KILLS, |count| count.parse().expect("a number"))
@@ -178,8 +235,8 @@ fn killed_after(after_first_write: bool, wait: Duration, recipe: &Path, session:
     let _ = std::fs::remove_file(session);
     let mut child = saute()
         .args(["cook", name(recipe), "--record", name(session)])
-        .stdout(std::process::Stdio::null())
-        .stderr(std::process::Stdio::null())
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
         .spawn()
         .unwrap();
     if after_first_write {

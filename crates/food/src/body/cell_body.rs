@@ -2,7 +2,7 @@
 
 use saute_heat::mesh::cells::Weights;
 use saute_heat::vector::{Vec3, cross, scale, sub};
-use saute_heat::{BodyMesh, CellMesh, Fineness, Outline};
+use saute_heat::{BodyMesh, CellMesh, Fineness, Outline, Surface};
 
 use crate::body::Body;
 use crate::body::patch::{Face, Patch};
@@ -19,10 +19,7 @@ const BIG_FACE: f64 = 0.7;
 impl Body {
     /// Meshes the inside of a food's own surface, whose longest edge becomes the piece's length.
     pub(crate) fn inside_surface(description: &FoodDescription, piece: &PieceSpec) -> Result<Self, BuildError> {
-        let missing = BuildError::Missing { form: "mesh", table: "mesh" };
-        let surface = description.body.as_deref().ok_or(missing)?.clone();
-        let longest = surface.extent().into_iter().fold(0.0, f64::max);
-        let surface = surface.centred(piece.size[0] / longest);
+        let surface = scaled(description, piece)?;
         let fineness = Fineness::of(&surface, piece.coarseness);
         let (size, outline) = (surface.extent(), silhouette(&surface.vertices));
         let cells = CellMesh::new(surface, fineness)?;
@@ -39,6 +36,20 @@ impl Body {
         let patches = patches.collect();
         Ok(Self { size, mesh: BodyMesh::from(cells), outline, patches, contracts: true, natural: false })
     }
+}
+
+/// The food's own surface, whose longest edge is the piece's length [m].
+fn scaled(description: &FoodDescription, piece: &PieceSpec) -> Result<Surface, BuildError> {
+    let missing = BuildError::Missing { form: "mesh", table: "mesh" };
+    let surface = description.body.as_deref().ok_or(missing)?.clone();
+    let longest = surface.extent().into_iter().fold(0.0, f64::max);
+    Ok(surface.centred(piece.size[0] / longest))
+}
+
+/// Estimated number of nodes of a body of cells, before it is meshed [-].
+pub(super) fn nodes(description: &FoodDescription, piece: &PieceSpec) -> Result<f64, BuildError> {
+    let surface = scaled(description, piece)?;
+    Ok(Fineness::of(&surface, piece.coarseness).estimated_nodes(&surface))
 }
 
 /// Convex hull of points seen from above, counter-clockwise.

@@ -28,6 +28,7 @@ pub mod surface;
 use saute_heat::{BodyMesh, Outline, Rule, SweptMesh};
 
 use crate::body::patch::patches;
+use crate::build_error::check_size;
 use crate::description::FoodDescription;
 use crate::model::{BuildError, PieceSpec};
 use crate::paper_2013::{MeshSize, Rings, Rules};
@@ -69,6 +70,23 @@ impl Body {
             Form::Mesh => Self::inside_surface(description, piece),
         };
         Ok(Self { natural: piece.natural(description).is_some(), ..body? })
+    }
+
+    /// Estimated number of nodes of a piece, before it is cut and meshed [-].
+    ///
+    /// # Errors
+    /// If a size is out of range, or if a table of the form is missing.
+    pub fn estimated_nodes(description: &FoodDescription, piece: &PieceSpec) -> Result<f64, BuildError> {
+        check_size(description, piece)?;
+        if let (Some((rings, levels)), false) = (paper_mesh(description, piece), description.form == Form::Mesh) {
+            return Ok((rounded::node_count(rings) * levels) as f64);
+        }
+        match description.form {
+            Form::Steak | Form::Patty | Form::Coin | Form::Ring => Ok(slice::nodes(description, piece)),
+            Form::Stick => Ok(stick::nodes(piece)),
+            Form::Shrimp => shrimp::nodes(description, piece),
+            Form::Mesh => cell_body::nodes(description, piece),
+        }
     }
 
     pub(crate) fn swept(size: [f64; 3], mesh: SweptMesh, outline: Outline) -> Self {

@@ -36,6 +36,11 @@ pub fn ringed(around: usize, shares: &[f64]) -> Vec<(usize, f64)> {
     shares.iter().enumerate().map(|(i, share)| (count(i), *share)).chain([(1, 0.0)]).collect()
 }
 
+/// Number of nodes of a section of rings [-].
+pub fn node_count(rings: &[(usize, f64)]) -> usize {
+    rings.iter().map(|(count, _)| count).sum()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -5,7 +5,7 @@ use core::f64::consts::PI;
 use saute_heat::{Outline, Section, Station, SweptMesh};
 
 use crate::body::natural::Variation;
-use crate::body::rounded::{ring_shares, ringed};
+use crate::body::rounded::{node_count, ring_shares, ringed};
 use crate::body::{Body, even_levels, paper_mesh, rule};
 use crate::description::{FoodDescription, Spine};
 use crate::model::{BuildError, PieceSpec};
@@ -40,7 +40,7 @@ const GROOVE: f64 = 0.11;
 impl Body {
     /// Meshes a shrimp in the x–y plane with its back towards +y and its head end towards −x.
     pub(crate) fn shrimp(description: &FoodDescription, piece: &PieceSpec) -> Result<Self, BuildError> {
-        let spine = description.spine.as_ref().ok_or(BuildError::Missing { form: "shrimp", table: "spine" })?;
+        let spine = spine_of(description)?;
         let plain = Shape::new(description, spine, piece);
         let (shape, mut mesh) = match piece.natural(description) {
             None => (plain, plain.mesh(description, piece)?),
@@ -61,6 +61,18 @@ impl Body {
         let size = [piece.size[0], piece.size[1], 2.0 * shape.half[1]];
         Ok(Self::swept(size, mesh, outline))
     }
+}
+
+/// Estimated number of nodes of a shrimp, before it is meshed; a natural one has a few more or less [-].
+pub(super) fn nodes(description: &FoodDescription, piece: &PieceSpec) -> Result<f64, BuildError> {
+    let shape = Shape::new(description, spine_of(description)?, piece);
+    let first = FIRST_LAYER * piece.coarseness;
+    let levels = shape.levels(first, piece.coarseness).len();
+    Ok((node_count(&shape.rings(first, piece.coarseness)) * levels) as f64)
+}
+
+fn spine_of(description: &FoodDescription) -> Result<&Spine, BuildError> {
+    description.spine.as_ref().ok_or(BuildError::Missing { form: "shrimp", table: "spine" })
 }
 
 /// Rounding of a natural head end: its length over the thickest diameter [-], and the least scale of the section there [-]
@@ -90,10 +102,9 @@ impl Shape {
     fn mesh(&self, description: &FoodDescription, piece: &PieceSpec) -> Result<SweptMesh, BuildError> {
         let edge = Outline::superellipse(2.0 * self.half[0], 2.0 * self.half[1], description.outline.exponent, &[]);
         let first = FIRST_LAYER * piece.coarseness;
-        let around = ((AROUND as f64 / piece.coarseness) as usize).max(10);
         let rings = match paper_mesh(description, piece) {
             Some((rings, _)) => rings.to_vec(),
-            None => ringed(around, &ring_shares(self.half[1], first, RINGS)),
+            None => self.rings(first, piece.coarseness),
         };
         let levels = match paper_mesh(description, piece) {
             Some((_, levels)) => even_levels(self.length, levels),
@@ -128,6 +139,11 @@ impl Shape {
             turn: turned(spine.turn_deg + spine.turn_varies_deg * varied(302), piece.size),
             swelling: [ripple * varied(303), ripple * varied(304)],
         }
+    }
+
+    fn rings(&self, first: f64, coarseness: f64) -> Vec<(usize, f64)> {
+        let around = ((AROUND as f64 / coarseness) as usize).max(10);
+        ringed(around, &ring_shares(self.half[1], first, RINGS))
     }
 
     /// Levels along the spine: graded at both ends, aligned with the segments, even in the fan [m].

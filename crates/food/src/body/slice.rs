@@ -10,6 +10,8 @@ use crate::tissue::noise::{fractal, uniform};
 
 /// In-plane spacing of the default mesh [m] (chosen: the gradient length √(αt) is 9 mm after 10 minutes).
 const SPACING: f64 = 5.0e-3;
+/// Depth of the ring of nodes below the rim over the spacing [-] (chosen: heat enters at the rim, too).
+const RIM: f64 = 0.38;
 /// First layer below a big face [m] (chosen: a crust is 0.5–1.5 mm thick).
 pub(crate) const FIRST_LAYER: f64 = 0.35e-3;
 /// Growth of the layers inwards [-] and the thickest layer [m] (chosen; convergence is tested).
@@ -48,10 +50,17 @@ fn spacing(piece: &PieceSpec) -> f64 {
 
 fn graded(outline: &Outline, piece: &PieceSpec) -> Result<(Section, Vec<f64>), MeshError> {
     let spacing = spacing(piece);
-    let section = Section::mesh(outline, spacing, 0.38 * spacing)?;
-    let levels =
-        graded_levels(piece.size[2], FIRST_LAYER * piece.coarseness, LAYER_GROWTH, THICKEST_LAYER * piece.coarseness);
-    Ok((section, levels))
+    Ok((Section::mesh(outline, spacing, RIM * spacing)?, levels(piece)))
+}
+
+fn levels(piece: &PieceSpec) -> Vec<f64> {
+    graded_levels(piece.size[2], FIRST_LAYER * piece.coarseness, LAYER_GROWTH, THICKEST_LAYER * piece.coarseness)
+}
+
+/// Estimated number of nodes of a slice, before it is meshed [-].
+pub(super) fn nodes(description: &FoodDescription, piece: &PieceSpec) -> f64 {
+    let section = Section::estimated_nodes(&outline(description, piece), spacing(piece), RIM * spacing(piece));
+    section * levels(piece).len() as f64
 }
 
 /// Relative deviation of the thickness from its mean: a wedge in a seeded direction and gentle bumps [-].

@@ -3,7 +3,7 @@
 use saute_heat::{Outline, Section, Station, SweptMesh, graded_levels};
 
 use crate::body::natural::Variation;
-use crate::body::rounded::{ring_shares, ringed};
+use crate::body::rounded::{node_count, ring_shares, ringed};
 use crate::body::slice::FIRST_LAYER;
 use crate::body::{Body, even_levels, harmonics, paper_mesh, rule};
 use crate::description::FoodDescription;
@@ -22,18 +22,9 @@ impl Body {
         let [length, width, thickness] = piece.size;
         let exponent = description.outline.exponent;
         let edge = Outline::superellipse(width, thickness, exponent, &harmonics(description, piece));
-        let half = 0.5 * width.min(thickness);
-        let first = FIRST_LAYER * piece.coarseness;
         let (section, levels) = match paper_mesh(description, piece) {
             Some((rings, levels)) => (Section::concentric(&edge, rings)?, even_levels(length, levels)),
-            None => {
-                let around = ((STICK_AROUND as f64 / piece.coarseness) as usize).max(12);
-                let rings = ringed(around, &ring_shares(half, first, STICK_RINGS));
-                (
-                    Section::concentric(&edge, &rings)?,
-                    graded_levels(length, first, STICK_GROWTH, STICK_LONGEST * length),
-                )
-            }
+            None => (Section::concentric(&edge, &rings(piece))?, levels(piece)),
         };
         let across = [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
         let natural = piece.natural(description).map(|form| Variation { form, size: piece.size, seed: piece.seed });
@@ -46,6 +37,22 @@ impl Body {
         let outline = Outline::superellipse(length, width, 2.0 * exponent, &[]);
         Ok(Self::swept(piece.size, SweptMesh::along(section, path, rule(piece)), outline))
     }
+}
+
+fn rings(piece: &PieceSpec) -> Vec<(usize, f64)> {
+    let [_, width, thickness] = piece.size;
+    let around = ((STICK_AROUND as f64 / piece.coarseness) as usize).max(12);
+    ringed(around, &ring_shares(0.5 * width.min(thickness), FIRST_LAYER * piece.coarseness, STICK_RINGS))
+}
+
+fn levels(piece: &PieceSpec) -> Vec<f64> {
+    let length = piece.size[0];
+    graded_levels(length, FIRST_LAYER * piece.coarseness, STICK_GROWTH, STICK_LONGEST * length)
+}
+
+/// Number of nodes of a stick, before it is meshed [-].
+pub(super) fn nodes(piece: &PieceSpec) -> f64 {
+    (node_count(&rings(piece)) * levels(piece).len()) as f64
 }
 
 /// Taper of a stick's height over that of its breadth [-] (chosen: it was sliced flat, then cut by hand).

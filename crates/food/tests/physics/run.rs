@@ -40,13 +40,21 @@ pub fn shaped(kind: &str, spec: &PieceSpec, change: impl Fn(&mut FoodDescription
 
 /// A piece of a food with a changed description and changed kinetics.
 pub fn varied(kind: &str, spec: &PieceSpec, change: impl Fn(&mut FoodDescription, &mut Kinetics)) -> FoodModel {
-    let data = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data");
-    let read = |path: String| std::fs::read_to_string(data.join(path)).expect("data file");
-    let mut food: FoodDescription = toml::from_str(&read(format!("foods/{kind}.toml"))).expect("food");
+    let mut food = food(kind);
     let mut kinetics: Kinetics = toml::from_str(&read(format!("kinetics/{}.toml", food.kinetics))).expect("kinetics");
     change(&mut food, &mut kinetics);
     let components: Components = toml::from_str(&read("components.toml".into())).expect("components");
     FoodModel::build(&food, &kinetics, &components, spec).expect("builds")
+}
+
+fn read(path: String) -> String {
+    let data = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data");
+    std::fs::read_to_string(data.join(path)).expect("data file")
+}
+
+/// The description of a shipped food.
+pub fn food(kind: &str) -> FoodDescription {
+    toml::from_str(&read(format!("foods/{kind}.toml"))).expect("food")
 }
 
 pub fn lean() -> &'static FoodModel {

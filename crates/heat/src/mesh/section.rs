@@ -55,6 +55,14 @@ impl Section {
         Self::triangulate(points, |p| outline.contains(p))
     }
 
+    /// Estimated number of nodes of [`Self::mesh`], without meshing [-].
+    pub fn estimated_nodes(outline: &Outline, spacing: f64, rim: f64) -> f64 {
+        let perimeter = outline.perimeter();
+        let inside = (outline.area() - perimeter * (rim + 0.7 * spacing)).max(0.0);
+        let lattice = inside / (0.5 * libm::sqrt(3.0) * spacing * spacing);
+        2.0 * perimeter / (0.75 * spacing) + lattice
+    }
+
     /// Returns a disc of concentric rings at the given `radii`, with nodes about `arc` apart on each ring [m].
     ///
     /// `radii` ascend; a radius of 0 is one central node.

@@ -8,6 +8,7 @@ use saute_food::{FoodModel, PieceSpec};
 use crate::data::library::Library;
 use crate::kitchen::{Fixed, Kitchen, PieceOrder, SetupError, built};
 use crate::pan::near_pan::uneven_of;
+use crate::piece::memory::{MOST_BYTES, bytes_of};
 use crate::piece::piece_state::Piece;
 
 /// Models of pans and foods by what they were built from.
@@ -84,6 +85,15 @@ impl Models {
         self.foods.iter().find(|known| known.key == *key).map(|known| &known.parts)
     }
 
+    /// Forgets models that no kitchen has, once those that are known need more memory than a kitchen may: foods that are added and
+    /// removed again and again must not fill it.
+    fn make_room(&mut self) {
+        let known: f64 = self.foods.iter().map(|food| bytes_of(&food.parts.0)).sum();
+        if known > MOST_BYTES {
+            self.foods.retain(|food| Arc::strong_count(&food.parts.0) > 1);
+        }
+    }
+
     /// Returns the immutable part of a kitchen, built if it is not known.
     pub(super) fn kitchen(&mut self, pan: &(String, u64), library: &Library) -> Result<Arc<Fixed>, SetupError> {
         if let Some(known) = self.known_kitchen(&pan.0, pan.1) {
@@ -110,6 +120,7 @@ impl Models {
         };
         let (model, uneven) = cut(model, uneven, key.cut).map_err(SetupError::Cut)?;
         let parts = (model, Arc::new(uneven));
+        self.make_room();
         self.foods.push(KnownFood { key: key.clone(), parts: parts.clone() });
         Ok(parts)
     }

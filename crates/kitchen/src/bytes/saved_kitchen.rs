@@ -23,6 +23,7 @@ use crate::pan::food_load::FoodLoad;
 use crate::pan::hold::HoldControl;
 use crate::pan::pan_model::{PanSolver, PanState};
 use crate::piece::food_contact::Touching;
+use crate::piece::memory::Load;
 use crate::piece::piece_state::Piece;
 use crate::tick::clock::Clock;
 use crate::tick::energy::EnergyAccount;
@@ -135,9 +136,12 @@ impl SavedKitchen<'_> {
     fn restored(self, sources: &Sources, library: &Library, models: &mut Models) -> Result<Kitchen, BytesError> {
         let fixed = models.kitchen(sources.pan(), library)?;
         let mut pieces: Vec<Piece> = Vec::new();
+        let mut load = Load::default();
         for saved in self.pieces {
             let data_hash = sources.food(&saved.kind).ok_or(BytesError::Damaged)?;
             let key = saved.food_key(data_hash).ok_or(BytesError::Damaged)?;
+            let food = library.foods.get(&*saved.kind).ok_or(BytesError::Damaged)?;
+            load.add_of((&saved.id, &key.spec), food, 1)?;
             let parts = models.food(&key, &fixed, library)?;
             pieces.push(saved.restored(data_hash, parts, &fixed.pan).ok_or(BytesError::Damaged)?);
         }

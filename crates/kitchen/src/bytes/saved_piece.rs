@@ -22,7 +22,7 @@ use crate::piece::sear_lines::SearRecord;
 /// What of a piece does not follow from its order.
 #[derive(Deserialize, Serialize)]
 pub(super) struct SavedPiece<'a> {
-    id: Cow<'a, str>,
+    pub(super) id: Cow<'a, str>,
     pub(super) kind: Cow<'a, str>,
     spec: PieceSpec,
     cut: Option<f64>,

@@ -8,6 +8,7 @@ pub mod contact_gap;
 pub(crate) mod food_contact;
 pub mod layout;
 pub(crate) mod medium;
+pub mod memory;
 pub(crate) mod pan_contact;
 pub(crate) mod piece_shape;
 pub mod piece_state;

@@ -4,6 +4,8 @@
 use glam::{DQuat, DVec3};
 use saute_kitchen::dynamics::{Pose, Tool};
 use saute_kitchen::food::Rules;
+use saute_kitchen::kitchen::SetupError;
+use saute_kitchen::piece::memory::Load;
 use saute_kitchen::{Command, Kitchen, MeshSize, OutlineKind, PieceOrder, Refused, kelvin};
 
 use crate::stove::{library, run};
@@ -123,6 +125,61 @@ fn what_is_beyond_a_range_is_refused_with_the_range_and_its_ends_are_taken() {
     for degrees in [-180.0_f64, 180.0] {
         let tilt = Command::Tilt { angle: degrees.to_radians(), towards: (-360.0_f64).to_radians() };
         assert_eq!(kitchen.clone().apply(&tilt), Ok(()));
+    }
+}
+
+/// A piece of a steak's kind, as someone may order it.
+fn large_steak(id: usize, coarseness: f64) -> PieceOrder {
+    PieceOrder {
+        id: format!("p{id}"),
+        kind: "beef-lean".into(),
+        size: [0.19, 0.19, 0.06],
+        temperature: kelvin(5.0),
+        seed: id as u64,
+        coarseness,
+        rules: Rules::Full,
+        mesh: MeshSize::Default,
+        outline: OutlineKind::Plain,
+    }
+}
+
+#[test]
+fn food_beyond_the_memory_of_a_kitchen_is_refused_before_it_is_built_with_what_would_fit() {
+    let library = library();
+    let food = &library.foods["beef-lean"];
+    let fits = |count| Load::default().add(food, &large_steak(1, 1.0), count);
+    let refused = fits(200).expect_err("200 steaks of two kilograms");
+    let SetupError::TooMuch { excess, .. } = refused.clone() else { panic!("{refused}") };
+    assert_eq!((excess.asked, excess.before), (200, 0));
+    assert!((3..12).contains(&excess.fit), "{excess}");
+    assert!(excess.to_string().contains(&format!("at most {} fit", excess.fit)), "{excess}");
+    assert_eq!(fits(excess.fit), Ok(()));
+    assert!(fits(excess.fit + 1).is_err());
+    assert_eq!(
+        Load::default().add(food, &large_steak(1, 0.5), 1),
+        Ok(()),
+        "one of the finest mesh is judged, not built"
+    );
+}
+
+#[test]
+fn pieces_that_are_added_one_after_another_are_counted_together() {
+    let library = library();
+    let mut kitchen = Kitchen::new(&library, "carbon-steel-26", kelvin(20.0)).expect("pan");
+    let refusal = (0..100).find_map(|id| kitchen.add(&library, &large_steak(id, 2.0)).err());
+    let refusal = refusal.expect("a hundred large steaks are too many").to_string();
+    let here = kitchen.pieces().len();
+    assert!(refusal.contains(&format!("none fits beside the {here} before")), "{refusal}");
+    assert!(here > 7, "a coarser mesh gives room: {here}");
+}
+
+#[test]
+fn a_size_that_is_no_number_is_refused_before_its_mesh_is_judged() {
+    let library = library();
+    let mut kitchen = Kitchen::new(&library, "carbon-steel-26", kelvin(20.0)).expect("pan");
+    for size in [f64::NAN, f64::INFINITY, 1e308, 0.0, -1.0] {
+        let order = PieceOrder { size: [0.1, 0.1, size], ..large_steak(1, 1.0) };
+        assert!(kitchen.add(&library, &order).is_err(), "{size}");
     }
 }
 

@@ -46,22 +46,38 @@ impl From<gif::EncodingError> for AnimationError {
 
 /// Encodes pictures of one size as an animation that repeats for ever.
 pub fn animation(format: Format, pictures: &[Picture]) -> Result<Vec<u8>, AnimationError> {
-    let Some(first) = pictures.first() else { return Err(io::Error::other("there is no picture").into()) };
+    let size = pictures.first().map_or([0, 0], |first| [first.width, first.height]);
+    animation_of(format, size, pictures.len(), pictures.iter().map(|picture| Ok(picture.clone())))
+}
+
+/// Encodes a number of pictures of one size [px], one after another as they are drawn.
+pub fn animation_of<E: From<AnimationError>>(
+    format: Format,
+    size: [usize; 2],
+    count: usize,
+    pictures: impl Iterator<Item = Result<Picture, E>>,
+) -> Result<Vec<u8>, E> {
+    if count == 0 {
+        return Err(AnimationError::from(io::Error::other("there is no picture")).into());
+    }
     match format {
-        Format::Gif => gif_bytes(first, pictures),
-        Format::Apng => apng_bytes(first, pictures),
+        Format::Gif => gif_bytes(size, pictures),
+        Format::Apng => apng_bytes(size, count, pictures),
     }
 }
 
-fn gif_bytes(first: &Picture, pictures: &[Picture]) -> Result<Vec<u8>, AnimationError> {
+fn gif_bytes<E: From<AnimationError>>(
+    size: [usize; 2],
+    pictures: impl Iterator<Item = Result<Picture, E>>,
+) -> Result<Vec<u8>, E> {
     let mut bytes = Vec::new();
-    let [width, height] = [first.width as u16, first.height as u16];
-    let mut encoder = gif::Encoder::new(&mut bytes, width, height, &[])?;
-    encoder.set_repeat(gif::Repeat::Infinite)?;
+    let [width, height] = size.map(|side| side as u16);
+    let mut encoder = gif::Encoder::new(&mut bytes, width, height, &[]).map_err(AnimationError::from)?;
+    encoder.set_repeat(gif::Repeat::Infinite).map_err(AnimationError::from)?;
     for picture in pictures {
-        let mut frame = gif::Frame::from_rgba_speed(width, height, &mut picture.rgba.clone(), PALETTE_SPEED);
+        let mut frame = gif::Frame::from_rgba_speed(width, height, &mut picture?.rgba, PALETTE_SPEED);
         frame.delay = 100 / FRAMES_PER_S;
-        encoder.write_frame(&frame)?;
+        encoder.write_frame(&frame).map_err(AnimationError::from)?;
     }
     drop(encoder);
     Ok(bytes)
@@ -70,20 +86,32 @@ fn gif_bytes(first: &Picture, pictures: &[Picture]) -> Result<Vec<u8>, Animation
 /// Effort for a palette, 1 (slow) to 30 (chosen: no bands in oil at a tenth of the time).
 const PALETTE_SPEED: i32 = 10;
 
-fn apng_bytes(first: &Picture, pictures: &[Picture]) -> Result<Vec<u8>, AnimationError> {
+fn apng_bytes<E: From<AnimationError>>(
+    size: [usize; 2],
+    count: usize,
+    pictures: impl Iterator<Item = Result<Picture, E>>,
+) -> Result<Vec<u8>, E> {
     let mut bytes = Vec::new();
-    let mut encoder = png::Encoder::new(&mut bytes, first.width as u32, first.height as u32);
+    let mut writer = apng_writer(&mut bytes, size, count).map_err(AnimationError::from)?;
+    for picture in pictures {
+        writer.write_image_data(&picture?.rgba).map_err(AnimationError::from)?;
+    }
+    writer.finish().map_err(AnimationError::from)?;
+    Ok(bytes)
+}
+
+fn apng_writer(
+    bytes: &mut Vec<u8>,
+    [width, height]: [usize; 2],
+    count: usize,
+) -> Result<png::Writer<&mut Vec<u8>>, png::EncodingError> {
+    let mut encoder = png::Encoder::new(bytes, width as u32, height as u32);
     encoder.set_color(png::ColorType::Rgba);
     encoder.set_depth(png::BitDepth::Eight);
     encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
-    encoder.set_animated(pictures.len() as u32, 0)?;
+    encoder.set_animated(count as u32, 0)?;
     encoder.set_frame_delay(1, FRAMES_PER_S)?;
-    let mut writer = encoder.write_header()?;
-    for picture in pictures {
-        writer.write_image_data(&picture.rgba)?;
-    }
-    writer.finish()?;
-    Ok(bytes)
+    encoder.write_header()
 }
 
 #[cfg(test)]

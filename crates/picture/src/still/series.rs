@@ -5,7 +5,7 @@ use saute_recipe::{Cook, Recipe};
 
 use crate::cut::section::Picture;
 use crate::still::headless::Gpu;
-use crate::still::shot::{ShotError, ShotOptions, advance_to, drawn};
+use crate::still::shot::{ShotError, ShotOptions, advance_to, cook_to_end, drawn};
 
 /// A cook that is drawn as it goes on.
 pub struct Series {
@@ -34,6 +34,15 @@ impl Series {
             return Ok(None);
         }
         Ok(Some(drawn(&self.gpu, &self.cook.kitchen, &self.options, self.size)))
+    }
+
+    /// End of the recipe [s]: it is cooked once more ahead, without pictures.
+    ///
+    /// # Errors
+    ///
+    /// If a step fails.
+    pub fn end_s(&self) -> Result<f64, ShotError> {
+        cook_to_end(&mut self.cook.clone())
     }
 
     /// The error that an instant past the end of the recipe is [s].

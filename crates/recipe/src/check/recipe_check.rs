@@ -14,6 +14,7 @@ use saute_kitchen::data::library::Library;
 use saute_kitchen::data::library_error::line_of;
 use saute_kitchen::kelvin;
 use saute_kitchen::kitchen::PieceOrder;
+use saute_kitchen::piece::memory::Load;
 use saute_kitchen::{InputError, InputText};
 
 impl Recipe {
@@ -85,6 +86,7 @@ impl Check<'_> {
         let names = self.food_names(&raw.food, rules)?;
         let steps = raw.step.iter().map(|s| self.step(s, &names)).collect::<Checked<Vec<_>>>()?;
         let places: Vec<usize> = raw.step.iter().map(|s| s.span().start).collect();
+        self.check_floor(&pan_kind, &names.foods, &steps, &places)?;
         Sequence::new(self.input, names.foods.iter().map(|f| f.id.as_str())).check(&steps, &places)?;
         Ok(Recipe {
             title: labelled(raw.title.clone().unwrap_or_else(|| self.input.file.to_owned()), rules),
@@ -128,10 +130,13 @@ impl Check<'_> {
 
     fn food_names(&self, entries: &[Spanned<FoodEntry>], rules: Rules) -> Checked<FoodNames> {
         let mut names = FoodNames { foods: Vec::new(), groups: Vec::new() };
+        let mut load = Load::default();
         for entry in entries {
             let entry = entry.get_ref();
             let one = self.food(entry, rules)?;
-            let Some(count) = self.count(entry)? else {
+            let count = self.count(entry)?;
+            self.check_memory(&mut load, entry, &one, count)?;
+            let Some(count) = count else {
                 names.foods.push(one);
                 continue;
             };

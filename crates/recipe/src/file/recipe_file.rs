@@ -1,6 +1,7 @@
 //! The format of a recipe file.
 
 use saute_food::OutlineKind;
+use saute_kitchen::piece::memory;
 use schemars::JsonSchema;
 use serde::Deserialize;
 use toml::Spanned;
@@ -102,8 +103,8 @@ pub struct FoodEntry {
     pub outline: Option<OutlineKind>,
 }
 
-/// Pieces that a group may have (chosen: a 26 cm pan takes some 40 shrimps; more is a mistyped number).
-pub(crate) const MOST_PIECES: i64 = 200;
+/// Pieces that a group may have: those of a kitchen.
+pub(crate) const MOST_PIECES: i64 = memory::MOST_PIECES as i64;
 
 /// Fineness of a mesh.
 #[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema, PartialEq, Eq)]

@@ -71,6 +71,7 @@ pub(crate) mod playhead;
 mod recording;
 mod replay;
 pub mod session_file;
+mod stored_entries;
 mod to_recipe;
 
 pub use beginning::{Beginning, SetOutFood, set_out};
@@ -80,4 +81,5 @@ pub use playhead::{Departure, DepartureCause, Played};
 pub use recording::{FRAMES_PER_HASH, Recording};
 pub use replay::{Replay, ReplayError};
 pub use session_file::{Damage, Opened, SessionError};
+pub use stored_entries::{MOST_ACTS, MOST_ADDED, MOST_ENTRIES};
 pub use to_recipe::{ToRecipe, ToRecipeError, Told};

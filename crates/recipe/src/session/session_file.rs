@@ -5,12 +5,12 @@
 
 use std::borrow::Cow;
 
-use saute_kitchen::PieceOrder;
 use serde::{Deserialize, Serialize};
 
 use crate::session::beginning::Beginning;
-use crate::session::entry::{Deed, Entry};
-use crate::session::recording::{Recording, Saved};
+use crate::session::entry::Deed;
+use crate::session::recording::{FRAMES_PER_HASH, Recording, Saved};
+use crate::session::stored_entries::{Counts, MOST_ACTS, MOST_ADDED, MOST_ENTRIES, StoredEntries, Unread};
 
 /// Ending of the names of session files.
 pub const ENDING: &str = "saute";
@@ -20,12 +20,12 @@ const FIRST_LINE: &[u8] = b"saute session 1\n";
 const ANY_VERSION: &[u8] = b"saute session ";
 /// Bytes before each record: its length and its checksum [-].
 const RECORD_HEAD: usize = 8;
-/// Longest record [bytes] (chosen: an hour of poses of two hands; a longer one is damage).
-const LONGEST_RECORD: u32 = 64 << 20;
+/// Largest file that is read [MiB] (chosen: above what the entries of the longest session take).
+pub const LARGEST_MIB: u64 = 64;
+/// Longest record [bytes] (chosen: the largest file may be one).
+const LONGEST_RECORD: u32 = (LARGEST_MIB as u32) << 20;
 /// Latest frame: that after a week (chosen: nobody cooks longer, and a replay ends).
 const LATEST_FRAME: u64 = 7 * 24 * 3600 * 60;
-/// Largest number of foods that are added [-] (chosen: more than pans hold; a larger one is damage).
-const MOST_ADDED: usize = 2000;
 
 /// One record.
 #[derive(Deserialize, Serialize)]
@@ -58,13 +58,15 @@ pub enum SessionError {
     NoBeginning,
 }
 
-/// The damaged end of a session file.
+/// The end of a session file that was not read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Damage {
     /// Number of bytes before it: what holds [-].
     pub sound: usize,
     /// Number of bytes from there on [-].
     pub lost: usize,
+    /// True if nothing is wrong with it, but the session goes beyond what this program reads.
+    pub is_beyond: bool,
 }
 
 /// A session that was read.
@@ -72,13 +74,19 @@ pub struct Damage {
 pub struct Opened {
     /// The recording.
     pub recording: Recording,
-    /// The damaged end of the file, if there is one.
+    /// The end of the file that was not read, if there is one.
     pub damage: Option<Damage>,
 }
 
 impl std::fmt::Display for Damage {
     fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
-        let Self { sound, lost } = self;
+        let Self { sound, lost, is_beyond } = self;
+        if *is_beyond {
+            return write!(
+                f,
+                "its last {lost} bytes are left out: a session has at most {MOST_ENTRIES} entries, {MOST_ACTS} of them no poses, and {MOST_ADDED} added foods"
+            );
+        }
         write!(f, "its last {lost} bytes are damaged, as after a power cut; the {sound} before them hold")
     }
 }
@@ -148,27 +156,43 @@ impl Recording {
     pub fn from_file(bytes: &[u8]) -> Result<Opened, SessionError> {
         let Some(records) = bytes.strip_prefix(FIRST_LINE) else { return Err(refusal(bytes)) };
         let mut rest = records;
-        let Some(Record::Begins(beginning)) = next(&mut rest) else { return Err(SessionError::NoBeginning) };
+        let first = next_body(&mut rest).and_then(|body| postcard::take_from_bytes::<Record>(body).ok());
+        let Some((Record::Begins(beginning), [])) = first else { return Err(SessionError::NoBeginning) };
         let mut recording = Self::with(beginning.into_owned());
-        let mut sound = rest;
-        while let Some(record) = next(&mut rest) {
-            if recording.read(record).is_none() {
+        let (mut sound, mut is_beyond, mut counts) = (rest, false, Counts::default());
+        while let Some(body) = next_body(&mut rest) {
+            if let Err(unread) = recording.read_body(body, &mut counts) {
+                is_beyond = unread == Unread::Beyond;
                 break;
             }
             sound = rest;
         }
         recording.mark_saved();
         let (lost, sound) = (sound.len(), bytes.len() - sound.len());
-        Ok(Opened { recording, damage: (lost > 0).then_some(Damage { sound, lost }) })
+        Ok(Opened { recording, damage: (lost > 0).then_some(Damage { sound, lost, is_beyond }) })
+    }
+
+    /// Adds what the body of a record says.
+    fn read_body(&mut self, body: &[u8], counts: &mut Counts) -> Result<(), Unread> {
+        if let Some(stored) = StoredEntries::of(body) {
+            return self.read_entries(stored, counts);
+        }
+        let (record, left) = postcard::take_from_bytes::<Record>(body).map_err(|_| Unread::Damaged)?;
+        if !left.is_empty() {
+            return Err(Unread::Damaged);
+        }
+        let is_undone = matches!(record, Record::Undone(..));
+        self.read(record).ok_or(Unread::Damaged)?;
+        if is_undone && !counts.again(self.entries()) { Err(Unread::Beyond) } else { Ok(()) }
     }
 
     /// Adds what a record says; `None` if it does not follow from those before.
     fn read(&mut self, record: Record) -> Option<()> {
         match record {
-            Record::Begins(_) => return None,
+            // Only the first record begins; entries are read one by one.
+            Record::Begins(_) | Record::Entries(_) => return None,
             Record::Home(home) => self.restore_home(home.into_owned())?,
-            Record::Entries(stored) => self.read_entries(stored)?,
-            Record::Hash(frame, hash) => self.restore_hash(sound(frame)?, hash),
+            Record::Hash(frame, hash) => self.restore_hash(sound(frame).filter(is_hashed)?, hash),
             Record::Reached(frame, steps_done) => {
                 let last = self.entries().last().map_or(0, |entry| entry.frame);
                 self.restore_reached(Some(sound(frame)?).filter(|frame| *frame >= last)?, steps_done);
@@ -181,35 +205,15 @@ impl Recording {
         }
         Some(())
     }
-
-    fn read_entries(&mut self, stored: Vec<(u64, bool, Cow<Deed>)>) -> Option<()> {
-        let (mut frame, mut entries) = (0_u64, Vec::new());
-        let mut last = self.entries().last().map_or((0, false), |entry| (entry.frame, entry.after_steps));
-        for (since, after_steps, deed) in stored {
-            frame = sound(frame.checked_add(since)?)?;
-            if (frame, after_steps) < last || !is_sound(&deed) {
-                return None;
-            }
-            last = (frame, after_steps);
-            entries.push(Entry { frame, after_steps, deed: deed.into_owned() });
-        }
-        let is_added = |entry: &&Entry| matches!(entry.deed, Deed::Add(_));
-        let fresh = entries.iter().filter(is_added).count();
-        if fresh > 0 && fresh + self.entries().iter().filter(is_added).count() > MOST_ADDED {
-            return None;
-        }
-        entries.into_iter().for_each(|entry| self.restore(entry));
-        Some(())
-    }
 }
 
-/// Returns true for what a program records: food of a mesh that is built in a moment.
-fn is_sound(deed: &Deed) -> bool {
-    !matches!(deed, Deed::Add(order) if !PieceOrder::COARSENESS.contains(&order.coarseness))
+/// Returns true for a frame at which a recording keeps a hash.
+fn is_hashed(frame: &u64) -> bool {
+    frame.is_multiple_of(FRAMES_PER_HASH)
 }
 
 /// Returns a frame that a session may reach.
-fn sound(frame: u64) -> Option<u64> {
+pub(super) fn sound(frame: u64) -> Option<u64> {
     (frame < LATEST_FRAME).then_some(frame)
 }
 
@@ -229,8 +233,8 @@ fn write(bytes: &mut Vec<u8>, record: &Record) {
     bytes.extend_from_slice(&body);
 }
 
-/// Takes the next record that holds; `None` at the end and at damage.
-fn next(rest: &mut &[u8]) -> Option<Record<'static>> {
+/// Takes the body of the next record whose checksum holds; `None` at the end and at damage.
+fn next_body<'a>(rest: &mut &'a [u8]) -> Option<&'a [u8]> {
     let (head, after) = rest.split_at_checked(RECORD_HEAD)?;
     let length = u32::from_le_bytes(head[..4].try_into().ok()?);
     let checksum = u32::from_le_bytes(head[4..].try_into().ok()?);
@@ -239,9 +243,8 @@ fn next(rest: &mut &[u8]) -> Option<Record<'static>> {
     if crc32fast::hash(body) != checksum {
         return None;
     }
-    let (record, left) = postcard::take_from_bytes::<Record>(body).ok()?;
     *rest = after;
-    left.is_empty().then_some(record)
+    Some(body)
 }
 
 #[cfg(test)]
@@ -251,6 +254,7 @@ mod tests {
 
     use super::*;
     use crate::recipe::Recipe;
+    use crate::session::entry::Entry;
 
     /// Frames of twenty minutes.
     const TWENTY_MINUTES: u64 = 72_000;
@@ -323,6 +327,7 @@ mod tests {
             damaged += usize::from(opened.damage.is_some());
             if let Some(damage) = opened.damage {
                 assert_eq!(damage.sound + damage.lost, cut);
+                assert!(!damage.is_beyond, "{cut}");
             }
         }
         assert!(2 * damaged > file.len() - frames[0].0, "{damaged} of {}", file.len());

@@ -306,9 +306,9 @@ fn every_mistake_in_an_action_is_named_with_its_line_and_a_remedy() {
 #[test]
 fn every_mistake_in_a_food_is_named_with_its_line_and_a_remedy() {
     for (from, to, line, says) in [
-        ("count = 11", "count = 0", 11, ["count = 0", "1 to 200"]),
-        ("count = 11", "count = -3", 11, ["count = -3", "1 to 200"]),
-        ("count = 11", "count = 5000", 11, ["count = 5000", "1 to 200"]),
+        ("count = 11", "count = 0", 11, ["count = 0", "1 to 100"]),
+        ("count = 11", "count = -3", 11, ["count = -3", "1 to 100"]),
+        ("count = 11", "count = 5000", 11, ["count = 5000", "1 to 100"]),
         ("count = 11", "count = 1.5", 11, ["count", "1.5"]),
         ("count = 11", "mesh = \"2012\"", 11, ["2012", "`2013`"]),
         ("\"carrots\"", "\"carrots.1\"", 8, ["carrots.1", "letters, digits"]),
@@ -321,6 +321,38 @@ fn every_mistake_in_a_food_is_named_with_its_line_and_a_remedy() {
         assert_eq!(error.line, line, "{error}");
         says.iter().for_each(|part| assert!(error.to_string().contains(part), "{part}: {error}"));
     }
+}
+
+#[test]
+fn pieces_that_need_too_much_memory_are_refused_before_one_is_built_with_the_number_that_fits() {
+    let asked = |count: usize, coarseness: f64| {
+        let text = format!(
+            "[[food]]\nid = \"g\"\nkind = \"beef-lean\"\nsize_mm = [190, 190, 60]\ncoarseness = {coarseness}\ncount = {count}\n[[step]]\nend = true\n"
+        );
+        parse(&text)
+    };
+    let error = asked(90, 1.0).expect_err("90 steaks of two kilograms");
+    assert_eq!(error.line, 6);
+    assert!(error.message.starts_with("food \"g\": 90 pieces of this size need about 3."), "{error}");
+    let fit = error.remedy.strip_prefix("write count = ").and_then(|rest| rest.split_once(',')).expect("a number").0;
+    let fit: usize = fit.parse().expect("a number");
+    assert!(error.message.contains(&format!("at most {fit} fit")), "{error}");
+    assert!(asked(fit, 1.0).is_ok() && asked(fit + 1, 1.0).is_err());
+    assert!(asked(fit + 1, 2.0).is_ok(), "the second remedy holds, too");
+}
+
+#[test]
+fn a_group_that_cannot_lie_in_the_pan_is_refused_before_it_is_built() {
+    let text = |put: &str| {
+        format!(
+            "[[food]]\nid = \"g\"\nkind = \"carrot-coin\"\nsize_mm = [60, 3]\ncount = 90\n[[step]]\nput = {put}\n[[step]]\nend = true\n"
+        )
+    };
+    let error = parse(&text("\"g\"")).expect_err("three pans of carrots");
+    assert!(error.line == 6 || error.line == 7, "{error}");
+    assert!(error.message.starts_with("not all of \"g\" find room on the floor of the pan: at most"), "{error}");
+    assert!(error.remedy.contains("heap = true"), "{error}");
+    assert!(parse(&text("{ food = \"g\", heap = true }")).is_ok());
 }
 
 #[test]

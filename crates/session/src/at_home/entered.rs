@@ -246,17 +246,17 @@ mod tests {
     fn a_log_is_compared_from_the_put_on_as_it_reads_and_as_is_chosen() {
         let (library, recipe) = kitchen();
         let mut entered = Entered::default();
-        entered.take_log("log.csv", b"Time,Probe (\xc2\xb0F),Other\n0:00,70,400\n0:10,41,410\n").expect("a table");
+        entered.take_log("log.csv", b"Time,Probe (\xc2\xb0F),Other\n0:00,70,400\n1:10,41,410\n").expect("a table");
         let observed = |entered: &mut Entered| {
             let samples = entered.observed(&recipe, &library, "chefs", false).expect("is read").samples();
             samples.iter().map(|s| (s.quantity, s.at_s, s.value)).collect::<Vec<_>>()
         };
-        assert_eq!(observed(&mut entered), [(Quantity::Core, 10.0, 278.15)], "before the put the probe is in the air");
+        assert_eq!(observed(&mut entered), [(Quantity::Core, 70.0, 278.15)], "before the put the probe is in the air");
         let choices = Choices { pan: Pick::Column(2), core: Pick::No, unit: Some(Unit::Celsius), ..Choices::default() };
         entered.log.as_mut().expect("a log").choose(Columns { choices, shift_s: -5.0 });
         assert_eq!(
             observed(&mut entered),
-            [(Quantity::Pan, 5.0, 410.0 + ZERO_C)],
+            [(Quantity::Pan, 65.0, 410.0 + ZERO_C)],
             "what was before the cook is left out"
         );
         assert!(entered.take_log("empty.csv", b"").is_err());

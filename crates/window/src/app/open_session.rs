@@ -20,6 +20,7 @@ impl SauteApp {
         }
         let file: (&str, &dyn Display) = ("file", &name);
         self.desk.notice.say(match damage {
+            Some(damage) if damage.is_beyond => l.fill("notice.session_longer", &[file]),
             Some(_) => l.fill("notice.session_damaged", &[file]),
             None => l.fill("notice.session_opened", &[file]),
         });

@@ -4,6 +4,8 @@ pub(crate) mod dialog_errors;
 
 use crate::plan::PlanFile;
 use saute_session::export::Export;
+use std::fs::File;
+use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::Receiver;
 
@@ -54,11 +56,16 @@ fn first_free(folder: &Path, mut paths: impl Iterator<Item = PathBuf>) -> Result
 }
 
 pub(crate) fn read(path: &Path) -> Result<Vec<u8>, String> {
-    let size = std::fs::metadata(path).map_err(|e| e.to_string())?.len();
-    if size > LARGEST {
-        return Err(format!("it has {size} bytes; a file has at most {LARGEST}"));
+    // A pipe or a device could block where it is opened, or have no end.
+    if !std::fs::metadata(path).map_err(|e| e.to_string())?.is_file() {
+        return Err("it is no file".to_owned());
     }
-    std::fs::read(path).map_err(|e| e.to_string())
+    let mut bytes = Vec::new();
+    let read = File::open(path).and_then(|file| file.take(LARGEST + 1).read_to_end(&mut bytes));
+    if read.map_err(|e| e.to_string())? as u64 > LARGEST {
+        return Err(format!("it has more than {LARGEST} bytes, the most that a file has"));
+    }
+    Ok(bytes)
 }
 
 /// Writes a new picture into a folder, as `saute-N` with an ending; returns its path.

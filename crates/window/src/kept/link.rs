@@ -22,8 +22,11 @@ const VERSION: u32 = 1;
 /// browsers of all kinds open these).
 pub const LONGEST: usize = 8000;
 
+/// The longest fragment that is opened [characters] (chosen: ten times the longest that is offered, for programs of other versions).
+const MOST_CHARACTERS: usize = 100_000;
+
 /// The longest session that a fragment is unpacked to [bytes] (chosen: far above what packs into the longest; a longer one is no cook).
-const MOST_BYTES: u64 = 16 << 20;
+const MOST_BYTES: u64 = 4 << 20;
 
 /// Why a fragment holds no cook.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -32,6 +35,8 @@ pub enum LinkError {
     Damaged,
     /// A newer program wrote it.
     Newer,
+    /// It is longer than any that is opened, or holds a longer session.
+    TooLong,
 }
 
 impl LinkError {
@@ -40,6 +45,7 @@ impl LinkError {
         match self {
             Self::Damaged => "link.damaged",
             Self::Newer => "link.newer",
+            Self::TooLong => "link.longer",
         }
     }
 }
@@ -55,9 +61,12 @@ pub fn fragment(recording: &Recording) -> String {
 ///
 /// # Errors
 ///
-/// If it is damaged, or newer than this program.
+/// If it is damaged, newer than this program or too long.
 pub fn read(fragment: &str) -> Result<Option<Recording>, LinkError> {
     let Some(link) = fragment.trim_start_matches('#').strip_prefix(NAME) else { return Ok(None) };
+    if link.len() > MOST_CHARACTERS {
+        return Err(LinkError::TooLong);
+    }
     let (version, text) = link.split_once('.').ok_or(LinkError::Damaged)?;
     let version: u32 = version.parse().map_err(|_| LinkError::Damaged)?;
     if version > VERSION {
@@ -68,9 +77,12 @@ pub fn read(fragment: &str) -> Result<Option<Recording>, LinkError> {
     if crc32fast::hash(packed).to_le_bytes() != *checksum {
         return Err(LinkError::Damaged);
     }
-    let opened = unpacked(packed).and_then(|file| Recording::from_file(&file).ok());
-    let whole = opened.filter(|opened: &Opened| opened.damage.is_none()).map(|opened| opened.recording);
-    whole.map(Some).ok_or(LinkError::Damaged)
+    let Opened { recording, damage } = Recording::from_file(&unpacked(packed)?).map_err(|_| LinkError::Damaged)?;
+    match damage {
+        None => Ok(Some(recording)),
+        Some(damage) if damage.is_beyond => Err(LinkError::TooLong),
+        Some(_) => Err(LinkError::Damaged),
+    }
 }
 
 /// The address of the page, to which a fragment is added; a window of its own has none.
@@ -84,10 +96,11 @@ fn packed(bytes: &[u8]) -> Vec<u8> {
     encoder.write_all(bytes).and_then(|()| encoder.finish()).unwrap_or_default()
 }
 
-fn unpacked(packed: &[u8]) -> Option<Vec<u8>> {
+fn unpacked(packed: &[u8]) -> Result<Vec<u8>, LinkError> {
     let mut bytes = Vec::new();
-    let read = DeflateDecoder::new(packed).take(MOST_BYTES + 1).read_to_end(&mut bytes).ok()?;
-    (read as u64 <= MOST_BYTES).then_some(bytes)
+    let read = DeflateDecoder::new(packed).take(MOST_BYTES + 1).read_to_end(&mut bytes);
+    let read = read.map_err(|_| LinkError::Damaged)?;
+    if read as u64 <= MOST_BYTES { Ok(bytes) } else { Err(LinkError::TooLong) }
 }
 
 #[cfg(test)]
@@ -125,6 +138,22 @@ mod tests {
             assert_eq!(read.beginning(), recording.beginning());
         }
         assert!(fragment(&cook(8000)).len() > LONGEST, "a long cook is too long");
+    }
+
+    /// A fragment that holds bytes.
+    fn holding(bytes: &[u8]) -> String {
+        let packed = packed(bytes);
+        let sealed: Vec<u8> = crc32fast::hash(&packed).to_le_bytes().into_iter().chain(packed).collect();
+        format!("{NAME}{VERSION}.{}", BASE64URL_NOPAD.encode(&sealed))
+    }
+
+    #[test]
+    fn a_link_that_is_too_long_or_unpacks_to_too_much_is_refused_as_such() {
+        let long = format!("{NAME}{VERSION}.{}", "A".repeat(MOST_CHARACTERS));
+        assert_eq!(read(&long), Err(LinkError::TooLong));
+        let bomb = holding(&vec![0; 8 * MOST_BYTES as usize]);
+        assert!(bomb.len() < MOST_CHARACTERS, "{} characters", bomb.len());
+        assert_eq!(read(&bomb), Err(LinkError::TooLong));
     }
 
     #[test]

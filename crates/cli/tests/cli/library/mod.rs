@@ -6,4 +6,5 @@ mod food_check;
 mod format_pages;
 mod hostile_files;
 mod lists;
+mod pipes_and_links;
 mod schema;

@@ -66,3 +66,24 @@ fn too_many_frames_and_a_time_past_the_end_are_refused() {
         assert!(!out.exists());
     }
 }
+
+#[test]
+fn pictures_that_need_too_much_memory_are_refused_before_anything_is_cooked_with_what_fits() {
+    let times: Vec<String> = (0..200).map(|s| s.to_string()).collect();
+    let times = times.join(",");
+    for (options, out, says) in [
+        (["--size", "8192x8192", "--at", "1"].as_slice(), "a.png", ["64 to 4096", "--size"]),
+        (&["--size", "4096x4096", "--at", "1"], "a.png", ["at most 3686400 pixels", "900 pixels of height"]),
+        (&["--contact-sheet", &times], "a.png", ["at most 32000000", "name at most 3"]),
+        (
+            &["--time-lapse", "1", "--at", "400", "--size", "2560x1440"],
+            "a.gif",
+            ["at most 75 of this size", "smaller --size"],
+        ),
+    ] {
+        let ran = run(&[&["shot", "medium", "--out", out], options].concat());
+        assert_eq!(ran.code, Some(2), "{options:?}");
+        says.iter().for_each(|part| assert!(ran.err.contains(part), "{part}: {}", ran.err));
+        assert!(!std::path::Path::new(out).exists());
+    }
+}

@@ -1,8 +1,8 @@
 //! Promise: every form has its size, nodes and faces; collision shapes follow the mesh; the meshes of 2013 have their counts.
 
-use saute_food::{FoodModel, FoodState, MeshSize, OutlineKind, PieceSpec, Rules, Solid, ZERO_C};
+use saute_food::{Body, FoodModel, FoodState, MeshSize, OutlineKind, PieceSpec, Rules, Solid, ZERO_C};
 
-use crate::run::{FLIPPED, Run, UP, kitchen_air, model, piece, swept_mesh};
+use crate::run::{FLIPPED, Run, UP, food, kitchen_air, model, piece, swept_mesh};
 
 const FOODS: [(&str, [f64; 3], usize); 7] = [
     ("beef-lean", [0.12, 0.08, 0.025], 840),
@@ -324,4 +324,25 @@ fn shortest_step(model: &FoodModel) -> f64 {
     let graph = model.mesh().graph();
     conduction.refresh(graph, &vec![0.52; graph.volume.len()]);
     conduction.stable_step(&graph.volume.iter().map(|v| 3.7e6 * v).collect::<Vec<_>>())
+}
+
+/// What is asked for is judged before a mesh is built: the estimate must hold for every form, size and fineness.
+#[test]
+fn the_nodes_of_a_piece_are_known_within_a_fifth_before_it_is_meshed() {
+    for (kind, size, _) in FOODS {
+        let food = food(kind);
+        for (scale, coarseness) in [(1.0, 0.5), (1.0, 1.0), (1.0, 2.0), (1.0, 8.0), (1.25, 1.0)] {
+            for outline in [OutlineKind::Plain, OutlineKind::Natural] {
+                let size = size.map(|length| scale * length);
+                let spec = PieceSpec { coarseness, outline, ..spec(size, 7, MeshSize::Default, Rules::Full) };
+                let (estimated, built) = (Body::estimated_nodes(&food, &spec), Body::cut(&food, &spec));
+                let (estimated, built) = (estimated.expect("a form"), built.expect("meshes").mesh.node_count() as f64);
+                println!("{kind} {coarseness} {outline:?}: {built} nodes, estimated {estimated:.0}");
+                assert!((estimated / built - 1.0).abs() < 0.2, "{kind} {coarseness}: {built}, estimated {estimated}");
+            }
+        }
+        let coarse = spec(size, 1, MeshSize::Paper2013, Rules::Full);
+        let exact = Body::cut(&food, &coarse).expect("meshes").mesh.node_count();
+        assert_eq!(Body::estimated_nodes(&food, &coarse).expect("a form"), exact as f64);
+    }
 }

@@ -36,12 +36,17 @@ impl Fineness {
         let (area, volume) = (surface.area(), surface.volume());
         let mut spacing = SPACING.min(SPACING_SHARE * 6.0 * volume / area) * coarseness;
         let first = FIRST_LAYER * coarseness;
-        // About seven layers of nodes, each with an area of spacing², and lattice cells of 0.13 spacing³.
-        let count = |s: f64| 7.0 * area / (s * s) + volume / (0.13 * s * s * s);
-        while count(spacing) > MOST_NODES {
+        while (Self { spacing, first }).estimated_nodes(surface) > MOST_NODES {
             spacing *= 1.05;
         }
         Self { spacing, first }
+    }
+
+    /// Estimated number of nodes inside a surface [-].
+    pub fn estimated_nodes(&self, surface: &Surface) -> f64 {
+        let s = self.spacing;
+        // About seven layers of nodes, each with an area of spacing², and lattice cells of 0.13 spacing³.
+        7.0 * surface.area() / (s * s) + surface.volume() / (0.13 * s * s * s)
     }
 }
 

@@ -4,10 +4,8 @@ use saute_kitchen::{Command, RestOn, kelvin};
 use saute_plan::forecast::Question;
 
 use crate::app::SauteApp;
+use saute_kitchen::piece::memory::MOST_PIECES;
 use saute_words::piece_words::name;
-
-/// Most pieces that the kitchen holds (chosen: what a machine still computes).
-const MOST_PIECES: usize = 100;
 
 impl SauteApp {
     /// Puts the wet cloth under the pan for its default time.
