@@ -35,7 +35,7 @@ fuzz_program() { echo "$FUZZ_BUILT/$1/$(fuzz_host)/release/$2"; }
 # fuzz_goal TARGET: the executions of a campaign: fewer where a body is built or cooked.
 fuzz_goal() {
     case "$1" in
-        recipe | food | pan | oil | kinetics | lab | stl | obj | gltf | kitchen | sweep) echo 100000 ;;
+        recipe | food | pan | oil | kinetics | lab | stl | obj | gltf | kitchen | sweep | command) echo 100000 ;;
         *) echo 1000000 ;;
     esac
 }

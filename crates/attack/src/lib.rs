@@ -7,6 +7,7 @@
 pub mod class_files;
 pub mod device_messages;
 pub mod dictionary;
+pub mod handed_in;
 mod kept_inputs;
 pub mod kitchen_files;
 pub mod lab_case;
@@ -109,6 +110,20 @@ pub const TARGETS: &[Target] = &[
         work: Work::Reads,
         sources: &["crates/study/src/log_row.rs"],
         run: class_files::study_log,
+    },
+    Target {
+        name: "class_result",
+        work: Work::Reads,
+        sources: &["crates/study/src/csv_rows.rs", "crates/study/src/class/result_row.rs"],
+        run: handed_in::class_result,
+    },
+    Target { name: "log", work: Work::Reads, sources: &["crates/plan/src/fit/log/"], run: handed_in::log },
+    Target { name: "link", work: Work::Reads, sources: &["crates/window/src/kept/link.rs"], run: handed_in::link },
+    Target {
+        name: "command",
+        work: Work::Builds,
+        sources: &["crates/kitchen/src/hands/ranges.rs"],
+        run: handed_in::command,
     },
     Target {
         name: "sweep",

@@ -16,7 +16,7 @@ const EDIT: usize = 5;
 const RECIPE: &str = "[[step]]\nhob_w = 900\n[[step]]\nat_s = 60\nend = true\n";
 
 /// A small kitchen that fries, with its models: its bytes without their header.
-static SOUND: LazyLock<(Vec<u8>, Models)> = LazyLock::new(|| {
+pub(crate) static SOUND: LazyLock<(Vec<u8>, Models)> = LazyLock::new(|| {
     let mut kitchen = Kitchen::new(&LIBRARY, "carbon-steel-26", kelvin(180.0)).expect("the pan is shipped");
     let order = PieceOrder {
         id: "coin".into(),

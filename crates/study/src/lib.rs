@@ -10,6 +10,7 @@
 pub mod analysis;
 mod check;
 pub mod class;
+mod csv_rows;
 pub mod dictionary;
 mod log_row;
 mod measures;

@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::protocol_file::Information;
+use crate::csv_rows::Rows;
 
 /// What a row is about.
 #[derive(Clone, Copy, Debug, Deserialize, Eq, PartialEq, Serialize)]
@@ -120,24 +121,23 @@ pub fn with_all_columns(text: &str, rows: &[LogRow]) -> Option<String> {
     (!rows.is_empty() && header(text) != header(&whole)).then_some(whole)
 }
 
+/// Columns of ids.
+const IDS: [&str; 6] = ["study", "protocol", "participant", "condition", "goal", "item"];
+
 /// Reads the text of a log.
 ///
 /// # Errors
 ///
 /// If a line is no row of a log.
 pub fn from_csv(file: &str, text: &str) -> Result<Vec<LogRow>, LogError> {
-    let error = |line, message| LogError { file: file.to_owned(), line, message };
-    let mut reader = csv::ReaderBuilder::new().from_reader(text.trim_start_matches('\u{feff}').as_bytes());
-    let mut rows = Vec::new();
-    for row in reader.deserialize() {
-        let row = row.map_err(|e: csv::Error| {
-            let line = e.position().map_or(1, csv::Position::line);
-            error(line, format!("is no row of a study's log: {e}; name files that `saute study` has written"))
-        })?;
-        if rows.len() == MOST_ROWS {
-            return Err(error(0, format!("has more than {MOST_ROWS} rows; name one participant's log")));
-        }
-        rows.push(row);
-    }
-    Ok(rows)
+    let columns: Vec<String> = super::dictionary::COLUMNS.iter().map(|column| column.name.to_owned()).collect();
+    let rows = Rows {
+        what: "row of a study's log",
+        remedy: "name files that `saute study` has written",
+        columns: &columns,
+        new: 1,
+        ids: &IDS,
+        most: MOST_ROWS,
+    };
+    rows.read(file, text)
 }

@@ -12,6 +12,7 @@ use std::sync::Arc;
 use saute_formats::{Table, Value};
 use saute_sweep::{Manifest, RowResult, Status, Sweep, manifest};
 
+use crate::checksums::{self, Checksums};
 use crate::error::FolderError;
 use crate::journal::Journal;
 use crate::tally::Tally;
@@ -162,6 +163,10 @@ impl SweepFolder {
         let bytes =
             file.map_err(|e| FolderError::new(&path, e.to_string(), "report this as a mistake of the program"))?;
         let name = Manifest::part_name(part);
+        // First the checksum: a file without one is not compared, one with that of other bytes is cooked again.
+        let mut checksums = Checksums::in_folder(&self.path.join(ROWS));
+        checksums.note(&name, &bytes);
+        self.write(&Path::new(ROWS).join(checksums::FILE), checksums.text().as_bytes())?;
         self.write(&Path::new(ROWS).join(name), &bytes)?;
         fs::remove_file(&path).map_err(|e| FolderError::io(&path, &e))?;
         self.open.remove(&part);
@@ -224,6 +229,9 @@ impl SweepFolder {
     fn read_part(&self, path: &Path, part: u64) -> Result<u64, FolderError> {
         let bytes = fs::read(path).map_err(|e| FolderError::io(path, &e))?;
         let damaged = |message: String| FolderError::new(path, message, "remove this file: its rows are cooked again");
+        if !Checksums::in_folder(&self.path.join(ROWS)).holds(&Manifest::part_name(part), &bytes) {
+            return Err(damaged("has not the checksum with which it was written".to_owned()));
+        }
         let table = Table::from_parquet(bytes, |name| name == "row" || name == "status");
         let table = table.map_err(|e| damaged(e.to_string()))?;
         let rows = table.column("row").map(|at| table.rows.iter().map(move |row| row[at].clone()));

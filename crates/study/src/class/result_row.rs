@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::lesson::Asked;
 use super::scenario::Scenario;
+use crate::csv_rows::Rows;
 use crate::log_row::LogError;
 use crate::measures::Measures;
 use crate::participant::Participant;
@@ -136,30 +137,37 @@ pub fn to_csv(rows: &[ResultRow]) -> String {
 /// Most rows of a file (chosen: a large school).
 const MOST_ROWS: usize = 20_000;
 
+/// Columns of ids.
+const IDS: [&str; 3] = ["scenario", "checksum", "goal"];
+
 /// Reads the text of a student's or a class's file.
 ///
 /// # Errors
 ///
 /// If a line is no result.
 pub fn from_csv(file: &str, text: &str) -> Result<Vec<ResultRow>, LogError> {
-    let mut reader = csv::ReaderBuilder::new().from_reader(text.trim_start_matches('\u{feff}').as_bytes());
-    let mut rows = Vec::new();
-    for row in reader.deserialize() {
-        let row: ResultRow = row.map_err(|e: csv::Error| LogError {
-            file: file.to_owned(),
-            line: e.position().map_or(1, csv::Position::line),
-            message: format!("is no result of a lesson: {e}; name files that a lesson has given"),
-        })?;
-        let is_code = row.student.as_ref().is_none_or(|code| code.parse::<Participant>().is_ok());
-        if !is_code || rows.len() == MOST_ROWS {
-            let message = if is_code {
-                "has too many rows"
-            } else {
-                "its student is no code of 1 to 12 letters, digits and hyphens"
-            };
-            return Err(LogError { file: file.to_owned(), line: rows.len() as u64 + 2, message: message.to_owned() });
+    let columns = columns();
+    let rows = Rows {
+        what: "result of a lesson",
+        remedy: "name files that a lesson has given",
+        columns: &columns,
+        new: 1,
+        ids: &IDS,
+        most: MOST_ROWS,
+    };
+    let rows: Vec<ResultRow> = rows.read(file, text)?;
+    let is_code = |row: &ResultRow| row.student.as_ref().is_none_or(|code| code.parse::<Participant>().is_ok());
+    match rows.iter().position(|row| !is_code(row)) {
+        None => Ok(rows),
+        Some(at) => {
+            let message = "its student is no code of 1 to 12 letters, digits and hyphens".to_owned();
+            Err(LogError { file: file.to_owned(), line: at as u64 + 2, message })
         }
-        rows.push(row);
     }
-    Ok(rows)
+}
+
+/// Names of the columns, in their order.
+fn columns() -> Vec<String> {
+    let header = to_csv(&[ResultRow::default()]);
+    header.lines().next().unwrap_or_default().split(',').map(str::to_owned).collect()
 }

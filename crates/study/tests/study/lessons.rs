@@ -108,3 +108,40 @@ fn a_result_comes_back_from_its_file_and_has_as_many_values_in_its_line() {
     assert!(from_csv("s.csv", &strange).expect_err("no code").to_string().starts_with("s.csv:2: "));
     assert!(from_csv("s.csv", "a,b\n1,2\n").is_err());
 }
+
+/// The file of a student with one result.
+fn handed_in() -> String {
+    to_csv(&[row("S01", 50.5, 12.0)])
+}
+
+#[test]
+fn a_result_that_a_spreadsheet_has_saved_again_or_without_headers_is_not_lost() {
+    let text = handed_in();
+    let own = from_csv("s.csv", &text).expect("a result");
+    let (_, line) = text.split_once('\n').expect("a header");
+    assert_eq!(from_csv("s.csv", line).expect("without headers"), own);
+    let before = line.rsplit_once(',').expect("columns").0;
+    assert_eq!(from_csv("s.csv", before).expect("without headers, before the mark")[0].score, own[0].score);
+    let german = text.replace(',', ";").replace('.', ",");
+    assert_eq!(from_csv("s.csv", &german).expect("semicolons"), own);
+    assert_eq!(from_csv("s.csv", &text.replace(',', "\t")).expect("tabs"), own);
+}
+
+#[test]
+fn a_number_that_is_none_and_a_formula_are_refused_with_line_and_column() {
+    let refused = |from: &str, to: &str| {
+        let text = handed_in();
+        assert!(text.contains(from), "{text}");
+        from_csv("s.csv", &text.replacen(from, to, 1)).expect_err("refused").to_string()
+    };
+    for number in ["NaN", "inf", "-Infinity"] {
+        let said = refused(",50.5,", &format!(",{number},"));
+        assert!(said.starts_with("s.csv:2: \"score\" is ") && said.contains("no finite number"), "{said}");
+    }
+    let goal = row("S01", 50.5, 12.0).goal;
+    for formula in ["=1+1", "@SUM(1)", "\"=HYPERLINK(\"\"http://x/\"\",\"\"a\"\")\"", "+1-2", "two words"] {
+        let said = refused(&format!(",{goal},"), &format!(",{formula},"));
+        assert!(said.starts_with("s.csv:2: \"goal\" is no id"), "{said}");
+    }
+    assert!(from_csv("s.csv", "one,two,three\n").expect_err("refused").message.contains("names no column"));
+}

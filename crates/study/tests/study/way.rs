@@ -148,3 +148,16 @@ fn free_text_is_one_line_that_no_sheet_takes_for_a_formula() {
     let rows = study.take(answers(&[("fun", Answer::Text("=1+1\nyes".into()))]), 0.0).expect("is due");
     assert_eq!(rows[0].text.as_deref(), Some("'=1+1 yes"));
 }
+
+#[test]
+fn a_log_with_a_number_that_is_none_is_refused_with_line_and_column() {
+    let csv = to_csv(&rows(), true);
+    let place = csv.lines().position(|line| line.contains(",trial,")).expect("a trial");
+    let mut lines: Vec<Vec<String>> = csv.lines().map(|line| line.split(',').map(str::to_owned).collect()).collect();
+    let score = lines[0].iter().position(|name| name == "score").expect("a score");
+    lines[place][score] = "NaN".to_owned();
+    let text: String = lines.iter().map(|line| line.join(",") + "\n").collect();
+    let error = from_csv("study-P01.csv", &text).expect_err("refused");
+    assert_eq!(error.line, place as u64 + 1);
+    assert!(error.message.starts_with("\"score\" is NaN, which is no finite number"), "{error}");
+}

@@ -7,6 +7,7 @@ use saute_formats::{Heading, Kind, Table};
 use saute_sweep::design::DesignKind;
 use saute_sweep::{Manifest, manifest};
 use saute_sweep_folder::ROWS;
+use saute_sweep_folder::checksums::Checksums;
 
 use crate::error::CliError;
 
@@ -51,6 +52,10 @@ impl Rows {
             CliError::place(path.display(), why, "complete the sweep first, with the command that began it")
         };
         let bytes = fs::read(&path).map_err(|e| refused(format!("cannot be read: {e}")))?;
+        if !Checksums::in_folder(&self.folder).holds(&Manifest::part_name(part), &bytes) {
+            let remedy = "remove this file and sweep again: its rows are cooked again";
+            return Err(CliError::place(path.display(), "has not the checksum with which it was written", remedy));
+        }
         Table::from_parquet(bytes, wanted).map_err(|e| refused(e.to_string()))
     }
 
