@@ -145,6 +145,8 @@ pub enum Health {
     LeastTensionTooHigh,
     /// Its largest tension is below the geometry's.
     LargestTensionTooLow,
+    /// Its largest rate of commands is below the geometry's.
+    RateTooLow,
     /// Stopped until a hand resumes.
     Stopped,
     /// Stopped by a safety rule: its string lengths contradict each other.

@@ -82,6 +82,12 @@ fn an_invalid_file_is_refused_with_a_remedy() {
     };
     refused(&text.replace("boot", "boots"), "boots");
     refused(&text.replacen("offset_mm = ", "offset_mm = 1e9 #", 1), "out of range");
+    for residual in ["nan", "inf", "-1.0", "0.31", "1e9"] {
+        refused(
+            &text.replacen("residual_mm = ", &format!("residual_mm = {residual} #"), 1),
+            "residual is out of range",
+        );
+    }
     refused(text.rsplit_once("[[string]]").unwrap().0, "eight strings");
     let folder = std::path::Path::new("calibrations");
     assert_eq!(file_in(folder, "spidar-pan@/dev/ttyACM0"), folder.join("spidar-pan__dev_ttyACM0.toml"));
