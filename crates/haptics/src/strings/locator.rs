@@ -98,9 +98,9 @@ impl Locator {
         self.calibration.map_or(self.drawn, |c| c.rig).lines(&self.pose())
     }
 
-    /// Takes the capabilities of the device that has answered: a calibration of another boot is discarded.
+    /// Takes the capabilities of the device that has answered: a calibration of another boot or another device is discarded.
     pub fn meet(&mut self, caps: &Caps) {
-        if self.caps.is_some_and(|before| before.boot != caps.boot) {
+        if self.caps.is_some_and(|before| (before.name, before.boot) != (caps.name, caps.boot)) {
             self.discard();
             self.readings_misfit = false;
             self.jig = JigLog::new(&self.jig_poses);
