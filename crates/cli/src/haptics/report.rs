@@ -119,3 +119,41 @@ impl CheckReport {
         lines.join("\n") + "\n"
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn report(passivity_j: Option<f64>) -> CheckReport {
+        CheckReport {
+            device: "spidar-pan".into(),
+            simulated: false,
+            rate_hz: 1000.0,
+            scheduler: String::new(),
+            jitter_us: Lateness::default(),
+            missed_ticks: 0,
+            pose_error: None,
+            wrench_error: None,
+            max_force_n: 5.0,
+            force_limit_n: 25.0,
+            passivity_j,
+            still_s: 3.0,
+            still_limit_s: 10.0,
+            health: Health::Running,
+            dropouts: 0,
+            kitchen_hz: 60.0,
+            contents_kg: 0.3,
+            faults: Vec::new(),
+            missed: vec!["what was seen".into()],
+        }
+    }
+
+    #[test]
+    fn the_energy_account_of_a_pan_that_did_not_move_is_not_judged() {
+        let still = report(None).judged();
+        assert_eq!(still.missed, ["what was seen"]);
+        assert!(still.text().contains("passivity     no motion: nothing to judge\n"), "{}", still.text());
+        assert!(report(Some(4e-3)).text().contains("4.00 mJ at the lowest, of 5 mJ"));
+        assert_eq!(report(Some(-1e-3)).judged().missed.len(), 2, "that of one that moved is");
+    }
+}
