@@ -47,6 +47,14 @@ pub enum CliError {
         /// How to correct it.
         remedy: String,
     },
+    /// A haptic device that was found and then did not work.
+    #[error("the device {message}\n  remedy: {remedy}")]
+    Device {
+        /// What it did.
+        message: &'static str,
+        /// How to correct it.
+        remedy: &'static str,
+    },
     /// A cook that was interrupted by a signal.
     #[error("interrupted at {at_s:.1} s of the cook; {left}\n  remedy: start it again; it gives the same results")]
     Interrupted {

@@ -4,7 +4,7 @@ use std::process::ExitCode;
 
 use crate::error::CliError;
 
-/// Exit code of a run that ends but falls short: stopped by `max_s`, a failed case, a missed goal.
+/// Exit code of a run that ends but falls short: stopped by `max_s`, a failed case, a missed goal, a device that did not work.
 const FELL_SHORT: u8 = 1;
 /// Exit code for wrong usage and wrong input.
 const FAILED: u8 = 2;
@@ -31,6 +31,7 @@ pub fn interrupted() -> ExitCode {
 pub fn of_error(error: &CliError) -> ExitCode {
     match error {
         CliError::Interrupted { .. } | CliError::SweepInterrupted { .. } | CliError::PlanInterrupted => interrupted(),
+        CliError::Device { .. } => of_goal(false),
         _ => failed(),
     }
 }

@@ -145,6 +145,8 @@ pub enum Health {
     LeastTensionTooHigh,
     /// Its largest tension is below the geometry's.
     LargestTensionTooLow,
+    /// Its largest rate of commands is below the geometry's.
+    RateTooLow,
     /// Stopped until a hand resumes.
     Stopped,
     /// Stopped by a safety rule: its string lengths contradict each other.
@@ -216,7 +218,7 @@ pub trait HapticDevice: Send {
     fn capabilities(&self) -> &Capabilities;
     /// Sends a command and returns the last sample; `dt` is the time since the last exchange [s].
     fn exchange(&mut self, command: &HapticCommand, dt: f64) -> HapticSample;
-    /// Releases all forces at once, until `resume`.
+    /// Releases all forces at once, until `resume`; a device that is stopped is told nothing more.
     fn stop(&mut self);
     /// Releases all forces within 2 ms, as gently as that allows, and then stops: a safety rule has fired.
     fn trip(&mut self) {

@@ -3,6 +3,7 @@
 use std::io::Read;
 use std::net::{SocketAddr, ToSocketAddrs};
 use std::path::Path;
+use std::sync::mpsc::Receiver;
 
 use saute_kitchen::InputError;
 use serde::Serialize;
@@ -68,6 +69,8 @@ pub struct Opened {
     pub device: Box<dyn HapticDevice>,
     /// How a person reaches it.
     pub access: Access,
+    /// What its user should know, such as why messages are rejected: a line for each reason, of devices that say so.
+    pub notices: Option<Receiver<String>>,
 }
 
 /// Why a device could not be opened.
@@ -252,7 +255,7 @@ fn strings_over_udp(geometry: &Geometry, address: SocketAddr, pairing: u32) -> R
         OpenError::place(address, format!("cannot be reached: {e}"), "check the address and the network")
     })?;
     let device = Box::new(Spidar::new(link, geometry.clone(), pairing));
-    Ok(Opened { device, access: Access::at(address) })
+    Ok(Opened { device, access: Access::at(address), notices: None })
 }
 
 fn strings_at(geometry: &Geometry, place: &str, pairing: u32) -> Result<Opened, OpenError> {
@@ -264,5 +267,5 @@ fn strings_at(geometry: &Geometry, place: &str, pairing: u32) -> Result<Opened, 
         OpenError::place(place, format!("is no address and no serial port that can be opened: {e}"), remedy)
     })?;
     let access = Access { place: place.to_owned(), reach: Reach::Cable, url: None, code: None, fingerprint: None };
-    Ok(Opened { device: Box::new(Spidar::new(link, geometry.clone(), pairing)), access })
+    Ok(Opened { device: Box::new(Spidar::new(link, geometry.clone(), pairing)), access, notices: None })
 }

@@ -134,7 +134,9 @@ pub fn caps(identity: &Identity, sequence: u32, session: u32) -> Vec<u8> {
 #[derive(Clone, Copy, Debug)]
 pub struct Reading {
     pub state: u8,
+    pub fault: u8,
     pub jig: u8,
+    pub buttons: u8,
     pub time_us: u32,
     pub obeyed: u32,
     pub count: [i32; 8],
@@ -144,7 +146,7 @@ pub struct Reading {
 /// Returns the frame of a sample.
 pub fn sample(reading: &Reading, sequence: u32, session: u32) -> Vec<u8> {
     let mut answer = Answer::new(5, sequence, session);
-    answer.bytes.extend([reading.state, 0, reading.jig, 0]);
+    answer.bytes.extend([reading.state, reading.fault, reading.jig, reading.buttons]);
     answer.bytes.extend(reading.time_us.to_le_bytes());
     answer.bytes.extend(reading.obeyed.to_le_bytes());
     reading.count.iter().for_each(|c| answer.bytes.extend(c.to_le_bytes()));
@@ -163,7 +165,8 @@ pub fn refused(why: Refusal, wait: Duration, sequence: u32, session: u32) -> Vec
         Refusal::OtherVersion => 4,
     };
     answer.bytes.extend([reason, VERSION]);
-    let wait_ms = u16::try_from(wait.as_millis()).unwrap_or(u16::MAX);
+    // Rounded up: a hello after a shorter time would come too early.
+    let wait_ms = u16::try_from(wait.as_micros().div_ceil(1000)).unwrap_or(u16::MAX);
     answer.bytes.extend(wait_ms.to_le_bytes());
     answer.finish()
 }
@@ -210,13 +213,21 @@ mod tests {
         assert_eq!(caps(&identity, 1, 7), vector("caps"));
         let reading = Reading {
             state: 3,
+            fault: 0,
             jig: 0,
+            buttons: 0,
             time_us: 1_000_000,
             obeyed: 3,
             count: [0, 1, -1, 1000, -1000, 20_000, -20_000, i32::MAX],
             tension_mn: [300, 400, 500, 600, 700, 800, 900, 12_000],
         };
         assert_eq!(sample(&reading, 2, 7), vector("sample"));
+        let armed = Reading { state: 2, jig: 3, buttons: 0b1000_0001, obeyed: 0, tension_mn: [300; 8], ..reading };
+        assert_eq!(sample(&armed, 2, 7), vector("sample-armed"));
+        let fault = Reading { state: 4, fault: 3, tension_mn: [0; 8], ..reading };
+        assert_eq!(sample(&fault, 3, 7), vector("sample-fault"));
+        assert_eq!(refused(Refusal::OutOfOrder, Duration::ZERO, 2, 7), vector("refused-order"));
+        assert_eq!(refused(Refusal::Busy, Duration::from_micros(249_001), 1, 7), vector("refused-busy"));
         assert_eq!(refused(Refusal::WrongCode, Duration::from_secs(1), 1, 7), vector("refused"));
         assert_eq!(refused(Refusal::OtherVersion, Duration::ZERO, 1, 7), vector("refused-version"));
     }

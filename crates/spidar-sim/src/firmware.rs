@@ -1,5 +1,7 @@
 //! The device's firmware: states, watchdog and answers.
 
+use std::collections::hash_map::RandomState;
+use std::hash::{BuildHasher, Hasher};
 use std::net::SocketAddr;
 use std::path::Path;
 use std::time::{Duration, Instant};
@@ -17,12 +19,31 @@ const WATCHDOG_MS: u16 = 100;
 /// Shortest time between two answers to hosts of another version (chosen: a person cannot read more, and a flood gets no echo).
 const VERSION_ANSWER: Duration = Duration::from_millis(100);
 
+/// Codes of faults in a sample.
+const FAULTS: std::ops::RangeInclusive<u8> = 1..=4;
+
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum State {
     Idle,
     Greeted,
     Armed,
     Running,
+    Fault,
+}
+
+/// A fault that the device has found.
+#[derive(Clone, Copy, Debug)]
+struct Fault {
+    /// Its code in a sample.
+    code: u8,
+    /// True until the device is repaired.
+    persists: bool,
+}
+
+/// Returns a boot number that no earlier process had, as a device without permanent memory draws one.
+fn random_boot() -> u32 {
+    // The standard library's only random numbers; the codes of `getrandom` may fail, and this must not.
+    RandomState::new().build_hasher().finish() as u32
 }
 
 /// The device with its host.
@@ -31,6 +52,8 @@ pub struct Device {
     identity: Identity,
     pairing: Pairing,
     state: State,
+    fault: Option<Fault>,
+    buttons: u8,
     session: Option<Session>,
     past: Past,
     /// Sequence number of the last frame sent.
@@ -59,7 +82,7 @@ impl Device {
             max_mn: (drive.max_tension_n * 1e3) as u16,
             rate_hz: drive.rate_hz as u16,
             watchdog_ms: WATCHDOG_MS,
-            boot: making.seed as u32 ^ std::process::id(),
+            boot: random_boot(),
             name: "simulated".into(),
         };
         Self {
@@ -67,6 +90,8 @@ impl Device {
             identity,
             pairing: Pairing::new(pairing),
             state: State::Idle,
+            fault: None,
+            buttons: 0,
             session: None,
             past: Past::default(),
             sequence: 0,
@@ -97,11 +122,16 @@ impl Device {
             self.state = State::Armed;
             self.scene.drives.iter_mut().for_each(|d| d.idle());
         }
+        self.expire(now);
+        self.scene.advance((now - self.advanced).as_secs_f64());
+        self.advanced = now;
+    }
+
+    /// Ends the session of a host that has been silent for too long.
+    fn expire(&mut self, now: Instant) {
         if self.session.is_some_and(|s| s.left(now).is_zero()) {
             self.end_session();
         }
-        self.scene.advance((now - self.advanced).as_secs_f64());
-        self.advanced = now;
     }
 
     /// Takes what a socket has received.
@@ -109,8 +139,11 @@ impl Device {
         if self.faults.loses(now) {
             return;
         }
+        self.expire(now);
         match codec::parse(bytes) {
             None => {}
+            // No session has this number: it stands for none.
+            Some(Parsed::Request { session: 0, .. }) => {}
             Some(Parsed::HelloOfAnotherVersion { session }) => self.answer_version(session, from, now),
             Some(Parsed::Request { sequence, session, request: Request::Hello { pairing } }) => {
                 self.greet(pairing, session, sequence, from, now);
@@ -131,15 +164,18 @@ impl Device {
 
     /// Returns true if no motor has current.
     pub fn is_idle(&self) -> bool {
-        matches!(self.state, State::Idle | State::Greeted)
+        matches!(self.state, State::Idle | State::Greeted | State::Fault)
     }
 
-    /// Executes an order of stdin; returns false if it is none.
-    pub(crate) fn order(&mut self, words: &[&str], now: Instant) -> bool {
+    /// Executes an order of stdin, given as its words; returns false if it is none.
+    pub fn order(&mut self, words: &[&str], now: Instant) -> bool {
         match words {
             ["units", "wrong"] => self.restate_units(2),
             ["units", "right"] => self.restate_units(1),
-            ["power-cycle"] => self.power_cycle(),
+            ["power-cycle"] => self.power_cycle(now),
+            ["fault", code] => return code.parse().is_ok_and(|code| self.fail(code)),
+            ["repair"] => self.fault.iter_mut().for_each(|fault| fault.persists = false),
+            ["buttons", bits] => return bits.parse().map(|bits| self.buttons = bits).is_ok(),
             _ => return self.faults.order(words, now),
         }
         true
@@ -149,16 +185,17 @@ impl Device {
     fn obey(&mut self, request: Request, number: u32, sequence: u32, from: SocketAddr, now: Instant) {
         let Some(session) = self.session.as_mut().filter(|s| s.owns(from, number)) else { return };
         let newer = session.accept(sequence, now);
-        match request {
-            Request::Stop => self.end_session(),
+        match (request, self.state) {
+            (Request::Stop, _) => self.end_session(),
             _ if !newer => {}
-            Request::Arm => {
+            (Request::Arm | Request::Command { .. }, State::Fault) => self.send_sample(from, now),
+            (Request::Arm, _) => {
                 self.state = State::Armed;
                 self.scene.drives.iter_mut().for_each(|d| d.idle());
                 self.scene.armed();
                 self.send_sample(from, now);
             }
-            Request::Command { tension_mn } if matches!(self.state, State::Armed | State::Running) => {
+            (Request::Command { tension_mn }, State::Armed | State::Running) => {
                 self.state = State::Running;
                 (self.commanded, self.obeyed) = (now, sequence);
                 for (drive, t) in self.scene.drives.iter_mut().zip(tension_mn) {
@@ -166,39 +203,49 @@ impl Device {
                 }
                 self.send_sample(from, now);
             }
-            Request::Hello { .. } | Request::Command { .. } => {
+            (Request::Hello { .. } | Request::Command { .. }, _) => {
                 self.refuse(Refusal::OutOfOrder, Duration::ZERO, number, from, now);
             }
         }
     }
 
     fn greet(&mut self, pairing: u32, number: u32, sequence: u32, from: SocketAddr, now: Instant) {
-        if let Some(session) = &mut self.session {
-            if session.owns(from, number) {
-                // The answer was lost; a running session is not greeted again.
-                let newer = session.accept(sequence, now);
-                return if newer && self.state == State::Greeted {
-                    self.send_caps(from, number, now)
-                };
+        match self.session {
+            Some(session) if session.owns(from, number) => return self.greet_again(sequence, from, now),
+            Some(session) if session.host != from => {
+                return self.refuse(Refusal::Busy, session.left(now), number, from, now);
             }
-            if session.host != from {
-                let left = session.left(now);
-                return self.refuse(Refusal::Busy, left, number, from, now);
-            }
+            _ => {}
         }
         if self.past.knows(number) {
             return;
         }
         match self.pairing.check(pairing, now) {
-            Verdict::Paired => {
-                self.end_session();
-                self.session = Some(Session::begin(from, number, sequence, now));
-                self.past.note(number);
-                self.state = State::Greeted;
-                self.send_caps(from, number, now);
-            }
+            Verdict::Paired => self.begin_session(Session::begin(from, number, sequence, now), now),
             Verdict::Wrong => self.refuse(Refusal::WrongCode, self.pairing.wait(now), number, from, now),
             Verdict::TooSoon => self.refuse(Refusal::TooManyTries, self.pairing.wait(now), number, from, now),
+        }
+    }
+
+    fn begin_session(&mut self, session: Session, now: Instant) {
+        self.end_session();
+        // A hello takes leave of a fault whose cause is gone.
+        self.fault = self.fault.filter(|fault| fault.persists);
+        self.state = if self.fault.is_some() { State::Fault } else { State::Greeted };
+        (self.session, self.obeyed) = (Some(session), 0);
+        self.past.note(session.number);
+        self.send_caps(session.host, session.number, now);
+    }
+
+    /// Repeats the answer to the hello of the present session: it was lost. Once armed, its host has had it.
+    fn greet_again(&mut self, sequence: u32, from: SocketAddr, now: Instant) {
+        let Some(session) = self.session.as_mut().filter(|_| matches!(self.state, State::Greeted | State::Fault))
+        else {
+            return;
+        };
+        if session.accept(sequence, now) {
+            let number = session.number;
+            self.send_caps(from, number, now);
         }
     }
 
@@ -210,14 +257,15 @@ impl Device {
         }
     }
 
-    /// Ends the session: no current in any motor.
+    /// Ends the session: no current in any motor. A fault stays.
     fn end_session(&mut self) {
-        (self.session, self.state) = (None, State::Idle);
+        self.session = None;
+        self.state = if self.fault.is_some() { State::Fault } else { State::Idle };
         self.scene.drives.iter_mut().for_each(|d| d.release());
     }
 
     fn next_sequence(&mut self) -> u32 {
-        self.sequence = self.sequence.wrapping_add(1);
+        self.sequence = self.sequence.wrapping_add(1).max(1);
         self.sequence
     }
 
@@ -236,6 +284,8 @@ impl Device {
         let time_us = (now - self.started).as_micros() as u32;
         let reading = Reading {
             state: self.state as u8,
+            fault: self.fault.map_or(0, |fault| fault.code),
+            buttons: self.buttons,
             jig: self.scene.jig_contact(),
             time_us,
             obeyed: self.obeyed,
@@ -252,9 +302,22 @@ impl Device {
         self.end_session();
     }
 
-    fn power_cycle(&mut self) {
+    /// Finds a fault by its code: no current in any motor; the session goes on. Returns false if there is no such fault.
+    fn fail(&mut self, code: u8) -> bool {
+        let known = FAULTS.contains(&code);
+        if known {
+            (self.fault, self.state) = (Some(Fault { code, persists: true }), State::Fault);
+            self.scene.drives.iter_mut().for_each(|d| d.release());
+        }
+        known
+    }
+
+    /// Loses the supply: count, clock, session and all session numbers are forgotten.
+    fn power_cycle(&mut self, now: Instant) {
         self.identity.boot = self.identity.boot.wrapping_add(1);
+        self.fault = self.fault.filter(|fault| fault.persists);
         self.end_session();
+        (self.past, self.sequence, self.started) = (Past::default(), 0, now);
         self.scene.power_cycle();
     }
 

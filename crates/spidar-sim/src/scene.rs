@@ -83,8 +83,8 @@ impl Scene {
     /// Returns the jig place whose contact is closed, counted from 1; 0 for none.
     pub fn jig_contact(&self) -> u8 {
         let Some(time) = self.jigging else { return 0 };
-        let (place, within) = (time / (STANDING_S + MOVING_S), time % (STANDING_S + MOVING_S));
-        if within < STANDING_S { place as u8 + 1 } else { 0 }
+        let (place, within) = ((time / (STANDING_S + MOVING_S)) as usize, time % (STANDING_S + MOVING_S));
+        if within < STANDING_S && place < self.jig.len() { place as u8 + 1 } else { 0 }
     }
 
     /// Advances the scene [s].

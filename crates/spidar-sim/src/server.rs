@@ -37,7 +37,9 @@ pub enum ServeError {
     )]
     Open,
     /// A number is out of range.
-    #[error("--error-mm {0}, --hand {1} and --noise {2} may be 0 to 5, 0 to 2 and 0 to 10")]
+    #[error(
+        "--error-mm {0}, --hand {1}, --noise {2}: out of range\n  remedy: write numbers from 0 to 5, from 0 to 2 and from 0 to 10"
+    )]
     Range(f64, f64, f64),
     /// No pairing code could be drawn.
     #[error(transparent)]

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 use std::process::ExitCode;
+use std::time::{Duration, Instant};
 
 use saute_haptics::control::control_loop::{ControlLoop, LoopState};
 use saute_haptics::strings::simulator::open_or_simulate;
@@ -11,7 +12,9 @@ use saute_kitchen::Library;
 use super::fault_run;
 use super::fry::Fry;
 use super::network_check;
+use super::observation::Observation;
 use super::report::CheckReport;
+use super::trouble::{broke_off, not_there};
 use super::truth;
 use crate::error::CliError;
 use crate::exit_code;
@@ -19,6 +22,8 @@ use crate::output::{json, stderr, stdout};
 
 /// Longest times to find a device and to calibrate it on its jig [s] (chosen: a person with a jig of 17 places).
 const PATIENCE_S: [f64; 2] = [30.0, 300.0];
+/// Silence on the jig after which the device counts as dead (chosen: its user may plug a cable in again).
+const DEAD: Duration = Duration::from_secs(5);
 /// Time after the calibration that is not measured: the hand starts to move and forces grow [s] (chosen).
 const SETTLING_S: f64 = 1.0;
 /// Capacity of the log beyond the measurement [s] (chosen: calibration and faults).
@@ -41,6 +46,9 @@ pub struct CheckArgs {
     /// Duration of the measurement [s].
     #[arg(long, value_name = "S", default_value_t = 60.0)]
     pub for_s: f64,
+    /// Longest time for which the pan may stand still: a device that measures nothing looks like a pan that nobody moves [s].
+    #[arg(long, value_name = "S", default_value_t = 10.0)]
+    pub still_s: f64,
     /// Injects faults after the measurement; needs the simulator.
     #[arg(long)]
     pub faults: bool,
@@ -49,10 +57,14 @@ pub struct CheckArgs {
     pub json: bool,
 }
 
-/// Runs the control loop, measures it and prints the numbers.
+/// Runs the control loop, measures it and prints the numbers. Falls short unless the device was seen to work all the time.
 pub fn check(args: &CheckArgs, library: &Library) -> Result<ExitCode, CliError> {
     if !(1.0..=3600.0).contains(&args.for_s) {
         return Err(CliError::place(format!("--for-s {}", args.for_s), "is out of range", "give 1 to 3600 seconds"));
+    }
+    if !(0.1..=3600.0).contains(&args.still_s) {
+        let place = format!("--still-s {}", args.still_s);
+        return Err(CliError::place(place, "is out of range", "give 0.1 to 3600 seconds"));
     }
     let named = Named::parse(&args.device)?;
     if args.faults && !named.is_simulated() {
@@ -82,20 +94,19 @@ fn measure(args: &CheckArgs, named: &Named, geometry: &Geometry, library: &Libra
     calibrate(&mut fry, named, geometry)?;
     let before = fry.control.state();
     stderr::say(format!("measuring for {} s", args.for_s));
-    fry.until(args.for_s, |_| false);
+    let mut observation = Observation::begin(&before, Instant::now());
+    fry.until(args.for_s, |s| observation.note(s, Instant::now()));
     let after = fry.control.state();
-    if after.sample.health.is_safety_fault() {
-        return Err(not_there(after.sample.health));
-    }
     let contents_kg = fry.contents_kg();
     let force_limit_n = geometry.limits.force_n;
-    let faults = match simulator.as_mut().filter(|_| args.faults) {
+    let faults = match simulator.as_mut().filter(|_| args.faults && !after.sample.health.is_stopped()) {
         Some(simulator) => fault_run::run(&mut fry, simulator, force_limit_n),
         None => Vec::new(),
     };
     let kitchen_hz = fry.rate_hz();
     let run = fry.control.end()?;
     let measured = [before.sample.time_s, after.sample.time_s];
+    let seen = observation.end();
     let errors = match &mut simulator {
         Some(simulator) => {
             simulator.end();
@@ -114,12 +125,15 @@ fn measure(args: &CheckArgs, named: &Named, geometry: &Geometry, library: &Libra
         wrench_error: errors.map(|e| e.1),
         max_force_n: run.max_force_n,
         force_limit_n,
-        passivity_j: run.passivity_j,
+        passivity_j: seen.moved.then_some(run.passivity_j),
+        still_s: seen.still_s,
+        still_limit_s: args.still_s,
+        health: seen.unwell.unwrap_or(after.sample.health),
         dropouts: after.dropouts - before.dropouts,
         kitchen_hz,
         contents_kg,
         faults,
-        missed: Vec::new(),
+        missed: seen.misses(args.still_s),
     })
 }
 
@@ -133,11 +147,19 @@ fn calibrate(fry: &mut Fry, named: &Named, geometry: &Geometry) -> Result<(), Cl
         return Err(not_there(health));
     }
     stderr::say(format!("found; put the pan into each of the {} places of its jig", geometry.jig.pose.len()));
-    let is_done = |s: &LoopState| matches!(s.sample.health, Health::Running | Health::Misfit);
-    fry.until(jig, is_done);
-    let health = fry.control.state().sample.health;
-    if health != Health::Running {
-        return Err(not_calibrated(named, health));
+    let mut answered = Instant::now();
+    fry.until(jig, |s| match s.sample.health {
+        Health::Uncalibrated => {
+            answered = Instant::now();
+            false
+        }
+        Health::Lost | Health::Connecting => answered.elapsed() > DEAD,
+        _ => true,
+    });
+    match fry.control.state().sample.health {
+        Health::Running => {}
+        health @ (Health::Uncalibrated | Health::Misfit) => return Err(not_calibrated(named, health)),
+        health => return Err(broke_off(health)),
     }
     fry.until(SETTLING_S, |_| false);
     Ok(())
@@ -153,48 +175,6 @@ fn not_calibrated(named: &Named, health: Health) -> CliError {
         _ => ("was not calibrated in time", "leave the pan in each place of the jig until all have been measured"),
     };
     CliError::place(&named.name, message, remedy)
-}
-
-/// Returns the error of a device that has not been found.
-pub fn not_there(health: Health) -> CliError {
-    let (message, remedy) = match health {
-        Health::WrongCode => ("refuses the pairing code", "give the code that the device shows: --pairing CODE"),
-        Health::Busy => ("is driven by another program", "end that program, and wait a second"),
-        Health::WrongUnits => (
-            "uses units or strings that this program does not support",
-            "see docs/spidar-protocol.md: the units are nanometres, millinewtons and microseconds",
-        ),
-        Health::DeviceOutdated => {
-            ("speaks an older version of the protocol", "update its firmware to version 2 of docs/spidar-protocol.md")
-        }
-        Health::ProgramOutdated => ("speaks a newer version of the protocol", "update saute"),
-        Health::WatchdogUnlawful => {
-            ("states a watchdog time that is not within 5 to 100 ms", "correct the watchdog in its firmware")
-        }
-        Health::LeastTensionTooHigh => (
-            "states a least tension above that of its geometry file",
-            "correct its firmware, or min_tension_n in the geometry file",
-        ),
-        Health::LargestTensionTooLow => (
-            "states a largest tension below that of its geometry file",
-            "correct its firmware, or max_tension_n in the geometry file",
-        ),
-        Health::ImpossibleLengths => (
-            "was stopped for safety: the lengths of its strings contradict each other",
-            "check strings and encoders, and put the pan on its jig again",
-        ),
-        Health::ForceAboveLimit => {
-            ("was stopped for safety: it reported a force above its limit", "check motors and current measurement")
-        }
-        Health::EnergyOverdrawn => (
-            "was stopped for safety: it gave the hand too much energy",
-            "check the delay of the link, and the encoders",
-        ),
-        Health::Fault => ("reports a fault", "look at the device"),
-        Health::Uncalibrated => ("is not calibrated", "calibrate it as its manual says"),
-        _ => ("does not answer", "switch it on, and check its address, network and pairing code"),
-    };
-    CliError::place("the device", message, remedy)
 }
 
 /// A temporary file that is removed on drop.

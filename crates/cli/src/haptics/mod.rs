@@ -5,8 +5,10 @@ mod fault_run;
 mod fry;
 mod list;
 mod network_check;
+mod observation;
 mod report;
 mod stop_key;
+mod trouble;
 mod truth;
 
 pub use check::{CheckArgs, check};

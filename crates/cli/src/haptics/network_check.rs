@@ -1,12 +1,17 @@
 //! `saute haptics check` of a device without strings: it moves the pan, and messages, motion and forces are measured.
 
+use std::sync::mpsc::Receiver;
+use std::time::Instant;
+
 use saute_haptics::control::control_loop::{ControlLoop, LogRow, LoopState};
 use saute_haptics::{Health, Named, Pose, Rendering, library};
 use saute_kitchen::Library;
 use serde::Serialize;
 
-use super::check::{CheckArgs, not_there};
+use super::check::CheckArgs;
 use super::fry::Fry;
+use super::observation::{Observation, Seen};
+use super::trouble::not_there;
 use crate::error::CliError;
 use crate::output::stderr;
 
@@ -32,6 +37,12 @@ pub struct NetworkReport {
     pub longest_gap_s: f64,
     /// Number of rejected messages.
     pub rejected: u32,
+    /// Why messages were rejected since the start, once for each reason.
+    pub rejections: Vec<String>,
+    /// Longest time for which the pan stood still during the measurement [s].
+    pub still_s: f64,
+    /// Allowed longest time of that [s].
+    pub still_limit_s: f64,
     /// Largest displacement of the pan from its home position [mm].
     pub moved_mm: f64,
     /// Largest tilt of the pan [°].
@@ -42,7 +53,7 @@ pub struct NetworkReport {
     pub force_limit_n: f64,
     /// Rate of frames of the kitchen next to the loop [Hz].
     pub kitchen_hz: f64,
-    /// State of the device at the end.
+    /// First state in which the device did not work, or its state at the end.
     pub health: Health,
     /// Missed goals, in words.
     pub missed: Vec<String>,
@@ -54,14 +65,23 @@ pub fn measure(args: &CheckArgs, named: &Named, library: &Library) -> Result<Net
     let capabilities = opened.device.capabilities().clone();
     opened.access.lines().into_iter().for_each(stderr::say);
     let rows = (args.for_s * capabilities.rate_hz) as usize;
+    let mut notices = Notices { coming: opened.notices, lines: Vec::new() };
     let mut fry = Fry::new(library, ControlLoop::start(opened.device, &library::feel()?, rows)?)?;
-    if !fry.until(args.wait_s.unwrap_or(PATIENCE_S), |s| s.sample.health == Health::Running) {
+    let found = fry.until(args.wait_s.unwrap_or(PATIENCE_S), |s| {
+        notices.show();
+        s.sample.health == Health::Running
+    });
+    if !found {
         return Err(not_there(fry.control.state().sample.health));
     }
     stderr::say(format!("found; measuring for {} s", args.for_s));
     let before = fry.control.state();
-    fry.until(args.for_s, |_| false);
-    let after = fry.control.state();
+    let mut observation = Observation::begin(&before, Instant::now());
+    fry.until(args.for_s, |s| {
+        notices.show();
+        observation.note(s, Instant::now())
+    });
+    let (after, seen) = (fry.control.state(), observation.end());
     let kitchen_hz = fry.rate_hz();
     let run = fry.control.end()?;
     let of_measurement: Vec<LogRow> =
@@ -72,17 +92,35 @@ pub fn measure(args: &CheckArgs, named: &Named, library: &Library) -> Result<Net
         rate_hz: run.rate_hz,
         messages_hz: of_measurement.len() as f64 / args.for_s,
         longest_gap_s: longest_gap(&of_measurement, &before, &after),
+        rejections: notices.lines,
+        still_s: seen.still_s,
+        still_limit_s: args.still_s,
         rejected: after.sample.rejected.wrapping_sub(before.sample.rejected),
         moved_mm: most(&of_measurement, |pose| (pose.position - middle(&capabilities.workspace.home_m)).length() * 1e3),
         tilted_deg: most(&of_measurement, |pose| pose.up()[2].clamp(-1.0, 1.0).acos().to_degrees()),
         max_force_n: run.max_force_n,
         force_limit_n: capabilities.limits.force_n,
         kitchen_hz,
-        health: after.sample.health,
+        health: seen.unwell.unwrap_or(after.sample.health),
         missed: Vec::new(),
     };
-    report.missed = report.misses();
+    report.missed = report.misses(&seen);
     Ok(report)
+}
+
+/// What a device tells its user, shown as it comes.
+struct Notices {
+    coming: Option<Receiver<String>>,
+    lines: Vec<String>,
+}
+
+impl Notices {
+    fn show(&mut self) {
+        for line in self.coming.iter().flat_map(Receiver::try_iter) {
+            stderr::say(&line);
+            self.lines.push(line);
+        }
+    }
 }
 
 fn middle(home: &[f64; 3]) -> glam::DVec3 {
@@ -101,15 +139,14 @@ fn longest_gap(log: &[LogRow], before: &LoopState, after: &LoopState) -> f64 {
 }
 
 impl NetworkReport {
-    fn misses(&self) -> Vec<String> {
-        let mut missed = Vec::new();
+    fn misses(&self, seen: &Seen) -> Vec<String> {
+        let mut missed = seen.misses(self.still_limit_s);
         let mut goal = |met: bool, words: String| {
             if !met {
                 missed.push(words);
             }
         };
         goal(self.messages_hz >= LEAST_HZ, format!("{LEAST_HZ} messages/s: {:.1}", self.messages_hz));
-        goal(self.health == Health::Running, "the device was lost".into());
         let (force, limit) = (self.max_force_n, self.force_limit_n);
         goal(force <= limit + ROUNDING_N, format!("force within {limit} N: {force:.2} N"));
         missed
@@ -128,11 +165,13 @@ impl NetworkReport {
             format!("shows         {shown}"),
             format!("rate          {:.1} Hz", self.rate_hz),
             format!("messages      {:.1} per second, longest gap {:.0} ms", self.messages_hz, self.longest_gap_s * 1e3),
-            format!("rejected      {}", self.rejected),
+            format!("rejected      {} messages", self.rejected),
             format!("pan           moved by {:.0} mm, tilted by {:.1}° at most", self.moved_mm, self.tilted_deg),
+            format!("standstill    {:.1} s at most, {} s allowed (--still-s)", self.still_s, self.still_limit_s),
             format!("force         {:.1} N at most, limit {} N", self.max_force_n, self.force_limit_n),
             format!("kitchen       {:.1} frames per second next to the loop", self.kitchen_hz),
         ];
+        lines.extend(self.rejections.iter().map(|why| format!("note          {why}")));
         lines.extend(self.missed.iter().map(|m| format!("missed        {m}")));
         lines.join("\n") + "\n"
     }

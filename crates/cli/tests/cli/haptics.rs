@@ -102,6 +102,7 @@ fn bad_orders_are_refused_with_what_to_do() {
         &["does not answer", "pairing code", "this machine alone"],
     );
     refused(&["--for-s", "0"], &["--for-s 0", "1 to 3600"]);
+    refused(&["--still-s", "nan"], &["--still-s NaN", "0.1 to 3600"]);
     refused(&["--faults", "--device", "spidar-pan@127.0.0.1:9"], &["--faults", "faults cannot be injected"]);
     refused(&["--device", "spidar-pan@/dev/no-such-port"], &["/dev/no-such-port", "serial port", "HOST:PORT"]);
 }
@@ -120,10 +121,10 @@ fn a_missing_simulator_is_named_with_the_remedy() {
 }
 
 /// Starts the simulator as a device that is already switched on; returns it with its address.
-fn switched_on(pairing: &str) -> (Child, String) {
+fn switched_on(pairing: &str, hand: &str) -> (Child, String) {
     build_simulator();
     let program = Path::new(env!("CARGO_BIN_EXE_saute")).with_file_name("saute-spidar-sim");
-    let args = ["--device", "spidar-pan", "--quiet", "--end-with-stdin", "--pairing", pairing];
+    let args = ["--device", "spidar-pan", "--quiet", "--end-with-stdin", "--pairing", pairing, "--hand", hand];
     let mut child = Command::new(program).args(args).stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().unwrap();
     let lines = BufReader::new(child.stdout.take().unwrap()).lines().map_while(Result::ok);
     let address = lines.take(2).last().unwrap().strip_prefix("listening on ").unwrap().to_owned();
@@ -132,7 +133,7 @@ fn switched_on(pairing: &str) -> (Child, String) {
 
 #[test]
 fn a_device_at_an_address_is_used_with_its_pairing_code_and_only_with_it() {
-    let (mut child, address) = switched_on("424242");
+    let (mut child, address) = switched_on("424242", "1");
     let device = format!("spidar-pan@{address}");
     let check =
         |code: &str| run(&["haptics", "check", "--device", &device, "--pairing", code, "--for-s", "1", "--json"]);
@@ -148,6 +149,91 @@ fn a_device_at_an_address_is_used_with_its_pairing_code_and_only_with_it() {
     assert!(report["max_force_n"].as_f64() > Some(3.0), "{report}");
     drop(child.stdin.take());
     child.wait().unwrap();
+}
+
+/// Starts a check of a device that is switched on and waits until it is measured. What it says after that is read and dropped.
+fn measured(address: &str, args: &[&str]) -> Child {
+    let device = format!("spidar-pan@{address}");
+    let mut command = Command::new(env!("CARGO_BIN_EXE_saute"));
+    command.args(["haptics", "check", "--pairing", "424242", "--json", "--device", &device]).args(args);
+    command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = command.spawn().unwrap();
+    let mut lines = BufReader::new(child.stderr.take().unwrap()).lines().map_while(Result::ok);
+    assert!(lines.any(|line| line.starts_with("measuring for")), "it is found and calibrated");
+    std::thread::spawn(move || lines.count());
+    child
+}
+
+/// Returns exit code, state of the device and the first missed goal.
+fn verdict(child: Child) -> (Option<i32>, String, String) {
+    let ran: Ran = child.wait_with_output().unwrap().into();
+    let report: Value = serde_json::from_str(&ran.out).unwrap_or_else(|e| panic!("{e}: {} {}", ran.out, ran.err));
+    let text = |path: &str| report.pointer(path).and_then(Value::as_str).unwrap_or_default().to_owned();
+    (ran.code, text("/health"), text("/missed/0"))
+}
+
+#[test]
+fn a_device_that_dies_or_reports_a_fault_falls_short() {
+    let (mut dying, address) = switched_on("424242", "1");
+    let check = measured(&address, &["--for-s", "2"]);
+    dying.kill().unwrap();
+    dying.wait().unwrap();
+    let (code, health, missed) = verdict(check);
+    assert_eq!((code, health.as_str()), (Some(1), "lost"));
+    assert!(missed.contains("went silent") && missed.contains("cable"), "{missed}");
+
+    let (mut ill, address) = switched_on("424242", "1");
+    let check = measured(&address, &["--for-s", "2"]);
+    std::io::Write::write_all(ill.stdin.as_mut().unwrap(), b"fault 1\n").unwrap();
+    let (code, health, missed) = verdict(check);
+    assert_eq!((code, health.as_str()), (Some(1), "fault"));
+    assert!(missed.contains("reports a fault"), "{missed}");
+    // It is found at once, and still falls short.
+    let args = ["haptics", "check", "--pairing", "424242", "--for-s", "1", "--device"];
+    let ran = run(&[&args[..], &[&format!("spidar-pan@{address}")]].concat());
+    assert!(ran.code == Some(1) && ran.err.contains("reports a fault"), "{:?} {}", ran.code, ran.err);
+    drop(ill.stdin.take());
+    ill.wait().unwrap();
+}
+
+#[test]
+fn a_pan_that_stands_still_for_longer_than_stated_falls_short_and_its_passivity_is_not_judged() {
+    let (mut still, address) = switched_on("424242", "0");
+    let (code, health, missed) = verdict(measured(&address, &["--for-s", "3", "--still-s", "1.5"]));
+    assert_eq!((code, health.as_str()), (Some(1), "running"));
+    assert!(missed.contains("stood still for") && missed.contains("1.5 s are allowed"), "{missed}");
+    drop(still.stdin.take());
+    still.wait().unwrap();
+}
+
+#[cfg(unix)]
+#[test]
+fn a_closed_terminal_ends_a_check() {
+    use std::os::unix::process::ExitStatusExt;
+    let (mut device, address) = switched_on("424242", "1");
+    let mut check = measured(&address, &["--for-s", "600"]);
+    assert!(Command::new("kill").args(["-s", "HUP", &check.id().to_string()]).status().unwrap().success());
+    assert_eq!(check.wait().unwrap().signal(), Some(1));
+    drop(device.stdin.take());
+    device.wait().unwrap();
+}
+
+#[test]
+fn the_simulator_refuses_places_that_are_not_finite_with_the_reason() {
+    build_simulator();
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("mine.toml");
+    let shipped = include_str!("../../../../data/haptics/devices/spidar-pan.toml");
+    let program = Path::new(env!("CARGO_BIN_EXE_saute")).with_file_name("saute-spidar-sim");
+    for number in ["nan", "inf", "-inf"] {
+        std::fs::write(&file, shipped.replacen("home_mm = [0,", &format!("home_mm = [{number},"), 1)).unwrap();
+        let ran: Ran = Command::new(&program).arg("--device").arg(&file).output().unwrap().into();
+        assert_eq!(ran.code, Some(2), "{number}: {}", ran.err);
+        assert!(["mine.toml", "home_mm has", "-5000 to 5000"].iter().all(|w| ran.err.contains(w)), "{}", ran.err);
+        let device = file.to_str().unwrap();
+        let ran = run(&["haptics", "check", "--for-s", "1", "--device", device]);
+        assert!(ran.code == Some(2) && ran.err.contains("home_mm has"), "{}", ran.err);
+    }
 }
 
 #[test]
@@ -171,6 +257,37 @@ fn listening() -> (Child, String, String) {
     // The rest must be read, or the child would block on a full pipe.
     std::thread::spawn(move || lines.count());
     (child, place, code)
+}
+
+#[test]
+fn a_sender_of_floats_alone_pairs_and_reads_why_a_message_was_rejected() {
+    let (child, place, code) = listening();
+    let socket = std::net::UdpSocket::bind("127.0.0.1:0").unwrap();
+    let send = |addr: &str, floats: &[f32]| {
+        let args = floats.iter().map(|v| rosc::OscType::Float(*v)).collect();
+        let packet = rosc::OscPacket::Message(rosc::OscMessage { addr: addr.into(), args });
+        let _ = socket.send_to(&rosc::encoder::encode(&packet).unwrap(), &place);
+    };
+    send("/saute/pair/", &[code.parse().unwrap()]);
+    let sending = std::sync::atomic::AtomicBool::new(true);
+    let ran: Ran = std::thread::scope(|scope| {
+        scope.spawn(|| {
+            while sending.load(std::sync::atomic::Ordering::Acquire) {
+                send("/saute/pan/tilt", &[10.0, 0.0]);
+                send("/saute/button", &[1.0, 1.0]);
+                send("/saute/pan/tilt", &[f32::NAN, 0.0]);
+                std::thread::sleep(std::time::Duration::from_millis(15));
+            }
+        });
+        let output = child.wait_with_output().unwrap();
+        sending.store(false, std::sync::atomic::Ordering::Release);
+        output.into()
+    });
+    let report: Value = serde_json::from_str(&ran.out).unwrap();
+    assert_eq!((ran.code, &report["health"]), (Some(0), &"running".into()), "{report}");
+    let why = report["rejections"].as_array().unwrap();
+    assert_eq!(why.len(), 1, "each reason once: {report}");
+    assert!(why[0].as_str().unwrap().contains("a number that is not finite"), "{report}");
 }
 
 #[test]

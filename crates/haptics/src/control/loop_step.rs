@@ -90,7 +90,6 @@ impl LoopStep {
 
     /// Stops the device: it makes no force until `resume`.
     pub fn stop(&mut self) {
-        // A second request tells the device again: the first may have been lost.
         self.device.stop();
         // The reason of an earlier stop stays visible.
         self.halt.get_or_insert(Health::Stopped);

@@ -167,7 +167,7 @@ impl Passivity {
         (self.accounts, self.gain) = ([self.reserve; 2], 1.0);
     }
 
-    /// Returns the lowest value of the account so far [J].
+    /// Returns the lowest value of the account so far [J]; it is the full reserve, and says nothing, while the device has not moved.
     pub fn lowest(&self) -> f64 {
         self.lowest
     }

@@ -28,5 +28,9 @@ pub fn judge(caps: &Caps, geometry: &Geometry) -> Result<(), Health> {
     if f64::from(caps.max_mn) < largest_mn - ROUNDING_MN {
         return Err(Health::LargestTensionTooLow);
     }
+    // The geometry's stiffness and slew rate are stable at its own rate only.
+    if f64::from(caps.rate_hz) < geometry.drive.rate_hz.trunc() {
+        return Err(Health::RateTooLow);
+    }
     Ok(())
 }

@@ -9,6 +9,7 @@ use serde::Deserialize;
 
 use crate::device::{Capabilities, Limits, Sensed, Vibration, Workspace};
 use crate::library::parse_table;
+use crate::strings::jig_log::PLACES;
 use crate::strings::tension::TensionRule;
 use crate::strings::{STRINGS, StringRig};
 use crate::wrench::Wrench;
@@ -123,6 +124,9 @@ pub struct Geometry {
     pub jig: JigTable,
 }
 
+/// Largest coordinate [mm] (chosen: larger than any device).
+const FARTHEST_MM: f64 = 5000.0;
+
 /// A checked number: key, value, minimum, maximum.
 type Ranged = (&'static str, f64, f64, f64);
 
@@ -146,9 +150,11 @@ impl Geometry {
                 return error(key, format!("{key} has {} places", places.len()), "give eight, one for each string");
             }
         }
-        let places = self.strings.motor_mm.iter().chain(&self.strings.attachment_mm).flatten();
-        if places.chain(self.jig.pose.iter().flatten()).any(|v| !v.is_finite() || v.abs() > 5000.0) {
-            return error("motor_mm", "a place is out of range".into(), "give millimetres within 5 m");
+        for (key, mut numbers) in self.places() {
+            if let Some(value) = numbers.find(|v| !v.is_finite() || v.abs() > FARTHEST_MM) {
+                let remedy = "give finite numbers within ±5000 mm, and angles in degrees";
+                return error(key, format!("{key} has {value}, which is out of range"), remedy);
+            }
         }
         for (key, value, low, high) in self.ranged() {
             if !(low..=high).contains(&value) {
@@ -158,14 +164,23 @@ impl Geometry {
         if self.drive.max_tension_n <= self.drive.min_tension_n {
             return error("max_tension_n", "max_tension_n is no more than min_tension_n".into(), "give a larger one");
         }
-        if self.jig.pose.len() < 8 {
-            return error(
-                "pose",
-                format!("the jig has {} poses", self.jig.pose.len()),
-                "give eight or more, far apart",
-            );
+        if !(8..=PLACES).contains(&self.jig.pose.len()) {
+            let remedy = format!("give 8 to {PLACES}, far apart");
+            return error("pose", format!("the jig has {} poses", self.jig.pose.len()), &remedy);
         }
         Ok(())
+    }
+
+    /// Returns all places with their keys.
+    fn places(&self) -> [(&'static str, Box<dyn Iterator<Item = f64> + '_>); 5] {
+        let (strings, workspace) = (&self.strings, &self.workspace);
+        [
+            ("motor_mm", Box::new(strings.motor_mm.iter().flatten().copied())),
+            ("attachment_mm", Box::new(strings.attachment_mm.iter().flatten().copied())),
+            ("home_mm", Box::new(workspace.home_mm.into_iter())),
+            ("half_mm", Box::new(workspace.half_mm.into_iter())),
+            ("pose", Box::new(self.jig.pose.iter().flatten().copied())),
+        ]
     }
 
     fn ranged(&self) -> [Ranged; 18] {

@@ -78,7 +78,7 @@ pub(crate) const FARTHEST: f64 = 5e-3;
 /// Number of Gauss–Newton steps (chosen: three suffice from a drawing that is half a millimetre off).
 const STEPS: usize = 8;
 /// Largest accepted residual [m] (chosen: ten times the accuracy of encoders and jig).
-const WORST: f64 = 0.3e-3;
+pub(crate) const WORST: f64 = 0.3e-3;
 
 impl Calibration {
     /// Creates the calibration of a device exactly as drawn, whose encoders read `length` by count [m] at a pose.

@@ -7,7 +7,7 @@ use saute_kitchen::InputError;
 use serde::{Deserialize, Serialize};
 
 use crate::library::{error_at, parse_table};
-use crate::strings::jig_calibration::Calibration;
+use crate::strings::jig_calibration::{Calibration, WORST};
 use crate::strings::{STRINGS, StringRig};
 
 /// Remedy for an invalid file.
@@ -94,6 +94,10 @@ impl KeptCalibration {
         let numbers = |s: &StringEntry| s.motor_mm.into_iter().chain(s.attachment_mm).chain([s.offset_mm]);
         if kept.string.iter().flat_map(numbers).any(|v| !v.is_finite() || v.abs() > FARTHEST_MM) {
             return wrong("motor_mm", "a number is out of range");
+        }
+        // A large residual would make all lengths possible, and so disarm the rule that detects impossible ones.
+        if !(0.0..=WORST * 1e3).contains(&kept.residual_mm) {
+            return wrong("residual_mm", "the residual is out of range");
         }
         if kept.device.len() > 16 {
             return wrong("device", "the device's name has more than 16 bytes");

@@ -2,7 +2,7 @@
 
 use crate::strings::geometry::Geometry;
 use crate::strings::jig_calibration::{Calibration, FARTHEST};
-use crate::strings::jig_log::JigLog;
+use crate::strings::jig_log::{JigLog, LONGEST_GAP_S};
 use crate::strings::kept_calibration::{CalibrationMemory, KeptCalibration};
 use crate::strings::pose_from_lengths::PoseEstimator;
 use crate::strings::wire::{Caps, Sample};
@@ -98,9 +98,9 @@ impl Locator {
         self.calibration.map_or(self.drawn, |c| c.rig).lines(&self.pose())
     }
 
-    /// Takes the capabilities of the device that has answered: a calibration of another boot is discarded.
+    /// Takes the capabilities of the device that has answered: a calibration of another boot or another device is discarded.
     pub fn meet(&mut self, caps: &Caps) {
-        if self.caps.is_some_and(|before| before.boot != caps.boot) {
+        if self.caps.is_some_and(|before| (before.name, before.boot) != (caps.name, caps.boot)) {
             self.discard();
             self.readings_misfit = false;
             self.jig = JigLog::new(&self.jig_poses);
@@ -132,18 +132,22 @@ impl Locator {
         self.estimator = PoseEstimator::new(self.drawn, self.home);
     }
 
-    /// Takes a sample: updates the pose, or continues the calibration; `dt` is the time since the last sample [s].
+    /// Takes a sample: updates the pose, or continues the calibration; `dt` is the time since the last sample of the session, 0 for
+    /// the first one [s].
     pub fn locate(&mut self, sample: &Sample, dt: f64) {
         let (by_count, stretch) = self.by_count(sample);
         if self.calibration.is_none() {
-            self.note_on_jig(sample.jig, &by_count);
+            self.note_on_jig(sample.jig, &by_count, dt);
         }
         if let Some(calibration) = self.calibration {
             self.update(&calibration, &by_count, &stretch, dt);
         }
     }
 
-    fn note_on_jig(&mut self, place: u8, by_count: &[f64; STRINGS]) {
+    fn note_on_jig(&mut self, place: u8, by_count: &[f64; STRINGS], dt: f64) {
+        if dt == 0.0 || dt > LONGEST_GAP_S {
+            self.jig.lose_sight();
+        }
         match self.jig.note(place, by_count, &self.drawn) {
             None => {}
             Some(Ok(calibration)) => {

@@ -1,6 +1,7 @@
 //! String-driven devices: geometry, tension distribution, pose estimation, calibration and the SPIDAR driver.
 
 mod caps_verdict;
+mod device_clock;
 pub mod geometry;
 pub mod jig_calibration;
 mod jig_log;

@@ -6,6 +6,7 @@ use saute_kitchen::dynamics::Pose;
 
 use crate::device::{Capabilities, HapticCommand, HapticDevice, HapticSample, Health};
 use crate::strings::caps_verdict::judge;
+use crate::strings::device_clock::DeviceClock;
 use crate::strings::geometry::Geometry;
 use crate::strings::jig_calibration::Calibration;
 use crate::strings::kept_calibration::CalibrationMemory;
@@ -62,11 +63,10 @@ pub struct Spidar<L: Link> {
     session: Session,
     clock: f64,
     received_at: f64,
-    device_us: u64,
+    device_clock: DeviceClock,
     /// Time of the next hello [s], and number of hellos without an answer.
     hello_due: f64,
     unanswered: u32,
-    last: Option<Sample>,
     output: HapticSample,
 }
 
@@ -85,10 +85,9 @@ impl<L: Link> Spidar<L> {
             session: Session::new(),
             clock: 0.0,
             received_at: 0.0,
-            device_us: 0,
+            device_clock: DeviceClock::default(),
             hello_due: f64::NEG_INFINITY,
             unanswered: 0,
-            last: None,
             output: HapticSample { pose: geometry.home(), ..HapticSample::default() },
             geometry,
         }
@@ -167,6 +166,8 @@ impl<L: Link> Spidar<L> {
             return;
         }
         (self.phase, self.health) = (Phase::Seeking, health);
+        // Nobody presses the buttons of a device that is not heard.
+        self.output.buttons = 0;
         self.hello_due = self.clock + if is_refusal(health) { RETRY_S } else { HELLO_S };
     }
 
@@ -177,7 +178,7 @@ impl<L: Link> Spidar<L> {
         self.unanswered = 0;
         self.locator.meet(caps);
         self.caps = Some(*caps);
-        self.last = None;
+        self.device_clock.begin_session();
         self.pull.rest();
         (self.phase, self.received_at) = (Phase::Arming, self.clock);
         self.send(Message::Arm);
@@ -185,30 +186,30 @@ impl<L: Link> Spidar<L> {
 
     /// Accepts a sample that is newer than the last one; returns false if it is not.
     fn accept_sample(&mut self, sample: &Sample) -> bool {
-        let passed = self.last.map(|last| sample.time_us.wrapping_sub(last.time_us) as i32);
-        if passed.is_some_and(|us| us <= 0) {
+        let Some(passed) = self.device_clock.advance(sample.time_us, self.clock) else {
             self.output.rejected += 1;
             return false;
+        };
+        self.received_at = self.clock;
+        // Without current the strings may be slack: their lengths then say nothing about the pan.
+        if matches!(sample.state, DeviceState::Armed | DeviceState::Running) {
+            self.locator.locate(sample, passed);
         }
+        self.report(sample);
         match (sample.state, self.phase) {
             (_, Phase::Releasing) => {}
             (DeviceState::Fault, _) => self.refuse(Health::Fault),
-            (DeviceState::Idle | DeviceState::Greeted, _) => self.phase = Phase::Seeking,
+            (DeviceState::Idle | DeviceState::Greeted, _) => self.refuse(Health::Lost),
             (DeviceState::Armed | DeviceState::Running, _) => self.phase = Phase::Linked,
         }
-        self.received_at = self.clock;
-        self.last = Some(*sample);
-        self.locator.locate(sample, f64::from(passed.unwrap_or(0)) * 1e-6);
-        self.report(sample);
         true
     }
 
     /// Puts what a sample says into the output.
     fn report(&mut self, sample: &Sample) {
-        self.device_us = unwrapped(self.device_us, sample.time_us);
         let pulled = sample.tension_mn.map(|t| f64::from(t) * 1e-3);
         self.output = HapticSample {
-            time_s: self.device_us as f64 * 1e-6,
+            time_s: self.device_clock.time_s(),
             pose: self.locator.pose(),
             twist: self.locator.twist(),
             length_misfit: self.locator.length_misfit(),
@@ -227,7 +228,6 @@ impl<L: Link> Spidar<L> {
         }
         self.hello_due = self.clock + if is_refusal(self.health) { RETRY_S } else { HELLO_S };
         self.unanswered += 1;
-        self.last = None;
         let hello = Hello { pairing: self.pairing, rate_hz: self.geometry.drive.rate_hz as u16 };
         let older = self.unanswered.is_multiple_of(OLDER_EVERY);
         self.send(if older { Message::HelloOfVersion1(hello) } else { Message::Hello(hello) });
@@ -278,13 +278,6 @@ fn is_refusal(health: Health) -> bool {
     !matches!(health, Connecting | Lost | Misfit | Running | Uncalibrated)
 }
 
-/// Returns a 32-bit time as a 64-bit time that continues after each wrap [µs].
-fn unwrapped(last: u64, time_us: u32) -> u64 {
-    let low = u64::from(u32::MAX);
-    let time = (last & !low) | u64::from(time_us);
-    if time + (1 << 31) < last { time + low + 1 } else { time }
-}
-
 impl<L: Link> HapticDevice for Spidar<L> {
     fn capabilities(&self) -> &Capabilities {
         &self.capabilities
@@ -312,9 +305,15 @@ impl<L: Link> HapticDevice for Spidar<L> {
         self.output
     }
 
+    /// Sends the stops of the session; a device that has been stopped, or never asked for, is sent none.
     fn stop(&mut self) {
         self.health = Health::Stopped;
-        self.send_due_stop(Stops::from(self.clock));
+        self.output.buttons = 0;
+        match self.phase {
+            Phase::Stopped(_) => {}
+            _ if self.session.end() => self.send_due_stop(Stops::from(self.clock)),
+            _ => self.phase = Phase::Stopped(Stops::default()),
+        }
     }
 
     fn trip(&mut self) {
@@ -345,9 +344,9 @@ impl<L: Link> Drop for Spidar<L> {
     /// Sends the stops that are still due, so that no force outlives the driver, even when its thread panics.
     fn drop(&mut self) {
         let left = match self.phase {
-            Phase::Seeking => 0,
             Phase::Stopped(stops) => stops.left(),
-            Phase::Arming | Phase::Linked | Phase::Releasing => Stops::from(self.clock).left(),
+            _ if self.session.end() => Stops::from(self.clock).left(),
+            _ => 0,
         };
         for k in 0..left {
             if k > 0 || matches!(self.phase, Phase::Stopped(_)) {

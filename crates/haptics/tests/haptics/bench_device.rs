@@ -25,6 +25,7 @@ struct State {
     boot: u32,
     pairing: u32,
     plugged: bool,
+    mute: bool,
     jigging: Option<u32>,
     time_us: u32,
     stops: u32,
@@ -70,6 +71,7 @@ impl Bench {
             boot: 1,
             pairing: 42,
             plugged: true,
+            mute: false,
             jigging: Some(0),
             time_us: 0,
             stops: 0,
@@ -88,6 +90,11 @@ impl Bench {
 
     pub fn plug(&self, plugged: bool) {
         self.0.lock().unwrap().plugged = plugged;
+    }
+
+    /// Lets the device hear without being heard.
+    pub fn mute(&self, mute: bool) {
+        self.0.lock().unwrap().mute = mute;
     }
 
     pub fn speak(&self, units: Units) {
@@ -234,6 +241,6 @@ impl Link for BenchLink {
 
     fn receive(&mut self) -> Option<Result<Frame, FrameError>> {
         let mut state = self.0.0.lock().unwrap();
-        if state.plugged { state.coming.pop_front().map(Ok) } else { None }
+        if state.plugged && !state.mute { state.coming.pop_front().map(Ok) } else { None }
     }
 }

@@ -80,24 +80,57 @@ fn program_with_a_loop() {
     std::thread::sleep(Duration::from_secs(60));
 }
 
-fn program(device: &Device) -> Child {
-    let mut command = Command::new(std::env::current_exe().unwrap());
-    command.args(["--ignored", "--exact", "ending::program_with_a_loop"]).env(ADDRESS, device.address().to_string());
+/// Starts the program through a shell that runs `first` in the same process.
+fn program(device: &Device, first: &str) -> Child {
+    let mut command = Command::new("sh");
+    command.arg("-c").arg(format!("{first} exec \"$0\" --ignored --exact ending::program_with_a_loop"));
+    command.arg(std::env::current_exe().unwrap()).env(ADDRESS, device.address().to_string());
     command.stdout(Stdio::null()).spawn().unwrap()
+}
+
+fn send(names: &[&str], child: &Child) {
+    let pid = child.id().to_string();
+    // The first one may have ended the program already.
+    let kills: String = names.iter().map(|name| format!("kill -s {name} {pid}; ")).collect();
+    assert!(Command::new("sh").args(["-c", &format!("{kills} true")]).status().unwrap().success());
 }
 
 #[test]
 fn a_signal_stops_the_device_before_it_ends_the_program() {
-    for (name, number) in [("TERM", 15), ("INT", 2)] {
+    for (name, number) in [("TERM", 15), ("INT", 2), ("HUP", 1)] {
         let mut device = Device::start();
-        let mut child = program(&device);
+        let mut child = program(&device, "");
         assert!(device.until(|d| d.commands > 100), "the loop runs");
         assert!(device.stops == 0);
-        let pid = child.id().to_string();
-        assert!(Command::new("kill").args(["-s", name, &pid]).status().unwrap().success());
+        send(&[name], &child);
         assert!(device.until(|d| d.stops == 3), "{name}: {} stops", device.stops);
         assert_eq!(child.wait().unwrap().signal(), Some(number), "{name} ends the program as usual");
     }
+}
+
+#[test]
+fn a_terminal_that_hangs_up_several_times_does_not_cut_the_stops_short() {
+    for rest in [["HUP", "HUP"], ["HUP", "TERM"], ["TERM", "HUP"]] {
+        let mut device = Device::start();
+        let mut child = program(&device, "");
+        assert!(device.until(|d| d.commands > 100), "the loop runs");
+        send(&rest, &child);
+        assert!(device.until(|d| d.stops == 3), "{rest:?}: {} stops", device.stops);
+        assert!(child.wait().unwrap().signal().is_some(), "{rest:?} end the program");
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_program_that_was_started_to_outlive_its_terminal_goes_on() {
+    let mut device = Device::start();
+    let mut child = program(&device, "trap '' HUP;");
+    assert!(device.until(|d| d.commands > 100), "the loop runs");
+    send(&["HUP"], &child);
+    let before = device.commands;
+    assert!(device.until(|d| d.commands > before + 300) && device.stops == 0, "{} stops", device.stops);
+    send(&["TERM"], &child);
+    assert!(device.until(|d| d.stops == 3) && child.wait().unwrap().signal() == Some(15));
 }
 
 #[test]

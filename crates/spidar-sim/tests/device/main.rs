@@ -6,3 +6,4 @@
 mod hostile_host;
 mod memory_link;
 mod normal_use;
+mod open_questions;

@@ -73,6 +73,13 @@ impl Bench {
         }
     }
 
+    /// Executes an order, such as a fault to simulate.
+    pub fn order(&self, line: &str) {
+        let mut state = self.0.lock().unwrap();
+        let now = state.now;
+        assert!(state.device.order(&line.split(' ').collect::<Vec<_>>(), now), "{line}");
+    }
+
     /// Returns and forgets the answers to an address.
     pub fn answers(&self, to: &str) -> Vec<Message> {
         let mut link = self.link(to);

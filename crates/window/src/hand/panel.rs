@@ -146,6 +146,7 @@ fn health_word(health: Health, l: Language) -> &'static str {
         Health::WatchdogUnlawful => "hand.watchdog_unlawful",
         Health::LeastTensionTooHigh => "hand.least_too_high",
         Health::LargestTensionTooLow => "hand.largest_too_low",
+        Health::RateTooLow => "hand.rate_too_low",
         Health::Stopped => "hand.stopped",
         Health::ImpossibleLengths => "hand.impossible_lengths",
         Health::ForceAboveLimit => "hand.force_above_limit",

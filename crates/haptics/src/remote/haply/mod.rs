@@ -110,7 +110,8 @@ pub fn open(address: SocketAddr) -> Result<Opened, OpenError> {
     let run = move |end| service::Service::new(address, incoming_in, outgoing_out, end).run();
     let thread = NetworkThread::spawn("haply", run)
         .map_err(|e| OpenError::place(address, format!("no thread: {e}"), "close other programs and try again"))?;
-    Ok(Opened { device: Box::new(Haply::new(incoming, outgoing, Some(thread))), access: Access::at(address) })
+    let device = Box::new(Haply::new(incoming, outgoing, Some(thread)));
+    Ok(Opened { device, access: Access::at(address), notices: None })
 }
 
 impl Haply {

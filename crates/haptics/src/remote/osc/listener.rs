@@ -2,10 +2,14 @@
 
 use std::net::{SocketAddr, UdpSocket};
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::Receiver;
 use std::time::{Duration, Instant};
 
 use super::Incoming;
-use super::message::{Event, LONGEST, read};
+use super::message::{BadOsc, Event, LONGEST, REJECTED, read};
+use super::rejections::{Rejection, Rejections};
+use rosc::{OscMessage, OscPacket, OscType};
+
 use crate::open::{Access, OpenError, Reach};
 use crate::remote::allowance::Allowance;
 use crate::remote::network_thread::NetworkThread;
@@ -44,10 +48,21 @@ struct Listener {
     paired: Vec<Sender>,
     allowance: Allowance,
     strangers: Allowance,
+    rejections: Rejections,
 }
 
-/// Starts the listener at an address; returns how a person reaches it.
-pub fn start(address: SocketAddr, input: triple_buffer::Input<Incoming>) -> Result<(Access, NetworkThread), OpenError> {
+/// A running listener.
+pub struct Started {
+    /// How a person reaches it.
+    pub access: Access,
+    /// Its thread.
+    pub thread: NetworkThread,
+    /// Why messages were rejected, a line for each reason.
+    pub notices: Receiver<String>,
+}
+
+/// Starts the listener at an address.
+pub fn start(address: SocketAddr, input: triple_buffer::Input<Incoming>) -> Result<Started, OpenError> {
     let failed = |message: String| OpenError::place(address, message, "name another port: osc@HOST:PORT");
     let socket = UdpSocket::bind(address).map_err(|e| failed(format!("cannot be bound: {e}")))?;
     let bound = socket.local_addr().map_err(|e| failed(e.to_string()))?;
@@ -60,14 +75,21 @@ pub fn start(address: SocketAddr, input: triple_buffer::Input<Incoming>) -> Resu
         code: Some(pairing.code()),
         fingerprint: None,
     };
-    let listener = Listener::new(socket, input, pairing, Instant::now());
+    let (rejections, notices) = Rejections::new();
+    let listener = Listener::new(socket, input, pairing, rejections, Instant::now());
     let thread =
         NetworkThread::spawn("osc", move |end| listener.run(&end)).map_err(|e| failed(format!("no thread: {e}")))?;
-    Ok((access, thread))
+    Ok(Started { access, thread, notices })
 }
 
 impl Listener {
-    fn new(socket: UdpSocket, input: triple_buffer::Input<Incoming>, pairing: Pairing, now: Instant) -> Self {
+    fn new(
+        socket: UdpSocket,
+        input: triple_buffer::Input<Incoming>,
+        pairing: Pairing,
+        rejections: Rejections,
+        now: Instant,
+    ) -> Self {
         Self {
             socket,
             input,
@@ -76,6 +98,7 @@ impl Listener {
             paired: Vec::new(),
             allowance: Allowance::new(FASTEST_HZ, BURST, now),
             strangers: Allowance::new(STRANGERS_HZ, STRANGERS_BURST, now),
+            rejections,
         }
     }
 
@@ -96,45 +119,85 @@ impl Listener {
 
     fn receive(&mut self, datagram: &[u8], from: SocketAddr, now: Instant) {
         // Checked before parsing: a flood costs no more than its counting.
-        if !self.allows(from, now) {
-            return self.reject();
+        if let Err(why) = self.allows(from, now) {
+            return self.reject(&why, from, now);
         }
-        let Ok(events) = read(datagram) else { return self.reject() };
+        let events = match read(datagram) {
+            Ok(events) => events,
+            Err(why) => return self.reject(&why.into(), from, now),
+        };
         for (place, event) in events.into_iter().enumerate() {
-            match event {
-                // The datagram's token pays for its first message.
-                _ if place > 0 && !self.allows(from, now) => self.reject(),
-                Ok(Event::Pair(code)) => self.pair(&code, from, now),
-                Ok(event) => self.apply(event, from, now),
-                Err(_) => self.reject(),
+            // The datagram's token pays for its first message.
+            let allowed = if place > 0 { self.allows(from, now) } else { Ok(()) };
+            let taken = allowed.and_then(|()| self.take(event?, from, now));
+            if let Err(why) = taken {
+                self.reject(&why, from, now);
             }
         }
     }
 
-    /// Returns true if one more message from a sender is allowed, and takes its token.
-    fn allows(&mut self, from: SocketAddr, now: Instant) -> bool {
-        let paired = self.paired.iter().any(|s| s.address == from);
-        if paired { self.allowance.allows(now) } else { self.strangers.allows(now) }
+    fn is_paired(&self, from: SocketAddr) -> bool {
+        self.paired.iter().any(|s| s.address == from)
     }
 
-    fn reject(&mut self) {
-        self.incoming.rejected = self.incoming.rejected.wrapping_add(1);
+    /// Takes a token for one more message of a sender.
+    fn allows(&mut self, from: SocketAddr, now: Instant) -> Result<(), Rejection> {
+        let (bucket, most) = match self.is_paired(from) {
+            true => (&mut self.allowance, FASTEST_HZ),
+            false => (&mut self.strangers, STRANGERS_HZ),
+        };
+        if bucket.allows(now) { Ok(()) } else { Err(Rejection::TooFast(most)) }
     }
 
-    fn pair(&mut self, code: &str, from: SocketAddr, now: Instant) {
-        if self.pairing.try_code(code, now) != Verdict::Paired {
-            return self.reject();
+    fn take(&mut self, event: Event, from: SocketAddr, now: Instant) -> Result<(), Rejection> {
+        match event {
+            Event::Pair(code) => self.pair(&code, from, now),
+            event => self.apply(event, from, now),
         }
-        if !self.paired.iter().any(|s| s.address == from) {
+    }
+
+    /// Counts a rejected message and says why, seldom enough that no flood gets an echo.
+    fn reject(&mut self, why: &Rejection, from: SocketAddr, now: Instant) {
+        self.incoming.rejected = self.incoming.rejected.wrapping_add(1);
+        let told = self.rejections.tell(why, from, now);
+        // What is not OSC has no sender that reads OSC; a stranger's flood and the answer of another listener get none.
+        let unanswered = match why {
+            Rejection::Bad(BadOsc::Format) => true,
+            Rejection::Bad(BadOsc::Address(address)) => address == REJECTED,
+            Rejection::TooFast(_) => !self.is_paired(from),
+            _ => false,
+        };
+        if told && !unanswered {
+            self.answer(why, from);
+        }
+    }
+
+    fn answer(&self, why: &Rejection, to: SocketAddr) {
+        let args = vec![OscType::String(why.to_string())];
+        let packet = OscPacket::Message(OscMessage { addr: REJECTED.into(), args });
+        if let Ok(bytes) = rosc::encoder::encode(&packet) {
+            // A sender that does not listen misses nothing that the screen does not show.
+            let _ = self.socket.send_to(&bytes, to);
+        }
+    }
+
+    fn pair(&mut self, code: &str, from: SocketAddr, now: Instant) -> Result<(), Rejection> {
+        match self.pairing.try_code(code, now) {
+            Verdict::Paired => {}
+            Verdict::Wait(wait) => return Err(Rejection::WrongCode(wait.as_secs_f64().ceil())),
+            Verdict::Closed => return Err(Rejection::Closed),
+        }
+        if !self.is_paired(from) {
             if self.paired.len() >= MOST_SENDERS {
                 self.paired.remove(0);
             }
             self.paired.push(Sender { address: from, received: now, buttons: 0 });
         }
+        Ok(())
     }
 
-    fn apply(&mut self, event: Event, from: SocketAddr, now: Instant) {
-        let Some(sender) = self.paired.iter_mut().find(|s| s.address == from) else { return self.reject() };
+    fn apply(&mut self, event: Event, from: SocketAddr, now: Instant) -> Result<(), Rejection> {
+        let sender = self.paired.iter_mut().find(|s| s.address == from).ok_or(Rejection::NotPaired)?;
         sender.received = now;
         let incoming = &mut self.incoming;
         match event {
@@ -154,6 +217,7 @@ impl Listener {
             Event::Button(number, false) => sender.buttons &= !(1 << number),
             Event::Pair(_) => {}
         }
+        Ok(())
     }
 
     /// Collects all pressed buttons; those of a lost sender are released and stay released when it returns.
@@ -169,7 +233,7 @@ impl Listener {
 
 #[cfg(test)]
 mod tests {
-    use rosc::{OscBundle, OscMessage, OscPacket, OscTime, OscType};
+    use rosc::{OscBundle, OscTime};
 
     use super::*;
 
@@ -179,6 +243,7 @@ mod tests {
             UdpSocket::bind("127.0.0.1:0").expect("a port"),
             input,
             Pairing::new().expect("random numbers"),
+            Rejections::new().0,
             now,
         )
     }

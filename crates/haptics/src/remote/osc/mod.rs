@@ -2,6 +2,7 @@
 
 mod listener;
 pub mod message;
+mod rejections;
 
 use std::net::SocketAddr;
 
@@ -9,6 +10,7 @@ use glam::{DQuat, DVec3};
 use saute_kitchen::dynamics::Pose;
 use saute_kitchen::dynamics::pose::rotation_between;
 
+use self::listener::Started;
 use crate::device::{
     Capabilities, HapticCommand, HapticDevice, HapticSample, Health, Limits, Sensed, Vibration, Workspace,
 };
@@ -71,8 +73,8 @@ pub fn capabilities() -> Capabilities {
 /// Starts the listener at an address.
 pub fn open(address: SocketAddr) -> Result<Opened, OpenError> {
     let (incoming_in, incoming) = triple_buffer::triple_buffer(&Incoming::default());
-    let (access, listener) = listener::start(address, incoming_in)?;
-    Ok(Opened { device: Box::new(Osc::new(incoming, Some(listener))), access })
+    let Started { access, thread, notices } = listener::start(address, incoming_in)?;
+    Ok(Opened { device: Box::new(Osc::new(incoming, Some(thread))), access, notices: Some(notices) })
 }
 
 impl Osc {

@@ -17,6 +17,8 @@ mod session;
 #[cfg(not(target_arch = "wasm32"))]
 mod slots;
 pub mod toss;
+#[cfg(not(target_arch = "wasm32"))]
+mod waiting_room;
 
 #[cfg(not(target_arch = "wasm32"))]
 pub use phone_device::{Incoming, Outgoing, PHONE, Phone, capabilities, open};

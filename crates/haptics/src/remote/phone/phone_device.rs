@@ -87,7 +87,7 @@ pub fn open(address: SocketAddr) -> Result<Opened, OpenError> {
     let (incoming_in, incoming) = triple_buffer::triple_buffer(&Incoming::default());
     let (outgoing, outgoing_out) = triple_buffer::triple_buffer(&Outgoing::default());
     let (access, server) = server::start(address, incoming_in, outgoing_out)?;
-    Ok(Opened { device: Box::new(Phone::new(incoming, outgoing, Some(server))), access })
+    Ok(Opened { device: Box::new(Phone::new(incoming, outgoing, Some(server))), access, notices: None })
 }
 
 impl Phone {

@@ -11,6 +11,7 @@ use rustls::{ServerConfig, ServerConnection, StreamOwned};
 use super::http::{Request, parse, read_head, response};
 use super::session;
 use super::slots::{Slot, Slots};
+use super::waiting_room::WaitingRoom;
 use super::{Incoming, Outgoing, certificate};
 use crate::open::{Access, OpenError, Reach};
 use crate::remote::bounded::Bounded;
@@ -20,7 +21,7 @@ use crate::remote::reachable::reachable;
 
 /// Timeout of handshake, request and response together (chosen: enough for slow radio).
 const REQUEST_TIMEOUT: Duration = Duration::from_secs(5);
-/// Polling interval for new connections (chosen: imperceptible).
+/// Polling interval for new connections and for the first words of silent ones (chosen: imperceptible).
 const POLL: Duration = Duration::from_millis(20);
 /// Read timeout, after which the thread checks for outgoing messages (chosen: a third of a message interval).
 const READ_TIMEOUT: Duration = Duration::from_millis(5);
@@ -92,11 +93,15 @@ impl Shared {
 }
 
 fn accept_phones(listener: &TcpListener, shared: &Arc<Shared>) {
+    let mut room = WaitingRoom::new();
     while !shared.end.load(Ordering::Acquire) {
         match listener.accept() {
-            Ok((stream, _)) => spawn_connection(stream, shared),
+            // A connection that cannot be waited for without blocking is closed.
+            Ok((stream, _)) if stream.set_nonblocking(true).is_ok() => room.admit(stream, Instant::now()),
+            Ok(_) => {}
             Err(_) => std::thread::sleep(POLL),
         }
+        room.spoken(Instant::now()).into_iter().for_each(|stream| spawn_connection(stream, shared));
     }
 }
 
@@ -124,6 +129,7 @@ fn serve(stream: TcpStream, shared: &Shared, slot: &Slot) -> Result<(), Box<dyn 
     stream.write_all(response(&request).as_bytes())?;
     stream.flush()?;
     if matches!(request, Request::Socket { .. }) {
+        slot.ask();
         session::run(stream, shared, slot);
     } else {
         stream.conn.send_close_notify();

@@ -134,6 +134,88 @@ fn the_code_may_come_as_a_number_and_bundles_are_opened() {
 }
 
 #[test]
+fn a_program_that_sends_floats_alone_pairs_and_presses_buttons() {
+    for slash in ["", "/"] {
+        let mut bench = bench();
+        let sender = bench.sender();
+        sender.send(packet(&format!("/saute/pair{slash}"), floats(&[bench.code.parse().unwrap()])));
+        sender.send(packet(&format!("/saute/button{slash}"), floats(&[1.0, 1.0])));
+        sender.send(packet(&format!("/saute/pan/tilt{slash}"), floats(&[10.0, 0.0])));
+        let seen = bench.until(|s| s.health == Health::Running).expect("paired");
+        assert_eq!((seen.buttons, seen.rejected), (2, 0));
+    }
+}
+
+#[test]
+fn the_code_may_have_any_type_of_number_and_leading_zeros_may_be_missing() {
+    let parsed = |arg: OscType| {
+        let bytes = rosc::encoder::encode(&packet("/saute/pair", vec![arg])).unwrap();
+        read(&bytes).unwrap().remove(0)
+    };
+    for arg in [OscType::Int(42), OscType::Long(42), OscType::Float(42.0), OscType::Double(42.0)] {
+        assert_eq!(parsed(arg), Ok(Event::Pair("000042".into())));
+    }
+    assert_eq!(parsed(OscType::Float(999_999.0)), Ok(Event::Pair("999999".into())));
+    for arg in [OscType::Float(42.5), OscType::Float(-1.0), OscType::Int(1_000_000), OscType::Float(f32::NAN)] {
+        assert!(parsed(arg.clone()).is_err(), "{arg:?}");
+    }
+}
+
+/// Returns the reason that the sender is told next, within a minute.
+fn answer(sender: &Sender) -> String {
+    sender.0.set_read_timeout(Some(Duration::from_secs(60))).unwrap();
+    let mut bytes = [0; 1024];
+    let length = sender.0.recv(&mut bytes).expect("an answer");
+    match rosc::decoder::decode_udp(&bytes[..length]).unwrap().1 {
+        OscPacket::Message(OscMessage { addr, args }) if addr == "/saute/rejected" => match &args[..] {
+            [OscType::String(why)] => why.clone(),
+            other => panic!("{other:?}"),
+        },
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn a_rejected_message_says_why_on_the_screen_and_to_its_sender() {
+    let mut bench = bench();
+    let sender = bench.sender();
+    let code: f32 = bench.code.parse().unwrap();
+    let bad = [
+        ("/saute/pan/tilt", floats(&[0.0, 0.0]), "not paired"),
+        ("/saute/pair", floats(&[code]), ""),
+        ("/saute/pan/tillt", floats(&[0.0, 0.0]), "/saute/pan/tillt is no address of saute"),
+        ("/saute/pan/tilt", floats(&[0.0]), "two angles in degrees"),
+        ("/saute/pan/tilt", floats(&[f32::NAN, 0.0]), "/saute/pan/tilt has a number that is not finite"),
+        ("/saute/pan/pose", floats(&[f32::INFINITY; 7]), "/saute/pan/pose has a number that is not finite"),
+        ("/saute/turner/pose", floats(&[9.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0]), "within 2 m"),
+        ("/saute/button", floats(&[0.5, 1.0]), "from 0 to 31"),
+        ("/saute/pair", vec![OscType::String("no code".into())], "the code is wrong"),
+    ];
+    for (address, args, why) in &bad {
+        sender.send(packet(address, args.clone()));
+        if !why.is_empty() {
+            let told = answer(&sender);
+            assert!(told.contains(why), "{address}: {told}");
+        }
+    }
+    let seen = bench.until(|s| s.rejected >= 8).expect("all are counted");
+    assert_eq!((seen.rejected, seen.pose.is_finite()), (8, true));
+    let shown: Vec<String> = bench.opened.notices.as_ref().unwrap().try_iter().collect();
+    let own = sender.0.local_addr().unwrap().to_string();
+    assert_eq!(shown.len(), 8, "{shown:?}");
+    assert!(shown.iter().all(|line| line.starts_with("rejected a message from ") && line.contains(&own)), "{shown:?}");
+}
+
+#[test]
+fn the_answer_of_another_listener_is_not_answered() {
+    let bench = bench();
+    let sender = bench.sender();
+    sender.send(packet("/saute/rejected", vec![OscType::String("why".into())]));
+    sender.send(packet("/saute/button", vec![]));
+    assert!(answer(&sender).contains("the number of a button"), "the second message's answer comes first");
+}
+
+#[test]
 fn a_silent_sender_is_lost_and_the_pan_returns_home() {
     let mut bench = bench();
     let sender = bench.paired();

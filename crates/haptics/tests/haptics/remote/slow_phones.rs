@@ -66,6 +66,38 @@ fn eight_slow_unpaired_connections_block_a_phone_for_seconds_only() {
 }
 
 #[test]
+fn idle_connections_keep_no_phone_out_and_reset_none() {
+    let opened = open("phone@127.0.0.1:0", 0).unwrap();
+    let address: SocketAddr = opened.access.place.parse().unwrap();
+    let code = opened.access.code.clone().unwrap();
+    let connect_some = || -> Vec<TcpStream> { (0..5 * ROOM).map(|_| TcpStream::connect(address).unwrap()).collect() };
+    // A port scanner is there first; the phone was never paired.
+    let before = connect_some();
+    let mut phone = PhoneClient::connect(address);
+    // Its browser opens connections for later while the phone has not sent its code yet.
+    let meanwhile = connect_some();
+    sleep(Duration::from_millis(100));
+    phone.pair(&code);
+    let later = connect_some();
+    sleep(Duration::from_millis(100));
+    phone.send(r#"{"kind":"flat"}"#);
+    assert!(phone.receive("flat").is_some(), "still connected");
+    // Another phone of the same address pairs beside them.
+    let mut second = PhoneClient::connect(address);
+    drop((before, meanwhile, later));
+    second.pair(&code);
+}
+
+#[test]
+fn a_connection_that_says_nothing_is_closed() {
+    let opened = open("phone@127.0.0.1:0", 0).unwrap();
+    let address: SocketAddr = opened.access.place.parse().unwrap();
+    let mut idle = TcpStream::connect(address).unwrap();
+    idle.set_read_timeout(Some(PATIENCE)).unwrap();
+    assert_eq!(std::io::Read::read(&mut idle, &mut [0]).unwrap(), 0, "closed by the server");
+}
+
+#[test]
 fn a_paired_phone_comes_back_while_strangers_hold_idle_connections() {
     let opened = open("phone@127.0.0.1:0", 0).unwrap();
     let address: SocketAddr = opened.access.place.parse().unwrap();

@@ -47,6 +47,14 @@ fn a_largest_tension_below_the_geometry_s_is_refused() {
 }
 
 #[test]
+fn a_largest_rate_below_the_geometry_s_is_refused() {
+    for rate_hz in [0, 1, 500, 999] {
+        assert_eq!(met(|caps| caps.rate_hz = rate_hz), Health::RateTooLow, "{rate_hz} Hz");
+    }
+    assert_eq!(met(|caps| caps.rate_hz = 4000), Health::Uncalibrated);
+}
+
+#[test]
 fn strings_units_and_pitch_that_are_not_supported_are_refused() {
     assert_eq!(met(|caps| caps.strings = 4), Health::WrongUnits);
     assert_eq!(met(|caps| caps.pitch_nm = 0), Health::WrongUnits);

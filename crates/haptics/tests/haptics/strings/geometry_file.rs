@@ -33,6 +33,29 @@ fn an_error_names_line_key_and_remedy() {
 }
 
 #[test]
+fn places_that_are_not_finite_are_refused_with_their_key() {
+    for key in ["motor_mm", "attachment_mm", "home_mm", "half_mm", "pose"] {
+        for bad in ["nan", "inf", "-inf", "1e308"] {
+            let said = refused(|text| with_first_number(text, &format!("{key} = ["), bad));
+            assert!(said.contains(key) && said.contains("out of range") && said.contains("5000 mm"), "{key}: {said}");
+        }
+    }
+    let said = refused(|t| {
+        let (head, tail) = t.split_once("pose = [").unwrap();
+        format!("{head}pose = [{}{tail}", "[0, 0, 100, 0, 0, 0],\n".repeat(64))
+    });
+    assert!(said.contains("8 to 64"), "{said}");
+}
+
+/// Returns the text with another first number after `key`.
+fn with_first_number(text: &str, key: &str, number: &str) -> String {
+    let (head, tail) = text.split_once(key).unwrap();
+    let begins = tail.find(|c: char| c.is_ascii_digit() || c == '-').unwrap();
+    let ends = begins + tail[begins..].find([',', ']']).unwrap();
+    format!("{head}{key}{}{number}{}", &tail[..begins], &tail[ends..])
+}
+
+#[test]
 fn a_feel_out_of_range_is_refused() {
     let text = saute_kitchen::Library::embedded_files().remove("haptics/feel.toml").unwrap();
     let said =

@@ -7,7 +7,7 @@ use saute_haptics::device::{HapticDevice, Health};
 use saute_haptics::kitchen::contact_model::{ContactModel, Payload, Plane};
 use saute_haptics::{Pose, Renderer, Spidar, library};
 
-use crate::bench_device::{Bench, Lie};
+use crate::bench_device::{Bench, BenchLink, Lie};
 use crate::random::device;
 
 const DT: f64 = 1e-3;
@@ -183,6 +183,51 @@ fn a_stopped_device_is_told_three_times_two_milliseconds_apart() {
     assert_eq!(cook.bench.stops(), 3);
     assert_eq!(cook.steps(100).sample.health, Health::Stopped);
     assert_eq!(cook.bench.stops(), 3);
+}
+
+#[test]
+fn no_stop_follows_the_three_of_a_stop() {
+    for fault in [false, true] {
+        let mut cook = Cook::begin();
+        if fault {
+            cook.bench.lie(Lie::LargestCounts);
+            cook.until_fault(4);
+            cook.assert_released();
+        } else {
+            cook.control.stop();
+            cook.steps(2);
+            // A second press while the stops are sent.
+            cook.control.stop();
+            cook.steps(10);
+        }
+        assert_eq!(cook.bench.stops(), 3);
+        cook.control.stop();
+        cook.steps(10);
+        let Cook { bench, control, .. } = cook;
+        drop(control);
+        assert_eq!(bench.stops(), 3, "neither a press nor the end of the program tells a stopped device again");
+    }
+}
+
+/// Returns the health after some steps without a command.
+fn steps(spidar: &mut Spidar<BenchLink>, count: u32) -> Health {
+    (0..count).map(|_| spidar.exchange(&Default::default(), DT).health).last().unwrap()
+}
+
+#[test]
+fn a_device_that_was_never_asked_for_is_sent_no_stop_and_a_lost_one_is() {
+    let geometry = device(DEVICE);
+    let bench = Bench::new(&geometry);
+    let mut spidar = Spidar::new(bench.link(), geometry.clone(), 42);
+    spidar.stop();
+    assert_eq!(steps(&mut spidar, 10), Health::Stopped);
+    assert_eq!(bench.stops(), 0);
+    let mut spidar = Spidar::new(bench.link(), geometry, 42);
+    steps(&mut spidar, 10);
+    bench.mute(true);
+    assert_eq!(steps(&mut spidar, 150), Health::Lost);
+    spidar.stop();
+    assert_eq!(bench.stops(), 1, "it may still hear");
 }
 
 #[test]

@@ -74,6 +74,19 @@ fn a_slipped_string_is_detected_at_the_start() {
 }
 
 #[test]
+fn another_device_at_the_same_place_with_the_same_boot_requires_the_jig() {
+    let bench = Bench::new(&device(DEVICE));
+    let kept = found(&bench);
+    let mut spidar = started(&bench, kept);
+    assert_eq!(after(&mut spidar, 50).health, Health::Running);
+    bench.state_caps(|caps| caps.name[0] = b'B');
+    bench.plug(false);
+    after(&mut spidar, 200);
+    bench.plug(true);
+    assert_eq!(after(&mut spidar, 200).health, Health::Uncalibrated);
+}
+
+#[test]
 fn an_invalid_file_is_refused_with_a_remedy() {
     let text = found(&Bench::new(&device(DEVICE))).text().unwrap();
     let refused = |text: &str, words: &str| {
@@ -82,6 +95,12 @@ fn an_invalid_file_is_refused_with_a_remedy() {
     };
     refused(&text.replace("boot", "boots"), "boots");
     refused(&text.replacen("offset_mm = ", "offset_mm = 1e9 #", 1), "out of range");
+    for residual in ["nan", "inf", "-1.0", "0.31", "1e9"] {
+        refused(
+            &text.replacen("residual_mm = ", &format!("residual_mm = {residual} #"), 1),
+            "residual is out of range",
+        );
+    }
     refused(text.rsplit_once("[[string]]").unwrap().0, "eight strings");
     let folder = std::path::Path::new("calibrations");
     assert_eq!(file_in(folder, "spidar-pan@/dev/ttyACM0"), folder.join("spidar-pan__dev_ttyACM0.toml"));

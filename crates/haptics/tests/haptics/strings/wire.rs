@@ -34,6 +34,9 @@ fn documented() -> Vec<(&'static str, Frame)> {
         tension_mn,
         ..Sample::default()
     };
+    let armed =
+        Sample { state: DeviceState::Armed, jig: 3, buttons: 0b1000_0001, obeyed: 0, tension_mn: [300; 8], ..sample };
+    let fault = Sample { state: DeviceState::Fault, fault: FaultCode::Slack, tension_mn: [0; 8], ..sample };
     let frame = |sequence, message| Frame { sequence, session: 7, message };
     vec![
         ("hello", frame(1, Message::Hello(Hello { pairing: 123_456, rate_hz: 1000 }))),
@@ -41,8 +44,12 @@ fn documented() -> Vec<(&'static str, Frame)> {
         ("arm", frame(2, Message::Arm)),
         ("command", frame(3, Message::Command(Command { time_us: 2000, tension_mn }))),
         ("sample", frame(2, Message::Sample(sample))),
+        ("sample-armed", frame(2, Message::Sample(armed))),
+        ("sample-fault", frame(3, Message::Sample(fault))),
         ("stop", frame(4, Message::Stop)),
         ("refused", frame(1, refused(Refusal::WrongCode, 1000))),
+        ("refused-busy", frame(1, refused(Refusal::Busy, 250))),
+        ("refused-order", frame(2, refused(Refusal::OutOfOrder, 0))),
         ("refused-version", frame(1, refused(Refusal::OtherVersion, 0))),
     ]
 }
