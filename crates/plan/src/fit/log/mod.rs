@@ -13,6 +13,7 @@ pub mod log_file;
 pub mod logger;
 mod long_table;
 mod moment;
+mod plausible;
 pub mod reading;
 mod roles;
 mod stamp;

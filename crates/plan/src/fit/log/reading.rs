@@ -7,6 +7,7 @@ use super::header_words::words_of;
 use super::log_error::{LogError, Question};
 use super::log_file::LogFile;
 use super::logger::Logger;
+use super::plausible::{begins_as, is_believed, range};
 use super::roles::Roles;
 use super::table::Table;
 use super::times::{NoTimes, TimeForm, Times, times_of};
@@ -89,15 +90,6 @@ pub struct Reading {
 const RANGE: [f64; 2] = [220.0, 1200.0];
 /// Share of the values that may be none without a word of their own [-] (chosen: dropouts, the column is read all the same).
 const FEW: f64 = 0.2;
-/// Highest temperature of a core that a unit is believed with [°C] (chosen: water boils).
-const MOST_CORE_C: f64 = 105.0;
-/// Highest temperature of a pan that a unit is believed with [°C] (chosen: on a household hob).
-const MOST_PAN_C: f64 = 420.0;
-/// Lowest temperature that a unit is believed with [°C] (chosen: a freezer).
-const LEAST_C: f64 = -30.0;
-/// How far a core is from where it began before its unit is doubted [K] (chosen: a raw piece and a thermometer differ less).
-const BEGIN_OFF: f64 = 10.0;
-
 impl LogFile {
     /// Reads the times and the curves of a log.
     ///
@@ -386,37 +378,6 @@ fn is_letter_of_channel(headers: &[String], at: usize) -> bool {
         words == stem && Unit::of_word(&last).is_none() && !last.parse::<u8>().is_ok()
     };
     headers.iter().filter_map(split).any(is_other)
-}
-
-/// True if nearly all of a core's or a pan's temperatures are such as one has.
-fn is_believed(points: &[(f64, f64)], quantity: Quantity) -> bool {
-    let celsius = sorted_c(points);
-    let at = |share: f64| celsius.get((share * (celsius.len() - 1) as f64) as usize).copied().unwrap_or(0.0);
-    !celsius.is_empty() && at(0.05) >= LEAST_C && at(0.95) <= most_c(quantity)
-}
-
-/// True if a core is what it must be at the time at which its food is put in.
-fn begins_as(points: &[(f64, f64)], begin: Option<(f64, f64)>) -> bool {
-    let Some((at_s, kelvin)) = begin else { return true };
-    let first = points.iter().find(|(at, _)| *at >= at_s).or(points.last());
-    first.is_none_or(|(_, read)| (read - kelvin).abs() <= BEGIN_OFF)
-}
-
-fn most_c(quantity: Quantity) -> f64 {
-    if quantity == Quantity::Pan { MOST_PAN_C } else { MOST_CORE_C }
-}
-
-fn sorted_c(points: &[(f64, f64)]) -> Vec<f64> {
-    let mut celsius: Vec<f64> = points.iter().map(|(_, kelvin)| kelvin - ZERO_C).collect();
-    celsius.sort_unstable_by(f64::total_cmp);
-    celsius
-}
-
-/// From the lowest to the highest temperature, in words.
-fn range(points: &[(f64, f64)]) -> String {
-    let celsius = sorted_c(points);
-    let [low, high] = [celsius.first(), celsius.last()].map(|end| end.copied().unwrap_or(0.0));
-    format!("from {low:.0} to {high:.0} °C")
 }
 
 /// Points by time; those of one time become their mean.
