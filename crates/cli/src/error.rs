@@ -49,7 +49,7 @@ pub enum CliError {
     },
     /// A haptic device that was found and then did not work.
     #[error("the device {message}\n  remedy: {remedy}")]
-    Device {
+    Trouble {
         /// What it did.
         message: &'static str,
         /// How to correct it.

@@ -31,7 +31,7 @@ pub fn interrupted() -> ExitCode {
 pub fn of_error(error: &CliError) -> ExitCode {
     match error {
         CliError::Interrupted { .. } | CliError::SweepInterrupted { .. } | CliError::PlanInterrupted => interrupted(),
-        CliError::Device { .. } => of_goal(false),
+        CliError::Trouble { .. } => of_goal(false),
         _ => failed(),
     }
 }

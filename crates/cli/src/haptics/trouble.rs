@@ -65,5 +65,5 @@ pub fn not_there(health: Health) -> CliError {
 /// Returns the error of a device that was found and then did not work.
 pub fn broke_off(health: Health) -> CliError {
     let (message, remedy) = trouble(health);
-    CliError::Device { message, remedy }
+    CliError::Trouble { message, remedy }
 }
