@@ -8,7 +8,6 @@ use saute_kitchen::data::library::DEFAULT_SCALE;
 use crate::bench_heat::BenchHeatArgs;
 use crate::bench_paper::BenchPaperArgs;
 use crate::class::ClassCommand;
-use crate::commands::food_check::scale_mm;
 use crate::fit::FitArgs;
 use crate::gallery::GalleryArgs;
 use crate::haptics::{CheckArgs, DevicesArgs};
@@ -327,4 +326,13 @@ pub enum Schema {
     Scenario,
     /// JSON Schema of sweeps.
     Sweep,
+}
+
+/// Lengths of a unit that a surface may have [mm] (as of the key `scale_mm` of a food).
+const SCALES_MM: std::ops::RangeInclusive<f64> = 1e-6..=1e6;
+
+/// Returns the length that an option states [mm].
+fn scale_mm(text: &str) -> Result<f64, String> {
+    let stated = text.parse::<f64>().ok().filter(|mm| SCALES_MM.contains(mm));
+    stated.ok_or_else(|| format!("give a length from {:e} to {:e} mm", SCALES_MM.start(), SCALES_MM.end()))
 }

@@ -22,7 +22,7 @@ use crate::pan::hold::{HoldControl, Holding};
 use crate::pan::pan_model::{PanModel, PanSolver, PanState};
 use crate::piece::food_contact::Touching;
 use crate::piece::layout::{Floor, Footprint};
-use crate::piece::memory::{Load, TooMuch};
+use crate::piece::memory::{Load, NoRoom};
 use crate::piece::piece_state::{Piece, Place};
 use crate::piece::work;
 use crate::tick::clock::Clock;
@@ -84,7 +84,7 @@ impl PieceOrder {
     }
 
     /// Returns what its model is built from, apart from the food.
-    pub(crate) fn spec(&self) -> PieceSpec {
+    pub fn spec(&self) -> PieceSpec {
         PieceSpec {
             size: self.size,
             seed: self.seed,
@@ -158,14 +158,9 @@ pub enum SetupError {
     /// A food begins as ice whose file does not say how it freezes, or by rules that know no ice.
     #[error("\"{0}\" cannot begin below 0 °C: its file has no table [freezing], or it follows the rules of 2013")]
     NoIce(String),
-    /// A food needs more memory than there is for it.
-    #[error("\"{food}\" does not fit: {excess}")]
-    TooMuch {
-        /// Its name.
-        food: String,
-        /// What it needs, and what fits.
-        excess: TooMuch,
-    },
+    /// A food has no room.
+    #[error(transparent)]
+    NoRoom(#[from] NoRoom),
     /// An oil that every kitchen needs is set aside.
     #[error(transparent)]
     Oil(#[from] LibraryError),
@@ -259,7 +254,7 @@ impl Kitchen {
         if order.temperature < kelvin(0.0) && !food.may_be_ice(order.rules) {
             return Err(SetupError::NoIce(order.kind.clone()));
         }
-        Load::of(self).add(food, order, 1)?;
+        Load::of(self.pieces.iter().map(|piece| &*piece.model)).add(&order.id, &order.spec(), food, 1)?;
         let food = FoodKey::ordered(order, library);
         let parts = models.food(&food, &self.fixed, library)?;
         let piece = Piece::new((order, food.data_hash), self.next_key, parts, &self.fixed.room);

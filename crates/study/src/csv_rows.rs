@@ -68,7 +68,7 @@ impl Rows<'_> {
         if (all - self.new..=all).contains(&first.len()) {
             return Ok(());
         }
-        Err(format!("names no column of a {}; {}", self.what, self.remedy))
+        Err(format!("is no {}: the first line names no column of it; {}", self.what, self.remedy))
     }
 
     fn row<T: DeserializeOwned>(

@@ -1,6 +1,5 @@
 //! `saute food check`.
 
-use std::ops::RangeInclusive;
 use std::path::Path;
 use std::process::ExitCode;
 
@@ -28,15 +27,6 @@ struct Verdict {
     food: Option<FoodReport>,
     #[serde(skip_serializing_if = "Option::is_none")]
     surface: Option<SurfaceReport>,
-}
-
-/// Lengths of a unit that a surface may have [mm] (as of the key `scale_mm` of a food).
-const SCALES_MM: RangeInclusive<f64> = 1e-6..=1e6;
-
-/// Returns the length that an option states [mm].
-pub fn scale_mm(text: &str) -> Result<f64, String> {
-    let stated = text.parse::<f64>().ok().filter(|mm| SCALES_MM.contains(mm));
-    stated.ok_or_else(|| format!("give a length from {:e} to {:e} mm", SCALES_MM.start(), SCALES_MM.end()))
 }
 
 /// Checks a food file or a surface.

@@ -37,8 +37,13 @@ impl Bench {
 const GRID: &str = "for_s = 1\nrows_per_part = 5\n[vary]\n\"food.steak.size_mm[2]\" = [12, 15]\n\
                     \"pan.initial_c\" = { from = 100, to = 200, n = 6 }\n[design]\nkind = \"grid\"\n";
 
+/// The parts; beside them are their checksums.
 fn files(rows: &Path) -> Vec<Vec<u8>> {
-    names_in(rows).iter().map(|name| std::fs::read(rows.join(name)).unwrap()).collect()
+    names_in(rows)
+        .iter()
+        .filter(|name| name.ends_with(".parquet"))
+        .map(|name| std::fs::read(rows.join(name)).unwrap())
+        .collect()
 }
 
 #[test]
@@ -63,6 +68,8 @@ fn a_sweep_that_is_killed_goes_on_and_ends_as_one_that_was_not() {
     assert!(whole.code == Some(0) && whole.out.contains("12 rows"), "{} {}", whole.out, whole.err);
     assert_eq!(files(&bench.path("killed/rows")), files(&bench.path("whole/rows")));
     assert_eq!(files(&bench.path("whole/rows")).len(), 3);
+    let sums = |folder: &str| std::fs::read_to_string(bench.path(folder).join("rows/_checksums")).unwrap();
+    assert_eq!((sums("killed").lines().count(), sums("killed")), (3, sums("whole")));
     assert!(!bench.path("killed/unfinished").exists());
 }
 

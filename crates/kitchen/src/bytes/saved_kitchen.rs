@@ -141,7 +141,7 @@ impl SavedKitchen<'_> {
             let data_hash = sources.food(&saved.kind).ok_or(BytesError::Damaged)?;
             let key = saved.food_key(data_hash).ok_or(BytesError::Damaged)?;
             let food = library.foods.get(&*saved.kind).ok_or(BytesError::Damaged)?;
-            load.add_of((&saved.id, &key.spec), food, 1)?;
+            load.add(&saved.id, &key.spec, food, 1).map_err(SetupError::from)?;
             let parts = models.food(&key, &fixed, library)?;
             pieces.push(saved.restored(data_hash, parts, &fixed.pan).ok_or(BytesError::Damaged)?);
         }

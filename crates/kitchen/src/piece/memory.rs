@@ -1,8 +1,6 @@
 //! The number and the memory of a kitchen's pieces, judged before a mesh is built.
 
-use saute_food::{Body, FoodDescription, FoodModel, PieceSpec};
-
-use crate::kitchen::{Kitchen, PieceOrder, SetupError};
+use saute_food::{Body, BuildError, FoodDescription, FoodModel, PieceSpec};
 
 /// Pieces of one kitchen at most [-] (chosen: what a machine still computes; a 26 cm pan takes some 40 shrimps).
 pub const MOST_PIECES: usize = 100;
@@ -37,35 +35,42 @@ pub struct TooMuch {
     pub before: usize,
 }
 
+/// Why pieces have no room.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum NoRoom {
+    /// They need more memory than there is for them.
+    #[error("\"{food}\" does not fit: {excess}")]
+    TooMuch {
+        /// Name of the food.
+        food: String,
+        /// What it needs, and what fits.
+        excess: TooMuch,
+    },
+    /// The food has no piece of that size.
+    #[error(transparent)]
+    Size(#[from] BuildError),
+}
+
 impl Load {
-    /// Returns what the pieces of a kitchen need.
-    pub(crate) fn of(kitchen: &Kitchen) -> Self {
-        Self { pieces: kitchen.pieces().len(), bytes: kitchen.pieces().iter().map(|p| bytes_of(&p.model)).sum() }
+    /// Returns what pieces need.
+    pub(crate) fn of<'m>(models: impl Iterator<Item = &'m FoodModel>) -> Self {
+        let add = |load: Self, model| Self { pieces: load.pieces + 1, bytes: load.bytes + bytes_of(model) };
+        models.fold(Self::default(), add)
     }
 
-    /// Adds pieces that are ordered, without building one.
+    /// Adds pieces of a name and a spec that are ordered, without building one.
     ///
     /// # Errors
     ///
     /// If they do not fit beside those before, or if the food has no piece of that size.
-    pub fn add(&mut self, food: &FoodDescription, order: &PieceOrder, count: usize) -> Result<(), SetupError> {
-        self.add_of((&order.id, &order.spec()), food, count)
-    }
-
-    /// Adds pieces of a name and a spec.
-    pub(crate) fn add_of(
-        &mut self,
-        (id, spec): (&str, &PieceSpec),
-        food: &FoodDescription,
-        count: usize,
-    ) -> Result<(), SetupError> {
+    pub fn add(&mut self, id: &str, spec: &PieceSpec, food: &FoodDescription, count: usize) -> Result<(), NoRoom> {
         let each = bytes(Body::estimated_nodes(food, spec)?, food);
         let in_memory = (MOST_BYTES - self.bytes).max(0.0) / each;
         let fit = (in_memory as usize).min(MOST_PIECES.saturating_sub(self.pieces));
         let bytes = each * count as f64;
         if count > fit {
             let excess = TooMuch { asked: count, fit, bytes, before: self.pieces };
-            return Err(SetupError::TooMuch { food: id.to_owned(), excess });
+            return Err(NoRoom::TooMuch { food: id.to_owned(), excess });
         }
         self.pieces += count;
         self.bytes += bytes;

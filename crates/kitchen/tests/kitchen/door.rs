@@ -4,8 +4,7 @@
 use glam::{DQuat, DVec3};
 use saute_kitchen::dynamics::{Pose, Tool};
 use saute_kitchen::food::Rules;
-use saute_kitchen::kitchen::SetupError;
-use saute_kitchen::piece::memory::Load;
+use saute_kitchen::piece::memory::{Load, NoRoom};
 use saute_kitchen::{Command, Kitchen, MeshSize, OutlineKind, PieceOrder, Refused, kelvin};
 
 use crate::stove::{library, run};
@@ -147,19 +146,16 @@ fn large_steak(id: usize, coarseness: f64) -> PieceOrder {
 fn food_beyond_the_memory_of_a_kitchen_is_refused_before_it_is_built_with_what_would_fit() {
     let library = library();
     let food = &library.foods["beef-lean"];
-    let fits = |count| Load::default().add(food, &large_steak(1, 1.0), count);
+    let fits_at = |coarseness, count| Load::default().add("p1", &large_steak(1, coarseness).spec(), food, count);
+    let fits = |count| fits_at(1.0, count);
     let refused = fits(200).expect_err("200 steaks of two kilograms");
-    let SetupError::TooMuch { excess, .. } = refused.clone() else { panic!("{refused}") };
+    let NoRoom::TooMuch { excess, .. } = refused.clone() else { panic!("{refused}") };
     assert_eq!((excess.asked, excess.before), (200, 0));
     assert!((3..12).contains(&excess.fit), "{excess}");
     assert!(excess.to_string().contains(&format!("at most {} fit", excess.fit)), "{excess}");
     assert_eq!(fits(excess.fit), Ok(()));
     assert!(fits(excess.fit + 1).is_err());
-    assert_eq!(
-        Load::default().add(food, &large_steak(1, 0.5), 1),
-        Ok(()),
-        "one of the finest mesh is judged, not built"
-    );
+    assert_eq!(fits_at(0.5, 1), Ok(()), "one of the finest mesh is judged, not built");
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Checks that there is room for the pieces of a recipe, in memory and in the pan, before one of them is built.
 
-use saute_kitchen::kitchen::{PieceOrder, SetupError};
-use saute_kitchen::piece::memory::Load;
+use saute_kitchen::kitchen::PieceOrder;
+use saute_kitchen::piece::memory::{Load, NoRoom};
 
 use crate::action::{Action, FoodAction};
 use crate::check::recipe_check::{Check, Checked};
@@ -23,7 +23,8 @@ impl Check<'_> {
     ) -> Checked<()> {
         let food = &self.library.foods[&one.kind];
         // What else is wrong with a piece is said where it is built.
-        let Err(SetupError::TooMuch { excess, .. }) = load.add(food, one, count.unwrap_or(1) as usize) else {
+        let Err(NoRoom::TooMuch { excess, .. }) = load.add(&one.id, &one.spec(), food, count.unwrap_or(1) as usize)
+        else {
             return Ok(());
         };
         let remedy = match excess.fit {
