@@ -11,6 +11,7 @@ use crate::class::ClassCommand;
 use crate::fit::FitArgs;
 use crate::gallery::GalleryArgs;
 use crate::haptics::{CheckArgs, DevicesArgs};
+use crate::output::wav_out::wav_rate;
 use crate::picture::bench_frame::BenchFrameArgs;
 use crate::picture::shot::{ShotArgs, every};
 use crate::plan::PlanArgs;
@@ -162,6 +163,12 @@ pub struct CookArgs {
     /// A program that is killed loses at most a second.
     #[arg(long, value_name = "FILE.saute")]
     pub record: Option<PathBuf>,
+    /// Writes what the cook sounds like: 16-bit stereo, as long as the simulated time. A file that is there is replaced.
+    #[arg(long, value_name = "FILE.wav")]
+    pub wav: Option<PathBuf>,
+    /// Sample rate of that file [Hz].
+    #[arg(long, value_name = "HZ", value_parser = wav_rate, default_value_t = 48_000, requires = "wav")]
+    pub wav_rate: u32,
     /// Prints the numbers as JSON.
     #[arg(long)]
     pub json: bool,

@@ -10,6 +10,7 @@ pub mod export;
 pub mod forecasts;
 mod foresight;
 pub mod hands;
+pub mod hearing;
 mod judging;
 mod kept_order;
 mod mark;

@@ -19,6 +19,7 @@ use crate::output::out_dir::OutDir;
 use crate::output::progress::Progress;
 use crate::output::section_files::{Snapshot, pictured};
 use crate::output::session_out::SessionOut;
+use crate::output::wav_out::WavOut;
 use crate::output::{coloured_surfaces, json, stderr, stdout, text_summary};
 use crate::{exit_code, report};
 
@@ -31,8 +32,10 @@ pub fn run(args: &CookArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
     let mut out = args.out.as_deref().map(OutDir::prepare).transpose()?;
     let begin = |path: &PathBuf| SessionOut::begin(path, cook.runner.recipe(), &data.library, &cook.kitchen);
     let session = args.record.as_ref().map(begin).transpose()?;
+    let listen = |path: &PathBuf| WavOut::begin(path, args.wav_rate, &cook.kitchen);
+    let wav = args.wav.as_ref().map(listen).transpose()?;
     let fields = args.fields.map(FieldFiles::every);
-    let onlookers = Onlookers { pictured, out: out.as_mut(), fields, session };
+    let onlookers = Onlookers { pictured, out: out.as_mut(), fields, session, wav };
     let (cook, snapshots, wall) = onlookers.cook(cook)?;
     let summary = cook.summary(wall.as_secs_f64());
     if let Some(out) = out {
@@ -53,6 +56,7 @@ struct Onlookers<'a> {
     out: Option<&'a mut OutDir>,
     fields: Option<FieldFiles>,
     session: Option<SessionOut>,
+    wav: Option<WavOut>,
 }
 
 impl Onlookers<'_> {
@@ -76,6 +80,9 @@ impl Onlookers<'_> {
             if let Some(session) = &mut self.session {
                 session.on_tick(&cook.kitchen)?;
             }
+            if let Some(wav) = &mut self.wav {
+                wav.on_tick(&cook.kitchen)?;
+            }
             progress.show(&cook);
             if interruption.is_asked() {
                 let left = self.out.as_ref().map_or_else(|| "nothing was written".to_owned(), |out| out.left());
@@ -84,6 +91,7 @@ impl Onlookers<'_> {
         }
         let wall = started.elapsed().saturating_sub(looking);
         self.session.map_or(Ok(()), SessionOut::finish)?;
+        self.wav.map_or(Ok(()), WavOut::finish)?;
         if let (Some(fields), Some(out)) = (self.fields, self.out) {
             fields.end(&cook.kitchen, out)?;
         }

@@ -15,3 +15,4 @@ mod staged_files;
 pub mod stderr;
 pub mod stdout;
 pub mod text_summary;
+pub mod wav_out;

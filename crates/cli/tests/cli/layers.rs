@@ -9,7 +9,7 @@ use serde_json::Value;
 
 /// Each crate with the crates that it needs directly, of the workspace and of [`NOTABLE`]. A crate that does not exist yet is
 /// skipped.
-const ARROWS: [(&str, &[&str]); 28] = [
+const ARROWS: [(&str, &[&str]); 29] = [
     ("saute-heat", &[]),
     ("saute-food", &["saute-heat"]),
     ("saute-kitchen", &["saute-heat", "saute-food", "rapier3d"]),
@@ -23,7 +23,8 @@ const ARROWS: [(&str, &[&str]); 28] = [
     ("saute-surface", &["saute-heat"]),
     ("saute-scene", &["wgpu"]),
     ("saute-mirror", &[]),
-    ("saute-session", &["saute-kitchen", "saute-plan", "saute-recipe", "saute-study", "saute-words"]),
+    ("saute-sound", &[]),
+    ("saute-session", &["saute-kitchen", "saute-plan", "saute-recipe", "saute-sound", "saute-study", "saute-words"]),
     ("saute-words", &["saute-kitchen", "saute-plan", "saute-recipe", "saute-study"]),
     ("saute-picture", &["saute-kitchen", "saute-recipe", "saute-scene", "wgpu"]),
     (
@@ -118,6 +119,8 @@ const ARROWS: [(&str, &[&str]); 28] = [
             "saute-mirror",
             "saute-study",
             "saute-words",
+            "saute-session",
+            "saute-sound",
             "saute-haptics",
             "saute-window",
             "clap",

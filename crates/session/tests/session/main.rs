@@ -1,6 +1,7 @@
 //! The cook that the window shows: turned, played elsewhere, and fast enough.
 
 mod errands;
+mod hearing;
 mod scrubbing;
 mod timeline;
 mod turned_time;

@@ -9,3 +9,4 @@ mod out_folder;
 mod output;
 mod recipes;
 mod stopping;
+mod wav;

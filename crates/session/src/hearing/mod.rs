@@ -1,0 +1,97 @@
+//! A kitchen as input of the synthesiser, and its sound tick by tick.
+//!
+//! All of it is read from the kitchen after each tick. Nothing of it is stored in a kitchen or a session, and nothing is asked of
+//! the tick: flows and happenings are differences between two ticks.
+
+mod happenings;
+mod steam_heard;
+
+use saute_kitchen::{Kitchen, TICK_S, celsius};
+use saute_sound::{Event, Metal, Plate, Snapshot, Synth};
+
+use self::happenings::Happenings;
+use self::steam_heard::SteamHeard;
+
+/// Seed of the noise [-] (chosen: the same cook gives the same samples).
+const SEED: u64 = 0x5a07e;
+/// Ticks in a second [1/s].
+const TICKS_A_SECOND: u64 = (1.0 / TICK_S + 0.5) as u64;
+
+/// Listens to a kitchen.
+#[derive(Clone, Debug)]
+pub struct Ear {
+    steam: SteamHeard,
+    happenings: Happenings,
+}
+
+impl Ear {
+    /// Begins to listen: what has happened so far is not heard.
+    pub fn new(kitchen: &Kitchen) -> Self {
+        Self { steam: SteamHeard::new(kitchen), happenings: Happenings::new(kitchen) }
+    }
+
+    /// Returns what is heard of the tick that has just ended.
+    pub fn hear(&mut self, kitchen: &Kitchen) -> (Snapshot, Vec<Event>) {
+        let floor_c = celsius(kitchen.pan_temperature()) as f32;
+        let snapshot = Snapshot {
+            steam: self.steam.flows(kitchen).map(|flow| flow as f32),
+            floor_c,
+            // Oil has the temperature of the metal below it.
+            oil_c: floor_c,
+            lid: kitchen.pan_state().lid.is_some(),
+            covered: steam_heard::covered(kitchen) as f32,
+        };
+        (snapshot, self.happenings.since(kitchen))
+    }
+}
+
+/// The sound of a kitchen.
+#[derive(Clone, Debug)]
+pub struct Sound {
+    ear: Ear,
+    synth: Synth,
+    rate: u64,
+    tick: u64,
+    samples: Vec<[f32; 2]>,
+}
+
+impl Sound {
+    /// Begins the sound of a kitchen for a sample rate [Hz].
+    pub fn new(kitchen: &Kitchen, rate: u32) -> Self {
+        Self {
+            ear: Ear::new(kitchen),
+            synth: Synth::new(rate, SEED, &plate(kitchen)),
+            rate: u64::from(rate),
+            tick: kitchen.tick(),
+            samples: Vec::new(),
+        }
+    }
+
+    /// Returns the samples of the tick that has just ended; none if none has since the last call.
+    pub fn follow(&mut self, kitchen: &Kitchen) -> &[[f32; 2]] {
+        let from = core::mem::replace(&mut self.tick, kitchen.tick());
+        // Samples up to a tick; a rate need not be a multiple of ten.
+        let until = |tick: u64| (tick * self.rate / TICKS_A_SECOND) as usize;
+        self.samples.clear();
+        self.samples.resize(until(self.tick) - until(from), [0.0; 2]);
+        if !self.samples.is_empty() {
+            let (snapshot, events) = self.ear.hear(kitchen);
+            self.synth.feed(&snapshot, &events);
+            self.synth.render(&mut self.samples);
+        }
+        &self.samples
+    }
+}
+
+/// Density between light metal and a pan with a core of it, between that and cast iron, and between cast iron and steel [kg/m³]
+/// (chosen: between 2700, 4400, 7200 and 7850).
+const DENSITIES: [f64; 3] = [3500.0, 6000.0, 7500.0];
+
+/// The pan as the plate that rings.
+pub fn plate(kitchen: &Kitchen) -> Plate {
+    let pan = &kitchen.pan_model().description;
+    let heavier = DENSITIES.iter().filter(|density| pan.metal.density_kg_m3 > **density).count();
+    let metal = [Metal::Aluminium, Metal::StainlessClad, Metal::CastIron, Metal::CarbonSteel][heavier];
+    let radius_mm = 0.5 * (pan.floor.radius_mm + pan.wall.rim_radius_mm);
+    Plate { metal, radius_m: 1e-3 * radius_mm as f32, thickness_m: 1e-3 * pan.floor.thickness_mm as f32 }
+}

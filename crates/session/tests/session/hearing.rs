@@ -1,0 +1,163 @@
+//! Promise: what a kitchen does is heard: its steam as it boils off, its blows when they fall.
+
+#[path = "../../../sound/tests/sound/ear.rs"]
+#[allow(dead_code, reason = "the tests of the synthesiser need the rest")]
+mod ear;
+
+use saute_kitchen::{Kitchen, Library, TICK_S};
+use saute_recipe::{Cook, Recipe};
+use saute_session::hearing::{Ear, Sound, plate};
+use saute_sound::{EventKind, Metal, Snapshot, Steam};
+
+/// A thin steak, fried on both sides, then butter and a lid.
+const COOK: &str = r#"
+[pan]
+kind = "carbon-steel-26"
+initial_c = 200
+[[food]]
+id = "steak"
+kind = "beef-lean"
+size_mm = [60, 50, 10]
+initial_c = 5
+mesh = "2013"
+[[step]]
+hob_w = 1200
+[[step]]
+at_s = 2
+put = "steak"
+[[step]]
+at_s = 12
+flip = "steak"
+[[step]]
+at_s = 20
+lid = true
+[[step]]
+at_s = 23
+lid = false
+[[step]]
+at_s = 25
+rest = "steak"
+[[step]]
+at_s = 30
+butter_g = 10
+[[step]]
+at_s = 60
+water_g = 60
+[[step]]
+at_s = 90
+end = true
+"#;
+
+fn cook(library: &Library) -> Cook {
+    Cook::new(Recipe::parse(COOK, "cook.toml", library).expect("parses"), library).expect("builds")
+}
+
+/// What is heard of each tick.
+fn heard() -> Vec<(f64, Snapshot, Vec<EventKind>)> {
+    let library = Library::embedded().expect("the library is sound");
+    let mut cook = cook(&library);
+    let mut ear = Ear::new(&cook.kitchen);
+    let mut heard = Vec::new();
+    while cook.stopped().is_none() {
+        cook.advance().expect("cooks");
+        if cook.stopped().is_none() {
+            let (snapshot, events) = ear.hear(&cook.kitchen);
+            heard.push((cook.kitchen.time_s(), snapshot, events.into_iter().map(|event| event.kind).collect()));
+        }
+    }
+    heard
+}
+
+#[test]
+fn flows_and_happenings_are_heard_when_they_are() {
+    let heard = heard();
+    let times = |kind: EventKind| -> Vec<f64> {
+        heard.iter().filter(|(_, _, events)| events.contains(&kind)).map(|(time, ..)| *time).collect()
+    };
+    let near = |found: &[f64], expected: &[f64], within: f64| {
+        assert_eq!(found.len(), expected.len(), "{found:?}, expected {expected:?}");
+        assert!(found.iter().zip(expected).all(|(a, b)| (a - b).abs() <= within), "{found:?}, expected {expected:?}");
+    };
+    near(&times(EventKind::Put), &[2.1], 0.15);
+    near(&times(EventKind::Flip), &[13.0], 1.5);
+    near(&times(EventKind::Lid), &[20.1, 23.1], 0.15);
+    near(&times(EventKind::Board), &[26.0], 1.5);
+    near(&times(EventKind::Pour), &[60.1], 0.15);
+    let mean = |place: Steam, from: f64, to: f64| {
+        let ticks: Vec<_> = heard.iter().filter(|(time, ..)| (from..to).contains(time)).collect();
+        ticks.iter().map(|(_, snapshot, _)| f64::from(snapshot.steam[place as usize])).sum::<f64>() / ticks.len() as f64
+    };
+    let frying = |from, to| mean(Steam::Floor, from, to) + mean(Steam::Drip, from, to);
+    assert_eq!(frying(0.0, 2.0), 0.0);
+    assert!(frying(8.0, 12.0) > 1e-5, "frying: {} kg/s", frying(8.0, 12.0));
+    assert!(mean(Steam::Floor, 28.0, 90.0) == 0.0, "nothing fries once the steak is out");
+    assert!(mean(Steam::Butter, 30.0, 45.0) > 1e-5, "butter: {} kg/s", mean(Steam::Butter, 30.0, 45.0));
+    assert!(mean(Steam::Water, 60.0, 90.0) > 1e-5, "water boils: {} kg/s", mean(Steam::Water, 60.0, 90.0));
+}
+
+/// Steam below a food is no more than what leaves it.
+#[test]
+fn no_more_is_heard_than_boils_off() {
+    let library = Library::embedded().expect("the library is sound");
+    let mut cook = cook(&library);
+    let mut ear = Ear::new(&cook.kitchen);
+    let water = |kitchen: &Kitchen| kitchen.pieces()[0].mass() + kitchen.pan_state().water_mass();
+    let before = water(&cook.kitchen);
+    let mut sounded = 0.0;
+    while cook.kitchen.time_s() < 12.0 {
+        cook.advance().expect("cooks");
+        let (snapshot, _) = ear.hear(&cook.kitchen);
+        sounded += snapshot.steam.iter().map(|flow| f64::from(*flow)).sum::<f64>() * TICK_S;
+    }
+    let gone = before - water(&cook.kitchen);
+    println!("{:.3} g left as steam, {:.3} g of it sounded", 1e3 * gone, 1e3 * sounded);
+    assert!(sounded < gone && sounded > 0.5 * gone, "{gone} kg left, {sounded} kg sounded");
+}
+
+#[test]
+fn each_shipped_pan_rings_as_its_metal() {
+    let library = Library::embedded().expect("the library is sound");
+    let metal = |kind: &str| plate(&Kitchen::new(&library, kind, 300.0).expect("builds")).metal;
+    assert_eq!(metal("carbon-steel-26"), Metal::CarbonSteel);
+    assert_eq!(metal("cast-iron-26"), Metal::CastIron);
+    assert_eq!(metal("stainless-clad-26"), Metal::StainlessClad);
+    assert_eq!(metal("aluminium-26"), Metal::Aluminium);
+}
+
+/// A cook hears how much boils: while it fries the level of each second follows the steam of that second.
+#[test]
+fn the_level_follows_the_steam_of_a_cook() {
+    let library = Library::embedded().expect("the library is sound");
+    let mut cook = cook(&library);
+    let (mut ear, mut sound) = (Ear::new(&cook.kitchen), Sound::new(&cook.kitchen, 48_000));
+    let (mut samples, mut steam) = (Vec::new(), Vec::new());
+    while cook.kitchen.time_s() < 19.95 {
+        cook.advance().expect("cooks");
+        samples.extend_from_slice(sound.follow(&cook.kitchen));
+        steam.push(ear.hear(&cook.kitchen).0.steam.iter().map(|flow| f64::from(*flow)).sum());
+    }
+    let levels = ear::levels_by_second(&samples, 48e3);
+    let flows: Vec<f64> = steam.chunks_exact(10).map(|second: &[f64]| second.iter().sum()).collect();
+    // From the first steam on, without the seconds of the put and of the flip, whose blows are louder than it.
+    let (from, flip) = (flows.iter().position(|flow| *flow > 0.0).expect("it fries").max(4), 12..14);
+    let heard: Vec<usize> = (from..20).filter(|second| !flip.contains(second)).collect();
+    let of = |values: &[f64]| heard.iter().map(|second| values[*second]).collect::<Vec<_>>();
+    let found = ear::spearman(&of(&levels), &of(&flows));
+    println!("Spearman {found:.3} of {} seconds", heard.len());
+    assert!(found >= 0.95, "{found}: {levels:?} {flows:?}");
+}
+
+/// The sound is as long as the cook, at any rate, and a second look at the same tick gives nothing.
+#[test]
+fn the_sound_lasts_as_long_as_the_cook() {
+    let library = Library::embedded().expect("the library is sound");
+    let mut cook = cook(&library);
+    let mut sound = Sound::new(&cook.kitchen, 11_025);
+    let mut samples = 0;
+    while cook.kitchen.time_s() < 2.95 {
+        cook.advance().expect("cooks");
+        samples += sound.follow(&cook.kitchen).len();
+        assert!(sound.follow(&cook.kitchen).is_empty());
+    }
+    assert_eq!(samples, 3 * 11_025);
+}

@@ -1,0 +1,68 @@
+//! What sounds once: blows, drops, signals.
+
+/// Kind of an event.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum EventKind {
+    /// Food comes to lie in the pan.
+    Put,
+    /// Food is turned over and falls back.
+    Flip,
+    /// Wet food falls onto a plane face.
+    Slap,
+    /// Metal or food slides over the floor.
+    Scrape,
+    /// Metal strikes the pan.
+    Clank,
+    /// The lid is laid on or taken off.
+    Lid,
+    /// Liquid is poured in.
+    Pour,
+    /// A drop of oil flies off, or a drop of water bursts under oil.
+    Spatter,
+    /// A drop falls into liquid.
+    Drop,
+    /// The pan is set onto the wet cloth.
+    WetCloth,
+    /// Food comes to lie on the board.
+    Board,
+    /// A bell rings.
+    Bell,
+}
+
+impl EventKind {
+    /// All kinds, in declaration order.
+    pub const ALL: [Self; 12] = [
+        Self::Put,
+        Self::Flip,
+        Self::Slap,
+        Self::Scrape,
+        Self::Clank,
+        Self::Lid,
+        Self::Pour,
+        Self::Spatter,
+        Self::Drop,
+        Self::WetCloth,
+        Self::Board,
+        Self::Bell,
+    ];
+}
+
+/// An event within a tick.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Event {
+    /// Kind.
+    pub kind: EventKind,
+    /// Strength, from 0 to 1 [-].
+    pub strength: f32,
+    /// Time since the tick began [s], below [`crate::TICK_S`].
+    pub at_s: f32,
+    /// Place from left (−1) to right (1) [-]. Single drops are heard there; what is struck sounds from the middle.
+    pub side: f32,
+}
+
+impl Event {
+    /// An event at the beginning of a tick, in the middle.
+    pub fn now(kind: EventKind, strength: f32) -> Self {
+        Self { kind, strength, at_s: 0.0, side: 0.0 }
+    }
+}
