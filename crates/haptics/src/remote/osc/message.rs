@@ -10,9 +10,13 @@ pub const LONGEST: usize = 1024;
 /// Maximum number of messages per datagram (chosen: as many as fit).
 const MOST: usize = 64;
 /// Largest distance from the ring's centre [m] (chosen: no arm is longer).
-const FARTHEST_M: f64 = 2.0;
+pub const FARTHEST_M: f64 = 2.0;
 /// Largest tilt angle [°].
-const STEEPEST_DEG: f64 = 180.0;
+pub const STEEPEST_DEG: f64 = 180.0;
+/// Range of the length of a quaternion, which is made one [-] (chosen: anything else is no orientation).
+const QUATERNION: [f64; 2] = [0.5, 2.0];
+/// Largest number of a button [-].
+const LAST_BUTTON: i32 = 31;
 
 /// A parsed message.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,7 +34,7 @@ pub enum Event {
 }
 
 /// Why a datagram or message is invalid.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum BadOsc {
     /// The datagram is not OSC.
     #[error("is not OSC")]
@@ -41,9 +45,16 @@ pub enum BadOsc {
     /// The address is unknown, or the arguments do not match it.
     #[error("has an unknown address or wrong arguments")]
     Meaning,
-    /// A number is out of range.
-    #[error("has a number out of range")]
-    Range,
+    /// A number is out of range, or none.
+    #[error("{key} may be {low} to {high}")]
+    Range {
+        /// What the number is.
+        key: &'static str,
+        /// Smallest value.
+        low: f64,
+        /// Largest value.
+        high: f64,
+    },
 }
 
 /// Returns all messages of a datagram with bundles opened, each one parsed or an error.
@@ -100,22 +111,23 @@ fn numbers<const N: usize>(args: &[OscType]) -> Result<[f64; N], BadOsc> {
             _ => return Err(BadOsc::Meaning),
         };
     }
-    if numbers.iter().all(|v| v.is_finite()) { Ok(numbers) } else { Err(BadOsc::Range) }
+    Ok(numbers)
 }
 
 /// Parses x, y, z [m] and a quaternion x, y, z, w [-].
 fn pose(args: &[OscType]) -> Result<Pose, BadOsc> {
     let [x, y, z, qx, qy, qz, qw] = numbers(args)?;
     let (position, rotation) = (DVec3::new(x, y, z), DQuat::from_xyzw(qx, qy, qz, qw));
-    let fits = position.length() <= FARTHEST_M && (0.5..2.0).contains(&rotation.length());
-    if fits { Ok(Pose { position, rotation: rotation.normalize() }) } else { Err(BadOsc::Range) }
+    ranged("the distance from the ring's centre [m]", position.length(), [0.0, FARTHEST_M])?;
+    ranged("the length of the quaternion [-]", rotation.length(), QUATERNION)?;
+    Ok(Pose { position, rotation: rotation.normalize() })
 }
 
 /// Parses rotation angles about the axis to the right and about the axis away from the cook [°].
 fn tilt(args: &[OscType]) -> Result<DQuat, BadOsc> {
     let [right, away] = numbers(args)?;
-    if right.abs().max(away.abs()) > STEEPEST_DEG {
-        return Err(BadOsc::Range);
+    for angle in [right, away] {
+        ranged("the tilt [°]", angle, [-STEEPEST_DEG, STEEPEST_DEG])?;
     }
     Ok(about(DVec3::new(right.to_radians(), away.to_radians(), 0.0)))
 }
@@ -123,8 +135,20 @@ fn tilt(args: &[OscType]) -> Result<DQuat, BadOsc> {
 fn button(args: &[OscType]) -> Result<Event, BadOsc> {
     let (number, down) = match args {
         [OscType::Int(number), OscType::Bool(down)] => (*number, *down),
-        [OscType::Int(number), value] => (*number, numbers::<1>(std::slice::from_ref(value))?[0] > 0.5),
+        [OscType::Int(number), value] => {
+            let [value] = numbers(std::slice::from_ref(value))?;
+            if !value.is_finite() {
+                return Err(BadOsc::Meaning);
+            }
+            (*number, value > 0.5)
+        }
         _ => return Err(BadOsc::Meaning),
     };
-    if (0..32).contains(&number) { Ok(Event::Button(number as u32, down)) } else { Err(BadOsc::Range) }
+    ranged("the number of the button", number.into(), [0.0, LAST_BUTTON.into()])?;
+    Ok(Event::Button(number as u32, down))
+}
+
+/// Refuses a number beyond its range, and one that is none.
+fn ranged(key: &'static str, value: f64, [low, high]: [f64; 2]) -> Result<(), BadOsc> {
+    if (low..=high).contains(&value) { Ok(()) } else { Err(BadOsc::Range { key, low, high }) }
 }
