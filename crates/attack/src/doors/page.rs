@@ -15,8 +15,8 @@ one that is none is dropped, and the hand stays where it was. A test hands such 
 A stored kitchen (`Kitchen::to_bytes`) of another version is refused: it is no door.\n\
 - **Python**: the calls of a [kitchen](python.md).\n\
 - **Phone**, **OSC** and **device**: [networked devices](network-devices.md) and string devices. They say poses only.\n\n\
-\"What fits\" stands for the hob's power, the room in the pan, the reach of an arm or the size of the food. Speed and pause are no \
-changes: no file states them; `step(n)` of Python and the controls of window and page do.\n";
+\"What fits\" stands for the hob's power, the room in the pan, the reach of an arm or the size of the food. The instant that a \
+page's script asks for is 0 to the end of its cook. Speed and pause are no changes: no file states them; `step(n)` of Python and the controls of window and page do.\n";
 
 /// Returns the page.
 pub fn page() -> String {

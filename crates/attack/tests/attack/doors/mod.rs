@@ -3,6 +3,7 @@
 
 mod other_version;
 mod page;
+mod page_messages;
 mod recipes;
 mod sessions;
 mod streams;

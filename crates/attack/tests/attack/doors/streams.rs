@@ -1,11 +1,18 @@
 //! The doors of streams: phones, OSC senders and devices.
 
+use glam::DVec3;
 use saute_attack::doors::{Range, STREAMED, Streamed, StreamedNumber};
 use saute_attack::kitchen_files::LIBRARY;
+use saute_haptics::control::loop_step::LoopStep;
+use saute_haptics::kitchen::contact_model::Payload;
+use saute_haptics::library;
 use saute_haptics::remote::osc::message::{Event, read};
 use saute_haptics::remote::phone::held_phone::HeldPhone;
 use saute_haptics::remote::phone::message::FromPhone;
-use saute_haptics::{HapticSample, Health, PanInHand, Pose, TurnerInHand};
+use saute_haptics::{
+    Capabilities, ContactModel, HapticCommand, HapticDevice, HapticSample, Health, PanInHand, Pose, Renderer,
+    TurnerInHand,
+};
 use saute_kitchen::{Command, FRAME_S, Kitchen, MeshSize, OutlineKind, PieceOrder, kelvin};
 
 use super::{hostile, is_taken, names, sound};
@@ -100,10 +107,43 @@ fn tried(number: &StreamedNumber, frying: &Kitchen) {
         };
         let is_refusable = !matches!(number.message, Streamed::Device(_));
         assert!(!is_refusable || is_taken(number.range, v) != Some(false), "{case} is taken");
+        renders(sample, &case);
         let (mut kitchen, mut hands) = (frying.clone(), Default::default());
         follow(&mut kitchen, &mut hands, &sample);
         sound(&kitchen, &case);
         comes_back(&mut kitchen, &mut hands, &case);
+    }
+}
+
+/// A device that says one sample.
+struct Saying(HapticSample, Capabilities);
+
+impl HapticDevice for Saying {
+    fn capabilities(&self) -> &Capabilities {
+        &self.1
+    }
+
+    fn exchange(&mut self, _: &HapticCommand, _: f64) -> HapticSample {
+        self.0
+    }
+
+    fn stop(&mut self) {}
+
+    fn resume(&mut self) {}
+}
+
+/// Panics if a device that says a sample is told to make a force that is none, or above its limit.
+fn renders(sample: HapticSample, case: &str) {
+    let device = library::devices().expect("are sound").remove(library::DEFAULT_DEVICE).expect("is there");
+    let capabilities = device.capabilities();
+    let renderer = Renderer::new(&capabilities, &library::feel().expect("is sound"));
+    let most = capabilities.limits.force_n;
+    let mut step = LoopStep::new(Box::new(Saying(sample, capabilities)), renderer, 0);
+    for number in 1..200 {
+        let payload = Payload::point(0.3, DVec3::ZERO);
+        let state = step.step(&ContactModel { number, payload, ..ContactModel::default() }, 1e-3);
+        let force = state.command.wrench.force.length();
+        assert!(force <= most * 1.001, "{case}: {force} N");
     }
 }
 
