@@ -1,5 +1,6 @@
 """A folder of the user's own foods, pans and recipes, as the command's `--data`."""
 
+import os
 import pathlib
 import pickle
 
@@ -61,3 +62,27 @@ def test_a_folder_that_is_none_or_holds_nothing_is_refused(tmp_path):
     with pytest.raises(saute.InputError, match="none of the folders") as caught:
         saute.cook(RECIPE, data=tmp_path)
     assert "foods/" in caught.value.remedy
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="the system has no pipes in folders")
+def test_a_pipe_a_device_and_a_link_out_of_the_folder_are_refused_before_they_are_opened(data, tmp_path_factory):
+    pipe = data / "foods" / "mine.toml"
+    pipe.parent.mkdir()
+    os.mkfifo(pipe)
+    with pytest.raises(saute.InputError, match=r"mine\.toml.* is a pipe or a device, not a file"):
+        saute.Kitchen("mine", data=data)
+    with pytest.raises(saute.InputError, match="is a pipe or a device, not a file"):
+        saute.Kitchen(str(pipe))
+    with pytest.raises(saute.InputError, match="is a pipe or a device, not a file"):
+        saute.cook(pathlib.Path("/dev/zero"))
+    pipe.unlink()
+    secret = tmp_path_factory.mktemp("elsewhere") / "secret.toml"
+    secret.write_text("secret")
+    pipe.symlink_to(secret)
+    with pytest.raises(saute.InputError, match=r"mine\.toml.* leads out of data, to .*secret\.toml") as caught:
+        saute.Kitchen("mine", data=data)
+    assert caught.value.remedy == "copy the file into the folder"
+    pipe.unlink()
+    os.mkfifo(data / "goals.toml")
+    with pytest.raises(saute.InputError, match=r"goals\.toml.* is a pipe or a device"):
+        saute.Kitchen("mine", data=data)

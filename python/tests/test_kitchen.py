@@ -195,3 +195,63 @@ def test_a_kitchen_has_the_stove_that_is_named():
         saute.Kitchen(hob="gas").hob_hold(180)
     with pytest.raises(saute.InputError, match="gas, induction, iron-plate, radiant"):
         saute.Kitchen(hob="campfire")
+
+
+NOT_A_NUMBER = [float("nan"), float("inf"), float("-inf"), 1e308, -1e308]
+
+# A call with a number, and the range that its refusal names: the column of Python in docs/doors.md.
+DOORS = [
+    (lambda k, v: k.hob(w=v), "the hob gives 0 to"),
+    (lambda k, v: k.hob_hold(c=v), "the hob holds"),
+    (lambda k, v: k.hob_hold(c=180, w=v), "the hob gives 0 to"),
+    (lambda k, v: k.put("steak", at_mm=(v, 0)), "finite|-200 to 200"),
+    (lambda k, v: k.put("steak", at_mm=(0, v), heap=True), "finite|-200 to 200"),
+    (lambda k, v: k.halve("steak", at_mm=v), "-150 to 150"),
+    (lambda k, v: k.press("steak", n=v), "0 to 100"),
+    (lambda k, v: k.press("steak", for_s=v), "0.1 to 600"),
+    (lambda k, v: k.move("steak", to_mm=(v, 0)), "finite|-200 to 200"),
+    (lambda k, v: k.move_pan(at_mm=(v, 0)), "finite|moved and lifted by up to"),
+    (lambda k, v: k.move_pan(lift_mm=v), "0 to 500"),
+    (lambda k, v: k.cool(for_s=v), "0.1 to 600"),
+    (lambda k, v: k.toss(height_mm=v), "50 to 500"),
+    (lambda k, v: k.shake(amplitude_mm=v), "0 to 100"),
+    (lambda k, v: k.shake(hz=v), "0 to 8"),
+    (lambda k, v: k.shake(for_s=v), "0.1 to 600"),
+    (lambda k, v: k.tilt(v), "0 to 80"),
+    (lambda k, v: k.tilt(10, towards_deg=v), "-360 to 360"),
+    (lambda k, v: k.oil(g=v), "0 to 300"),
+    (lambda k, v: k.butter(g=v), "0 to 300"),
+    (lambda k, v: k.water(g=v), "0 to 1000"),
+]
+
+
+@pytest.mark.parametrize(("call", "expected"), DOORS)
+@pytest.mark.parametrize("value", NOT_A_NUMBER)
+def test_a_number_that_is_none_or_huge_is_refused_with_its_range_and_changes_nothing(kitchen, call, expected, value):
+    before = kitchen.state_hash
+    with pytest.raises((ValueError, saute.RefusedError), match=expected):
+        call(kitchen, value)
+    assert kitchen.state_hash == before
+    kitchen.step(10)
+    assert np.isfinite(kitchen.pan_c)
+
+
+@pytest.mark.parametrize("value", [float("nan"), float("inf"), float("-inf")])
+@pytest.mark.parametrize("at", range(7))
+def test_a_pose_with_a_number_that_is_none_is_refused_and_the_pan_stays(kitchen, at, value):
+    pose = [0.0, 0.0, 0.1, 0.0, 0.0, 0.0, 1.0]
+    pose[at] = value
+    before = kitchen.state_hash
+    with pytest.raises(ValueError, match="finite"):
+        kitchen.hold_pan(pose)
+    with pytest.raises(ValueError, match="finite"):
+        kitchen.lead("turner", pose)
+    assert kitchen.state_hash == before
+
+
+@pytest.mark.parametrize("value", [1e308, -1e308, 3.0, -1.0])
+def test_a_place_out_of_reach_is_held_at_its_edge(frying, value):
+    frying.hold_pan([value, 0.0, 0.1, 0.0, 0.0, 0.0, 1.0])
+    frying.step(10)
+    assert np.isfinite(frying.pan_pose_m).all() and np.abs(frying.pan_pose_m[:3]).max() < 1
+    assert np.isfinite(frying["steak"].core_c) and frying["steak"].place == "pan"

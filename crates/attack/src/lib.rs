@@ -7,6 +7,7 @@
 pub mod class_files;
 pub mod device_messages;
 pub mod dictionary;
+pub mod doors;
 pub mod handed_in;
 mod kept_inputs;
 pub mod kitchen_files;

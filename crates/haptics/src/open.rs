@@ -1,11 +1,11 @@
 //! Opens a device from NAME, FILE.toml or NAME@PLACE, and states how a person reaches it.
 
-use std::io::Read;
 use std::net::{SocketAddr, ToSocketAddrs};
 use std::path::Path;
 use std::sync::mpsc::Receiver;
 
 use saute_kitchen::InputError;
+use saute_kitchen::data::regular_file;
 use serde::Serialize;
 
 use crate::device::{Capabilities, HapticDevice};
@@ -17,8 +17,8 @@ use crate::strings::wire::{SerialLink, UdpLink};
 
 /// Baud rate of serial links [baud] (chosen: twice what a thousand frames per second each way need).
 const BAUD: u32 = 2_000_000;
-/// Largest geometry file [bytes] (chosen: the largest shipped one has 4 kB).
-const LARGEST: u64 = 1 << 20;
+/// Largest geometry file [MiB] (chosen: the largest shipped one has 4 kB).
+const LARGEST_MIB: u64 = 1;
 
 /// All kinds of networked devices. To add one, write its file and list it here.
 pub static NETWORKED: &[Networked] = &[phone::PHONE, haply::HAPLY, osc::OSC];
@@ -215,7 +215,8 @@ impl Build {
         if let Some(networked) = NETWORKED.iter().find(|n| n.id == name) {
             return Ok(Self::Networked(*networked));
         }
-        if Path::new(name).is_file() {
+        // A pipe or a device is no name of ours, and is refused as what it is.
+        if Path::new(name).exists() && !Path::new(name).is_dir() {
             return Ok(Self::Strings(Box::new(Geometry::parse(&read(name)?, name)?)));
         }
         match library::devices()?.remove(name) {
@@ -231,10 +232,8 @@ impl Build {
 }
 
 fn read(file: &str) -> Result<String, OpenError> {
-    let mut text = String::new();
-    let took = std::fs::File::open(file).and_then(|f| f.take(LARGEST).read_to_string(&mut text));
-    took.map_err(|e| OpenError::place(file, format!("cannot be read: {e}"), "give the path of a geometry file"))?;
-    Ok(text)
+    regular_file::read_text(Path::new(file), LARGEST_MIB)
+        .map_err(|unread| OpenError::place(file, unread.to_string(), "give the path of a geometry file"))
 }
 
 /// Resolves HOST:PORT, or HOST with the default port.

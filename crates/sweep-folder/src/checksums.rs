@@ -4,10 +4,14 @@ use std::collections::BTreeMap;
 use std::hash::Hasher;
 use std::path::Path;
 
+use saute_kitchen::data::regular_file;
 use siphasher::sip::SipHasher13;
 
 /// Name of the file; readers of a folder of Parquet files pass over names that begin so.
 pub const FILE: &str = "_checksums";
+
+/// Larger files are not read [MiB] (chosen: a line of each part of the longest sweep).
+const LARGEST_MIB: u64 = 512;
 
 /// Checksums of files by their names.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -16,7 +20,8 @@ pub struct Checksums(BTreeMap<String, u64>);
 impl Checksums {
     /// Reads the checksums in a folder; none where there is no file, as in folders of before.
     pub fn in_folder(folder: &Path) -> Self {
-        std::fs::read_to_string(folder.join(FILE)).map_or_else(|_| Self::default(), |text| Self::parse(&text))
+        let text = regular_file::read_text(&folder.join(FILE), LARGEST_MIB);
+        text.map_or_else(|_| Self::default(), |text| Self::parse(&text))
     }
 
     /// Lines that are none are passed over: a file that is not named here is not compared.

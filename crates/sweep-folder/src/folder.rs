@@ -10,6 +10,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use saute_formats::{Table, Value};
+use saute_kitchen::data::regular_file;
 use saute_sweep::{Manifest, RowResult, Status, Sweep, manifest};
 
 use crate::checksums::{self, Checksums};
@@ -19,6 +20,10 @@ use crate::tally::Tally;
 
 /// Folder of the Parquet files.
 pub const ROWS: &str = "rows";
+/// Larger manifests are not read [MiB] (chosen: a usual one has 2 kB).
+pub const MANIFEST_MIB: u64 = 4;
+/// Larger parts are not read [MiB] (chosen: the most rows of a part with a thousand numbers each).
+pub const PART_MIB: u64 = 1024;
 /// Folder of what is not complete.
 const UNFINISHED: &str = "unfinished";
 /// File that is locked while a program writes to the folder.
@@ -179,6 +184,7 @@ impl SweepFolder {
         let (path, file_name) = (self.path.join(name), name.file_name().unwrap_or_default());
         let on_its_way = self.path.join(UNFINISHED).join(file_name);
         let write = || {
+            regular_file::check_place(&on_its_way)?;
             let mut file = File::create(&on_its_way)?;
             file.write_all(bytes)?;
             file.sync_all()?;
@@ -191,12 +197,12 @@ impl SweepFolder {
     fn claim(&self) -> Result<(), FolderError> {
         let (place, own) = (self.path.join(manifest::FILE), self.sweep.manifest());
         let another = "name another folder, or remove this one";
-        match fs::read_to_string(&place) {
+        match regular_file::read_text(&place, MANIFEST_MIB) {
             Ok(text) => {
                 let found = Manifest::parse(&text).map_err(|message| FolderError::new(&place, message, another))?;
                 own.conflict(&found).map_or(Ok(()), |why| Err(FolderError::new(&self.path, why, another)))
             }
-            Err(e) if e.kind() == io::ErrorKind::NotFound => {
+            Err(unread) if unread.is_missing() => {
                 let is_empty = fs::read_dir(self.path.join(ROWS)).is_ok_and(|mut entries| entries.next().is_none());
                 if !is_empty {
                     return Err(FolderError::new(&self.path.join(ROWS), "holds files of something else", another));
@@ -205,7 +211,7 @@ impl SweepFolder {
                 self.write(Path::new("recipe.toml"), self.sweep.recipe_text().as_bytes())?;
                 self.write(Path::new(manifest::FILE), own.text().as_bytes())
             }
-            Err(e) => Err(FolderError::io(&place, &e)),
+            Err(unread) => Err(FolderError::new(&place, unread.to_string(), another)),
         }
     }
 
@@ -227,8 +233,8 @@ impl SweepFolder {
 
     /// Reads the rows of a complete part; returns how many of them could not be cooked.
     fn read_part(&self, path: &Path, part: u64) -> Result<u64, FolderError> {
-        let bytes = fs::read(path).map_err(|e| FolderError::io(path, &e))?;
         let damaged = |message: String| FolderError::new(path, message, "remove this file: its rows are cooked again");
+        let bytes = regular_file::read(path, PART_MIB).map_err(|unread| damaged(unread.to_string()))?;
         if !Checksums::in_folder(&self.path.join(ROWS)).holds(&Manifest::part_name(part), &bytes) {
             return Err(damaged("has not the checksum with which it was written".to_owned()));
         }
@@ -284,6 +290,7 @@ fn names(folder: &Path) -> Result<BTreeSet<String>, FolderError> {
 
 /// Locks a file for this program alone. The system releases the lock of a dead one.
 fn locked(path: &Path) -> io::Result<File> {
+    regular_file::check_place(path)?;
     let file = File::options().write(true).create(true).truncate(false).open(path)?;
     match file.try_lock() {
         Ok(()) => Ok(file),

@@ -9,6 +9,7 @@ use std::hash::Hasher;
 use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 
+use saute_kitchen::data::regular_file;
 use saute_sweep::RowResult;
 use siphasher::sip::SipHasher13;
 
@@ -25,6 +26,7 @@ pub(crate) struct Journal {
 impl Journal {
     /// Opens the journal of a part; returns it with the results that are in it, by their rows.
     pub(crate) fn open(path: &Path) -> io::Result<(Self, BTreeMap<u64, RowResult>)> {
+        regular_file::check_place(path)?;
         let mut file = OpenOptions::new().read(true).append(true).create(true).open(path)?;
         let mut bytes = Vec::new();
         file.read_to_end(&mut bytes)?;

@@ -12,5 +12,5 @@ mod journal;
 mod tally;
 
 pub use error::FolderError;
-pub use folder::{ROWS, SweepFolder};
+pub use folder::{MANIFEST_MIB, PART_MIB, ROWS, SweepFolder};
 pub use tally::Tally;

@@ -1,6 +1,8 @@
 //! The window in a stated condition: a recipe at an instant, with view, cut and camera. Pictures of it can be compared.
 
+use saute_kitchen::data::number_text::number_text;
 use saute_picture::view::View;
+use saute_recipe::Recipe;
 use saute_scene::quality::Quality;
 use serde::Deserialize;
 
@@ -24,6 +26,20 @@ pub struct Pose {
     pub quality: Quality,
     /// True if the panels are shown.
     pub panels: bool,
+}
+
+impl Pose {
+    /// Refuses an instant that a cook of the recipe does not reach.
+    ///
+    /// # Errors
+    ///
+    /// Says the range of the instant.
+    pub fn check(&self, recipe: &Recipe) -> Result<(), String> {
+        if (0.0..=recipe.max_s).contains(&self.at_s) {
+            return Ok(());
+        }
+        Err(format!("at_s may be 0 to {}", number_text(recipe.max_s)))
+    }
 }
 
 impl Default for Pose {

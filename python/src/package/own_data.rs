@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use pyo3::prelude::*;
 use saute_kitchen::data::library::surface_file;
+use saute_kitchen::data::regular_file;
 use saute_kitchen::{Library, LibraryError, OwnFiles};
 
 use crate::package::errors;
@@ -14,9 +15,9 @@ use crate::package::shelf::library;
 /// Folders and files that are read, as by the command.
 const FOLDERS: [&str; 7] = ["foods", "pans", "hobs", "recipes", "kinetics", "coatings", "oils"];
 const FILES: [&str; 3] = ["doneness.toml", "goals.toml", "kitchen-at-home.toml"];
-/// Larger files are not read [bytes] (chosen: those of the command's limits: texts have a few kB, surfaces some MB).
-const LARGEST_TEXT: u64 = 4 << 20;
-const LARGEST_SURFACE: u64 = 128 << 20;
+/// Larger files are not read [MiB] (chosen: those of the command's limits: texts have a few kB, surfaces some MB).
+const LARGEST_TEXT_MIB: u64 = 4;
+const LARGEST_SURFACE_MIB: u64 = 128;
 
 /// Where foods, pans and scales of a kitchen come from.
 #[derive(Clone)]
@@ -59,7 +60,7 @@ fn opened(dir: &Path) -> PyResult<(Arc<Library>, OwnFiles)> {
     if !dir.is_dir() {
         return Err(wrong(dir, "data is no folder"));
     }
-    let mut names: Vec<String> = FILES.into_iter().filter(|f| dir.join(f).is_file()).map(str::to_owned).collect();
+    let mut names: Vec<String> = FILES.into_iter().filter(|f| dir.join(f).exists()).map(str::to_owned).collect();
     let folders: Vec<&str> = FOLDERS.into_iter().filter(|folder| dir.join(folder).is_dir()).collect();
     if names.is_empty() && folders.is_empty() {
         return Err(wrong(dir, "data contains none of the folders that are read"));
@@ -67,7 +68,8 @@ fn opened(dir: &Path) -> PyResult<(Arc<Library>, OwnFiles)> {
     for folder in folders {
         names.extend(toml_names(dir, folder)?);
     }
-    let texts = names.into_iter().map(|name| Ok((name.clone(), text(&dir.join(name))?))).collect::<PyResult<_>>()?;
+    let texts =
+        names.into_iter().map(|name| Ok((name.clone(), text(dir, &dir.join(name))?))).collect::<PyResult<_>>()?;
     let own = OwnFiles { surfaces: surfaces(dir, &texts)?, texts, ..OwnFiles::default() };
     let (library, faults) = Library::with_own(&own).map_err(|error| fault(dir, &error))?;
     match faults.first() {
@@ -92,34 +94,34 @@ fn toml_names(dir: &Path, folder: &str) -> PyResult<Vec<String>> {
     Ok(names.into_iter().map(|name| format!("{folder}/{name}")).collect())
 }
 
-fn bytes(path: &Path, largest: u64) -> PyResult<Vec<u8>> {
-    let unreadable = |error: std::io::Error| wrong(path, &format!("cannot be read: {error}"));
-    let about = path.metadata().map_err(unreadable)?;
-    if !about.is_file() || about.len() > largest {
-        return Err(wrong(path, &format!("is no file of at most {} MiB", largest >> 20)));
+/// Refuses a file that leads out of the folder, by a link to another place, as the command does.
+fn within(dir: &Path, path: &Path) -> PyResult<()> {
+    match regular_file::led_out(dir, path) {
+        None => Ok(()),
+        Some(file) => {
+            let message = format!("{}: leads out of data, to {}", path.display(), file.display());
+            Err(errors::argument(message, "copy the file into the folder".to_owned()))
+        }
     }
-    std::fs::read(path).map_err(unreadable)
 }
 
-fn text(path: &Path) -> PyResult<String> {
-    String::from_utf8(bytes(path, LARGEST_TEXT)?).map_err(|_| wrong(path, "is no text in UTF-8"))
+fn text(dir: &Path, path: &Path) -> PyResult<String> {
+    within(dir, path)?;
+    regular_file::read_text(path, LARGEST_TEXT_MIB).map_err(|unread| wrong(path, &unread.to_string()))
 }
 
 /// Triangles of the surfaces that the foods name.
 fn surfaces(dir: &Path, texts: &BTreeMap<String, String>) -> PyResult<BTreeMap<String, saute_surface::Soup>> {
     let foods = texts.iter().filter(|(path, _)| path.starts_with("foods/"));
     let named = foods.filter_map(|(path, text)| Some((path.clone(), surface_file(text)?)));
-    named.map(|(path, file)| Ok((path.clone(), surface(&dir.join(path).with_file_name(file))?))).collect()
+    named.map(|(path, file)| Ok((path.clone(), surface(dir, &dir.join(path).with_file_name(file))?))).collect()
 }
 
-fn surface(path: &Path) -> PyResult<saute_surface::Soup> {
+fn surface(dir: &Path, path: &Path) -> PyResult<saute_surface::Soup> {
+    within(dir, path)?;
     let name = path.file_name().unwrap_or_default().to_string_lossy();
-    // What a surface file names lies in its folder, unless a link leads out of it.
-    let beside = |other: &str| {
-        let file = path.with_file_name(other).canonicalize().ok()?;
-        let folder = path.canonicalize().ok()?.parent()?.to_owned();
-        file.starts_with(folder).then(|| bytes(&file, LARGEST_SURFACE).ok()).flatten()
-    };
-    saute_surface::read(&name, &bytes(path, LARGEST_SURFACE)?, beside)
+    let bytes = regular_file::read(path, LARGEST_SURFACE_MIB).map_err(|unread| wrong(path, &unread.to_string()))?;
+    let beside = |other: &str| regular_file::read_beside(path, other, LARGEST_SURFACE_MIB);
+    saute_surface::read(&name, &bytes, beside)
         .map_err(|error| errors::argument(format!("{}: {error}", path.display()), error.remedy))
 }

@@ -6,6 +6,7 @@ use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyString};
 use saute_kitchen::Library;
+use saute_kitchen::data::regular_file;
 use saute_recipe::Recipe;
 
 use crate::package::errors;
@@ -13,8 +14,8 @@ use crate::package::expected::type_name;
 use crate::package::own_data::Shelf;
 use crate::package::shelf::library;
 
-/// Larger files are not read [bytes] (chosen: recipes have a few kB).
-const LARGEST: u64 = 4 << 20;
+/// Larger files are not read [MiB] (chosen: recipes have a few kB).
+const LARGEST_MIB: u64 = 4;
 
 /// A key of a table and its value.
 pub(crate) type Part<'a, 'py> = (&'a str, Bound<'py, PyAny>);
@@ -106,19 +107,9 @@ impl Source {
                 remedy,
             ));
         }
-        let unreadable = |why: String| {
-            errors::argument(format!("{file}: cannot be read: {why}"), "name a recipe file, which is text".to_owned())
-        };
-        let about = std::fs::metadata(path).map_err(|e| unreadable(e.to_string()))?;
-        // A pipe or a device could block where it is opened, or have no end.
-        if !about.is_file() {
-            return Err(unreadable("it is no file".to_owned()));
-        }
-        let size = about.len();
-        if size > LARGEST {
-            return Err(unreadable(format!("it has {size} bytes of at most {LARGEST}")));
-        }
-        let text = std::fs::read_to_string(path).map_err(|e| unreadable(e.to_string()))?;
+        let text = regular_file::read_text(path, LARGEST_MIB).map_err(|unread| {
+            errors::argument(format!("{file}: {unread}"), "name a recipe file, which is text".to_owned())
+        })?;
         Ok(Self { text, file, has_lines: true })
     }
 

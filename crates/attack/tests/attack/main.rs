@@ -3,6 +3,7 @@
 // A test that fails at an unwrap names its line.
 #![allow(clippy::unwrap_used)]
 
+mod doors;
 mod hostile_numbers;
 mod mutations;
 mod replay;

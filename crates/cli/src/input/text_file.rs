@@ -1,33 +1,25 @@
 //! Text files.
 
-use std::fs::File;
-use std::io::Read;
 use std::path::Path;
+
+use saute_kitchen::data::regular_file::{self, Unread};
 
 use crate::error::CliError;
 
 /// Larger files are not read [MiB] (chosen: the largest shipped file has 4 kB).
 const LARGEST_MIB: u64 = 4;
 
-/// Reads a file of at most so many MiB, with its ending and what it holds for messages. It must be a regular one: a pipe or a device
-/// could block where it is opened, or have no end.
+/// Reads a file of at most so many MiB, with its ending and what it holds for messages.
 pub fn bytes(path: &Path, largest_mib: u64, ending: &str, content: &str) -> Result<Vec<u8>, CliError> {
-    let refused = |message: String, remedy: String| CliError::place(path.display(), message, remedy);
-    if path.is_dir() {
-        return Err(refused("is a folder, not a file".into(), format!("name a {ending} file in it")));
-    }
-    if path.metadata().is_ok_and(|data| !data.is_file()) {
-        return Err(refused("is a pipe or a device, not a file".into(), format!("name a {ending} file")));
-    }
-    let largest = largest_mib << 20;
-    let mut bytes = Vec::new();
-    File::open(path)
-        .and_then(|file| file.take(largest + 1).read_to_end(&mut bytes))
-        .map_err(|e| refused(format!("cannot be read: {e}"), "check the path and the file's permissions".into()))?;
-    if bytes.len() as u64 > largest {
-        return Err(refused(format!("is larger than {largest_mib} MiB"), format!("name {content}")));
-    }
-    Ok(bytes)
+    regular_file::read(path, largest_mib).map_err(|unread| {
+        let remedy = match unread {
+            Unread::Folder => format!("name a {ending} file in it"),
+            Unread::NoFile | Unread::NoText => format!("name a {ending} file"),
+            Unread::Large(_) => format!("name {content}"),
+            Unread::Io(_) => "check the path and the file's permissions".to_owned(),
+        };
+        CliError::place(path.display(), unread.to_string(), remedy)
+    })
 }
 
 /// Reads a UTF-8 file.

@@ -174,13 +174,20 @@ fn a_picture_of_a_session_is_that_of_its_recipe() {
 fn long_session(dir: &Path, entries: usize, frame: u64) -> PathBuf {
     let library = Library::embedded().unwrap();
     let recipe = Recipe::parse(SHORT, "short.toml", &library).unwrap();
-    let mut recording = Recording::begin(&recipe, false, &library);
-    for entry in 1..=entries {
-        let frame = frame * entry as u64 / entries as u64;
-        recording.restore(Entry { frame, after_steps: false, deed: Deed::Command(Command::Hob(0.0)) });
+    let begun = || Recording::begin(&recipe, false, &library);
+    let mut file = begun().unsaved();
+    // In two halves: a program ends a session at its limits.
+    for half in [1..=entries / 2, entries / 2 + 1..=entries] {
+        let mut recording = begun();
+        drop(recording.unsaved());
+        for entry in half {
+            let frame = frame * entry as u64 / entries as u64;
+            recording.restore(Entry { frame, after_steps: false, deed: Deed::Command(Command::Hob(0.0)) });
+        }
+        file.extend(recording.unsaved());
     }
     let path = dir.join("long.saute");
-    std::fs::write(&path, recording.to_file()).unwrap();
+    std::fs::write(&path, file).unwrap();
     path
 }
 

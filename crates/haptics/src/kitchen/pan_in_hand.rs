@@ -1,6 +1,7 @@
 //! Moves the kitchen's pan with a device, and lays it down without one.
 
 use saute_kitchen::dynamics::Pose;
+use saute_kitchen::hands::ranges::usable;
 use saute_kitchen::{Command, Kitchen};
 
 #[cfg(not(target_arch = "wasm32"))]
@@ -27,12 +28,15 @@ impl PanInHand {
         self.hold(sample.map(|s| &s.pose), kitchen, dt);
     }
 
-    /// As [`Self::step`], by the pose alone at which a hand holds the pan; without one a held pan is laid down.
+    /// As [`Self::step`], by the pose alone at which a hand holds the pan; without one a held pan is laid down. A pose that is none
+    /// leaves the pan where it is.
     pub fn hold(&mut self, hand: Option<&Pose>, kitchen: &mut Kitchen, dt: f64) {
         if let Some(hand) = hand {
+            // The handover remembers where the hand began, so that no number that is none may get there.
+            let Ok(hand) = usable(hand) else { return };
             (self.holds, self.laying) = (true, None);
-            let pose = self.handover.pose(&kitchen.held_pan(), hand, dt);
-            // Only poses that are not finite are refused, and drivers return none.
+            let pose = self.handover.pose(&kitchen.held_pan(), &hand, dt);
+            // A pose of usable ones is refused only where their difference is beyond all numbers.
             let _ = kitchen.apply(&Command::HoldPan { pose });
             return;
         }

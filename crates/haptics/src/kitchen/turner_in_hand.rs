@@ -2,6 +2,7 @@
 
 use glam::DQuat;
 use saute_kitchen::dynamics::{Pose, Tool};
+use saute_kitchen::hands::ranges::usable;
 use saute_kitchen::{Command, Kitchen};
 
 /// State of the turner that a device with position and orientation moves, without force feedback.
@@ -19,13 +20,15 @@ pub fn blade_of(grip: &Pose) -> Pose {
 impl TurnerInHand {
     /// Moves the turner to a grip's pose before a frame; without a grip the turner lays down its load and is put away.
     pub fn step(&mut self, grip: Option<&Pose>, kitchen: &mut Kitchen) {
-        match grip.filter(|g| g.position.is_finite() && g.rotation.is_finite()) {
-            Some(grip) => {
+        match grip.map(usable) {
+            Some(Ok(grip)) => {
                 self.leads = true;
-                let lead = Command::Lead { tool: Tool::Turner, to: blade_of(grip), grip: None };
-                // The command names no food to grip, so it cannot be refused.
+                let lead = Command::Lead { tool: Tool::Turner, to: blade_of(&grip), grip: None };
+                // The command names no food to grip, so it is refused only under the lid.
                 let _ = kitchen.apply(&lead);
             }
+            // A pose that is none: the turner stays where it is.
+            Some(Err(_)) => {}
             None if std::mem::take(&mut self.leads) => {
                 let _ = kitchen.apply(&Command::LetGo);
             }

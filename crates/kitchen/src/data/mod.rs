@@ -14,6 +14,7 @@ pub mod library;
 pub mod library_error;
 pub mod loading;
 pub mod number_text;
+pub mod regular_file;
 mod relations;
 pub mod room;
 mod schema_text;

@@ -55,10 +55,16 @@ pub const HALVE_AT_MM: Limits = limits(-150.0, 150.0, 0.0);
 pub const LIFT_MM: Limits = limits(0.0, 500.0, 0.0);
 /// Duration of the pan on the cloth [s]; the checked default is that of `kitchen.toml`.
 pub const COOL_S: Limits = limits(0.1, 600.0, 3.0);
-/// Tilt and toss that a kitchen carries out [°, mm] (chosen: a pan may be turned over, and tossed so that food hardly leaves it; a recipe
-/// keeps to what a cook does on purpose).
-const ANY_TILT_DEG: Limits = limits(-180.0, 180.0, 0.0);
-const ANY_TOSS_MM: Limits = limits(0.0, TOSS_HEIGHT_MM.high, TOSS_HEIGHT_MM.default);
+/// Tilt that a kitchen carries out [°] (chosen: a pan may be turned over; a recipe keeps to what a cook does on purpose).
+pub const ANY_TILT_DEG: Limits = limits(-180.0, 180.0, 0.0);
+/// Height of a toss that a kitchen carries out [mm] (chosen: food hardly leaves the pan at the least).
+pub const ANY_TOSS_MM: Limits = limits(0.0, TOSS_HEIGHT_MM.high, TOSS_HEIGHT_MM.default);
+/// Start temperature of the pan [°C] (chosen: by default that of a room; hotter ones only burn oil).
+pub const PAN_INITIAL_C: Limits = limits(0.0, 300.0, 20.0);
+/// Range of the mass of oil in the pan at the start [g] (chosen: more is deep frying).
+pub const PAN_OIL_G: [f64; 2] = [0.0, 100.0];
+/// Time at which a cook stops that no step has ended [s] (chosen: a day; by default an hour).
+pub const MAX_S: Limits = limits(1.0, 86_400.0, 3600.0);
 /// Place of food relative to the pan's centre along each axis [mm] (chosen: beyond the rim of the widest pan).
 pub const PLACE_MM: Limits = limits(-200.0, 200.0, 0.0);
 /// Place of the pan relative to the ring's centre along each axis [mm] (chosen: within reach of an arm).
@@ -117,7 +123,11 @@ fn place(key: &'static str, [x, y]: [f64; 2]) -> Result<(), Refused> {
 }
 
 /// Returns a pose of finite numbers whose orientation is one; a hand whose pose is refused stays where it is.
-pub(crate) fn usable(pose: &Pose) -> Result<Pose, Refused> {
+///
+/// # Errors
+///
+/// If a number is not finite, or the orientation is zero.
+pub fn usable(pose: &Pose) -> Result<Pose, Refused> {
     let largest = pose.rotation.to_array().into_iter().fold(0.0_f64, |most, part| most.max(part.abs()));
     if !pose.is_finite() || largest == 0.0 {
         return Err(Refused::NoPose);

@@ -12,6 +12,7 @@ use crate::file::step_file::{StepEntry, StepKeys};
 use crate::recipe::{ALL, Group, Recipe, Step, Target, Trigger};
 use saute_kitchen::data::library::Library;
 use saute_kitchen::data::library_error::line_of;
+use saute_kitchen::hands::ranges::{Limits, MAX_S, PAN_INITIAL_C, PAN_OIL_G};
 use saute_kitchen::kelvin;
 use saute_kitchen::kitchen::PieceOrder;
 use saute_kitchen::piece::memory::Load;
@@ -39,9 +40,6 @@ impl Recipe {
         Check { input: InputText { text, file }, library, names_hob: false }.recipe()
     }
 }
-
-/// Most oil in a pan at the start [g], as the range of its key.
-const MOST_OIL_G: f64 = 100.0;
 
 /// A recipe's text and the library with the foods and pans that it can name.
 pub(crate) struct Check<'a> {
@@ -80,7 +78,8 @@ impl Check<'_> {
     }
 
     fn with_hob(&self, raw: &RecipeFile) -> Checked<Recipe> {
-        let max_s = raw.max_s.as_ref().map_or(Ok(3600.0), |s| self.input.ranged("max_s", s, 1.0, 86_400.0))?;
+        let max_s =
+            raw.max_s.as_ref().map_or(Ok(MAX_S.default), |s| self.input.ranged("max_s", s, MAX_S.low, MAX_S.high))?;
         let (pan_kind, pan_temperature) = self.pan(raw.pan.as_ref().map(Spanned::get_ref))?;
         let rules = if raw.preset == Some(Preset::Paper2013) { Rules::Paper2013 } else { Rules::Full };
         let names = self.food_names(&raw.food, rules)?;
@@ -106,8 +105,9 @@ impl Check<'_> {
     fn pan(&self, entry: Option<&PanEntry>) -> Checked<(String, f64)> {
         let default = PanEntry::default();
         let entry = entry.unwrap_or(&default);
+        let Limits { low, high, default } = PAN_INITIAL_C;
         let initial =
-            entry.initial_c.as_ref().map_or(Ok(20.0), |c| self.input.ranged("pan.initial_c", c, 0.0, 300.0))?;
+            entry.initial_c.as_ref().map_or(Ok(default), |c| self.input.ranged("pan.initial_c", c, low, high))?;
         let Some(kind) = &entry.kind else { return Ok(("carbon-steel-26".into(), kelvin(initial))) };
         if !self.library.pans.contains_key(kind.get_ref()) {
             let remedy = format!("use one of: {}", Library::names(&self.library.pans));
@@ -121,7 +121,7 @@ impl Check<'_> {
     /// recipe states none.
     fn oil_at_start(&self, pan: Option<&PanEntry>, steps: &[Step]) -> Checked<Option<f64>> {
         if let Some(oil_g) = pan.and_then(|pan| pan.oil_g.as_ref()) {
-            return self.input.ranged("pan.oil_g", oil_g, 0.0, MOST_OIL_G).map(|g| Some(1e-3 * g));
+            return self.input.ranged("pan.oil_g", oil_g, PAN_OIL_G[0], PAN_OIL_G[1]).map(|g| Some(1e-3 * g));
         }
         let is_put = |step: &&Step| step.action.kind() != ActionKind::Put;
         let is_fat = |step: &Step| matches!(step.action.kind(), ActionKind::Oil | ActionKind::Butter);

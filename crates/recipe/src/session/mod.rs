@@ -81,5 +81,5 @@ pub use playhead::{Departure, DepartureCause, Played};
 pub use recording::{FRAMES_PER_HASH, Recording};
 pub use replay::{Replay, ReplayError};
 pub use session_file::{Damage, Opened, SessionError};
-pub use stored_entries::{MOST_ACTS, MOST_ADDED, MOST_ENTRIES};
+pub use stored_entries::{MOST_ACTS, MOST_ADDED, MOST_ENTRIES, limits};
 pub use to_recipe::{ToRecipe, ToRecipeError, Told};

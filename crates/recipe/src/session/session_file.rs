@@ -9,8 +9,9 @@ use serde::{Deserialize, Serialize};
 
 use crate::session::beginning::Beginning;
 use crate::session::entry::Deed;
+use crate::session::moment::Moment;
 use crate::session::recording::{FRAMES_PER_HASH, Recording, Saved};
-use crate::session::stored_entries::{Counts, MOST_ACTS, MOST_ADDED, MOST_ENTRIES, StoredEntries, Unread};
+use crate::session::stored_entries::{Counts, StoredEntries, Unread, limits};
 
 /// Ending of the names of session files.
 pub const ENDING: &str = "saute";
@@ -82,10 +83,7 @@ impl std::fmt::Display for Damage {
     fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
         let Self { sound, lost, is_beyond } = self;
         if *is_beyond {
-            return write!(
-                f,
-                "its last {lost} bytes are left out: a session has at most {MOST_ENTRIES} entries, {MOST_ACTS} of them no poses, and {MOST_ADDED} added foods"
-            );
+            return write!(f, "its last {lost} bytes are left out: {}", limits());
         }
         write!(f, "its last {lost} bytes are damaged, as after a power cut; the {sound} before them hold")
     }
@@ -103,7 +101,8 @@ impl Recording {
     }
 
     /// Returns what must be appended to the session's file to bring it up to date: nothing if it is. The first call returns the
-    /// beginning too; the caller appends the bytes before it calls again.
+    /// beginning too; the caller appends the bytes before it calls again. What a full session went on with is in no file
+    /// ([`Self::is_full`]).
     pub fn unsaved(&mut self) -> Vec<u8> {
         let mut bytes = Vec::new();
         if !self.saved.has_begun {
@@ -113,11 +112,11 @@ impl Recording {
                 write(&mut bytes, &Record::Home(Cow::Borrowed(home)));
             }
         }
-        let moment = self.moment();
+        let moment = self.storable();
         if let Some(kept) = self.saved.cut {
             write(&mut bytes, &Record::Undone(kept as u64, moment.frame));
         }
-        let fresh = &self.entries()[self.saved.entries..];
+        let fresh = &self.entries()[self.saved.entries.min(moment.entries)..moment.entries];
         if !fresh.is_empty() {
             let mut before = 0;
             let stored = fresh.iter().map(|entry| {
@@ -126,22 +125,22 @@ impl Recording {
             });
             write(&mut bytes, &Record::Entries(stored.collect()));
         }
-        for (frame, hash) in self.hashes().range(self.saved.hashes_below..) {
+        for (frame, hash) in self.hashes().range(self.saved.hashes_below..).filter(|(frame, _)| **frame <= moment.frame)
+        {
             write(&mut bytes, &Record::Hash(*frame, *hash));
         }
         let reached = (moment.frame, moment.steps_done);
         if self.saved.reached != Some(reached) || self.saved.cut.is_some() {
             write(&mut bytes, &Record::Reached(reached.0, reached.1));
         }
-        self.mark_saved();
+        self.mark_saved(moment);
         bytes
     }
 
-    fn mark_saved(&mut self) {
-        let moment = self.moment();
+    fn mark_saved(&mut self, moment: Moment) {
         self.saved = Saved {
-            entries: self.entries().len(),
-            hashes_below: self.hashes().last_key_value().map_or(0, |(frame, _)| frame + 1),
+            entries: moment.entries,
+            hashes_below: self.hashes().range(..=moment.frame).next_back().map_or(0, |(frame, _)| frame + 1),
             reached: Some((moment.frame, moment.steps_done)),
             cut: None,
             has_begun: true,
@@ -167,7 +166,7 @@ impl Recording {
             }
             sound = rest;
         }
-        recording.mark_saved();
+        recording.mark_saved(recording.moment());
         let (lost, sound) = (sound.len(), bytes.len() - sound.len());
         Ok(Opened { recording, damage: (lost > 0).then_some(Damage { sound, lost, is_beyond }) })
     }
@@ -199,7 +198,7 @@ impl Recording {
             }
             Record::Undone(kept, frame) => {
                 let kept = usize::try_from(kept).ok().filter(|kept| *kept <= self.entries().len())?;
-                let moment = crate::session::moment::Moment { frame: sound(frame)?, entries: kept, steps_done: false };
+                let moment = Moment { frame: sound(frame)?, entries: kept, steps_done: false };
                 self.truncate(moment);
             }
         }

@@ -1,8 +1,7 @@
 //! The entries of a record of a session file, read one by one within the limits of a session.
 
-use saute_kitchen::PieceOrder;
-
 use crate::session::entry::{Deed, Entry};
+use crate::session::moment::Moment;
 use crate::session::recording::Recording;
 use crate::session::session_file::sound;
 
@@ -20,7 +19,34 @@ const MOST_LOOKED_AT: usize = 100_000_000;
 /// Number of the record of entries.
 const ENTRIES: u32 = 1;
 
+/// Returns what a session has at most, in words.
+pub fn limits() -> String {
+    format!("a session has at most {MOST_ENTRIES} entries, {MOST_ACTS} of them no poses, and {MOST_ADDED} added foods")
+}
+
 impl Recording {
+    /// Returns true if more happened than a file of a session holds: it ends before the first entry that is too much.
+    pub fn is_full(&self) -> bool {
+        self.first_beyond().is_some()
+    }
+
+    /// Returns the last instant that a file holds: the present one, unless the session is full.
+    pub(super) fn storable(&self) -> Moment {
+        let Some(entries) = self.first_beyond() else { return self.moment() };
+        let Entry { frame, after_steps, .. } = self.entries()[entries];
+        Moment { frame, entries, steps_done: after_steps }
+    }
+
+    /// Returns the first entry that is too much.
+    fn first_beyond(&self) -> Option<usize> {
+        // None of the limits is lower.
+        if self.entries().len() <= MOST_ADDED {
+            return None;
+        }
+        let mut counts = Counts::default();
+        self.entries().iter().position(|entry| !counts.add(&entry.deed))
+    }
+
     /// Adds entries; none of them if one does not hold.
     pub(super) fn read_entries(&mut self, mut stored: StoredEntries, counts: &mut Counts) -> Result<(), Unread> {
         let before = self.moment();
@@ -32,7 +58,7 @@ impl Recording {
                 Ok(None) => break Ok(()),
                 Err(unread) => break Err(unread),
             };
-            if (entry.frame, entry.after_steps) < last || !is_sound(&entry.deed) {
+            if (entry.frame, entry.after_steps) < last {
                 break Err(Unread::Damaged);
             }
             if !counts.add(&entry.deed) {
@@ -111,11 +137,6 @@ impl<'a> StoredEntries<'a> {
     }
 }
 
-/// Returns true for what a program records: food of a mesh that is built in a moment.
-fn is_sound(deed: &Deed) -> bool {
-    !matches!(deed, Deed::Add(order) if !PieceOrder::COARSENESS.contains(&order.coarseness))
-}
-
 #[cfg(test)]
 mod tests {
     use saute_kitchen::dynamics::Pose;
@@ -124,14 +145,54 @@ mod tests {
     use super::*;
     use crate::recipe::Recipe;
 
-    fn file_of(count: usize, deed: &Deed) -> Vec<u8> {
+    fn begun() -> Recording {
         let library = Library::embedded().expect("embedded data");
         let recipe = Recipe::parse(&library.recipes["medium"], "medium", &library).expect("parses");
-        let mut recording = Recording::begin(&recipe, true, &library);
-        for _ in 0..count {
-            recording.restore(Entry { frame: 7, after_steps: false, deed: deed.clone() });
-        }
+        Recording::begin(&recipe, true, &library)
+    }
+
+    fn entries_of(count: usize, deed: &Deed) -> impl Iterator<Item = Entry> {
+        std::iter::repeat_n(Entry { frame: 7, after_steps: false, deed: deed.clone() }, count)
+    }
+
+    fn file_of(count: usize, deed: &Deed) -> Vec<u8> {
+        let mut recording = begun();
+        entries_of(count, deed).for_each(|entry| recording.restore(entry));
         recording.to_file()
+    }
+
+    /// A file with more entries than this program writes: what another one has after its beginning is appended.
+    fn longer_file_of([count, more]: [usize; 2], deed: &Deed) -> Vec<u8> {
+        let mut other = begun();
+        drop(other.unsaved());
+        entries_of(more, deed).for_each(|entry| other.restore(entry));
+        [file_of(count, deed), other.unsaved()].concat()
+    }
+
+    #[test]
+    fn a_full_session_ends_in_its_file_and_loses_nothing_before() {
+        let hob = || Entry { frame: 7, after_steps: false, deed: Deed::Command(Command::Hob(0.0)) };
+        let mut recording = begun();
+        let mut file = recording.unsaved();
+        (0..MOST_ACTS).for_each(|_| recording.restore(hob()));
+        file.extend(recording.unsaved());
+        assert!(!recording.is_full());
+        recording.restore(Entry { frame: 9, ..hob() });
+        file.extend(recording.unsaved());
+        assert!(recording.is_full());
+        recording.restore(Entry { frame: 11, ..hob() });
+        assert!(recording.unsaved().is_empty(), "nothing more is written");
+        let opened = Recording::from_file(&file).expect("opens");
+        assert_eq!(opened.damage, None);
+        assert_eq!(opened.recording.entries(), &recording.entries()[..MOST_ACTS]);
+        assert_eq!(opened.recording.moment().frame, 9, "up to the first entry that is too much");
+        assert_eq!(Recording::from_file(&recording.to_file()).map(|opened| opened.damage), Ok(None));
+        // What is undone gives room.
+        recording.truncate(recording.before(MOST_ACTS - 1).expect("an entry"));
+        recording.restore(Entry { frame: 8, ..hob() });
+        file.extend(recording.unsaved());
+        let opened = Recording::from_file(&file).expect("opens");
+        assert_eq!((opened.damage, opened.recording.entries()), (None, recording.entries()));
     }
 
     #[test]
@@ -141,7 +202,7 @@ mod tests {
         for (most, deed) in [(MOST_ACTS, hob), (MOST_ENTRIES, pose)] {
             let whole = Recording::from_file(&file_of(most, &deed)).expect("opens");
             assert_eq!((whole.damage, whole.recording.entries().len()), (None, most));
-            let opened = Recording::from_file(&file_of(most + 100, &deed)).expect("opens");
+            let opened = Recording::from_file(&longer_file_of([most, 100], &deed)).expect("opens");
             let damage = opened.damage.expect("it is too long");
             assert!(damage.is_beyond && opened.recording.entries().len() == most, "{damage:?}");
             assert!(damage.to_string().contains("are left out") && !damage.to_string().contains("damaged"), "{damage}");

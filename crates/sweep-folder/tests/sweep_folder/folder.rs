@@ -121,3 +121,28 @@ fn a_part_in_which_one_bit_was_changed_is_not_taken_for_complete() {
     let tally = cook_all(SweepFolder::open(dir.path(), sweep()).unwrap(), 1, &|_| (), &|| true).unwrap();
     assert!(tally.is_complete() && tally.fresh == 4, "{tally:?}");
 }
+
+#[cfg(unix)]
+#[test]
+fn a_pipe_in_the_place_of_a_file_is_refused_by_name_and_nothing_waits_for_it() {
+    for (name, is_complete) in [
+        ("sweep.json", true),
+        ("rows/part-00000.parquet", true),
+        ("unfinished/lock", false),
+        ("unfinished/part-00000.rows", false),
+    ] {
+        let dir = tempfile::tempdir().unwrap();
+        let folder = SweepFolder::open(dir.path(), sweep()).unwrap();
+        if is_complete {
+            cook_all(folder, 1, &|_| (), &|| true).unwrap();
+        } else {
+            drop(folder);
+        }
+        let pipe = dir.path().join(name);
+        let _ = std::fs::remove_file(&pipe);
+        assert!(std::process::Command::new("mkfifo").arg(&pipe).status().unwrap().success());
+        let refused = SweepFolder::open(dir.path(), sweep()).unwrap_err();
+        assert!(refused.message.contains("is a pipe or a device, not a file"), "{name}: {refused}");
+        assert!(refused.place.starts_with(&dir.path().display().to_string()), "{name}: {refused}");
+    }
+}

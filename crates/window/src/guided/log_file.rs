@@ -4,6 +4,7 @@ use std::fs::{self, File, OpenOptions};
 use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
+use saute_kitchen::data::regular_file;
 use saute_study::{LogRow, Participant, dictionary, from_csv, to_csv, with_all_columns};
 
 /// An open log.
@@ -21,7 +22,7 @@ impl LogFile {
     pub(crate) fn open(folder: &Path, participant: &Participant) -> Result<(Self, Vec<LogRow>), String> {
         let path = folder.join(format!("study-{participant}.csv"));
         let place = |e: io::Error| format!("{}: {e}", path.display());
-        fs::create_dir_all(folder).map_err(place)?;
+        fs::create_dir_all(folder).and_then(|()| regular_file::check_place(&path)).map_err(place)?;
         let mut file =
             OpenOptions::new().read(true).write(true).create(true).truncate(false).open(&path).map_err(place)?;
         if matches!(file.try_lock(), Err(fs::TryLockError::WouldBlock)) {

@@ -10,6 +10,7 @@ use saute_haptics::{
     StringRig, library,
 };
 use saute_kitchen::InputError;
+use saute_kitchen::data::regular_file;
 
 /// Errors of connecting a device.
 #[derive(Debug, thiserror::Error)]
@@ -136,11 +137,14 @@ fn unusable(file: &Path, source: std::io::Error) -> ConnectError {
     ConnectError::File { file: file.display().to_string(), source }
 }
 
+/// Largest calibration that is read [MiB] (chosen: a usual one has 1 kB).
+const LARGEST_MIB: u64 = 1;
+
 /// What a file keeps; nothing where there is no file yet.
 fn kept(file: &Path) -> Result<Option<KeptCalibration>, ConnectError> {
-    match std::fs::read_to_string(file) {
+    match regular_file::read_text(file, LARGEST_MIB) {
         Ok(text) => Ok(Some(KeptCalibration::parse(&text, &file.display().to_string())?)),
-        Err(error) if error.kind() == std::io::ErrorKind::NotFound => Ok(None),
-        Err(source) => Err(unusable(file, source)),
+        Err(unread) if unread.is_missing() => Ok(None),
+        Err(unread) => Err(unusable(file, std::io::Error::other(unread))),
     }
 }

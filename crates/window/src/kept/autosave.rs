@@ -32,6 +32,8 @@ pub(crate) struct Written {
     at: Instant,
     /// How far that line had come [s].
     pub(crate) time_s: f64,
+    /// True if it went on beyond what is kept of one cook.
+    is_full: bool,
 }
 
 /// The cook that is kept.
@@ -44,13 +46,14 @@ pub(crate) struct Autosave {
 }
 
 impl Autosave {
-    pub(crate) fn follow(&mut self, session: &mut Session, at_once: bool) -> Result<(), String> {
-        let Some(store) = &mut self.store else { return Ok(()) };
-        let Some((line, recording)) = session.unsaved() else { return Ok(()) };
+    /// Writes what happened since; returns true once for a cook that has become too long to be kept further.
+    pub(crate) fn follow(&mut self, session: &mut Session, at_once: bool) -> Result<bool, String> {
+        let Some(store) = &mut self.store else { return Ok(false) };
+        let Some((line, recording)) = session.unsaved() else { return Ok(false) };
         match self.kept {
             Some(kept) if kept.line == line => {
                 if !at_once && kept.at.elapsed() < KEPT_EVERY {
-                    return Ok(());
+                    return Ok(false);
                 }
                 let bytes = recording.unsaved();
                 if !bytes.is_empty() {
@@ -63,7 +66,9 @@ impl Autosave {
                 store.begin(&recording.unsaved())?;
             }
         }
-        self.kept = Some(Written { line, at: Instant::now(), time_s: recording.moment().time_s() });
-        Ok(())
+        let is_full = recording.is_full();
+        let was_full = self.kept.is_some_and(|kept| kept.line == line && kept.is_full);
+        self.kept = Some(Written { line, at: Instant::now(), time_s: recording.moment().time_s(), is_full });
+        Ok(is_full && !was_full)
     }
 }

@@ -3,14 +3,13 @@
 pub(crate) mod dialog_errors;
 
 use crate::plan::PlanFile;
+use saute_kitchen::data::regular_file;
 use saute_session::export::Export;
-use std::fs::File;
-use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::Receiver;
 
-/// The largest file that is read [bytes] (chosen: far above any recipe, and an hour of a session with the pan in the hand).
-const LARGEST: u64 = 16 << 20;
+/// The largest file that is read [MiB] (chosen: far above any recipe, and an hour of a session with the pan in the hand).
+const LARGEST_MIB: u64 = 16;
 
 /// Numbers that are tried for a new file [-] (chosen: nobody looks through more).
 const MOST_NAMES: u32 = 10_000;
@@ -56,16 +55,7 @@ fn first_free(folder: &Path, mut paths: impl Iterator<Item = PathBuf>) -> Result
 }
 
 pub(crate) fn read(path: &Path) -> Result<Vec<u8>, String> {
-    // A pipe or a device could block where it is opened, or have no end.
-    if !std::fs::metadata(path).map_err(|e| e.to_string())?.is_file() {
-        return Err("it is no file".to_owned());
-    }
-    let mut bytes = Vec::new();
-    let read = File::open(path).and_then(|file| file.take(LARGEST + 1).read_to_end(&mut bytes));
-    if read.map_err(|e| e.to_string())? as u64 > LARGEST {
-        return Err(format!("it has more than {LARGEST} bytes, the most that a file has"));
-    }
-    Ok(bytes)
+    regular_file::read(path, LARGEST_MIB).map_err(|unread| unread.to_string())
 }
 
 /// Writes a new picture into a folder, as `saute-N` with an ending; returns its path.

@@ -6,13 +6,13 @@ use super::presenter::MirrorCallback;
 use crate::mirror::frame::MirrorFrame;
 use egui::{Color32, Key, Sense, Ui};
 use glam::DVec2;
+use saute_kitchen::data::regular_file;
 use saute_mirror::rig::Rig;
 use saute_mirror::rig_file;
 use saute_mirror::settings::MirrorSettings;
 use saute_scene::input::SceneInput;
 use saute_scene::quality::Quality;
 use saute_words::language::Language;
-use std::io::Read;
 use std::sync::Arc;
 
 /// State of the mirror's window.
@@ -115,25 +115,17 @@ impl MirrorView {
     }
 }
 
-/// Longest rig file that is read [bytes] (chosen: a thousand times what one has).
-const LARGEST: u64 = 1 << 20;
+/// Longest rig file that is read [MiB] (chosen: a thousand times what one has).
+const LARGEST_MIB: u64 = 1;
 
 /// A shipped rig, else a file.
 fn read(named: &str) -> Result<Rig, String> {
     if let Some(rig) = rig_file::shipped(named) {
         return rig.map_err(|e| e.to_string());
     }
-    rig_file::parse(&text_of(named).map_err(|e| format!("{named}: {e}"))?, named).map_err(|e| e.to_string())
-}
-
-/// Text of a file, its beginning where it is too long for a rig.
-fn text_of(file: &str) -> std::io::Result<String> {
-    if !std::path::Path::new(file).is_file() {
-        return Err(std::io::ErrorKind::NotFound.into());
-    }
-    let mut text = String::new();
-    std::fs::File::open(file)?.take(LARGEST).read_to_string(&mut text)?;
-    Ok(text)
+    let text =
+        regular_file::read_text(std::path::Path::new(named), LARGEST_MIB).map_err(|e| format!("{named}: {e}"))?;
+    rig_file::parse(&text, named).map_err(|e| e.to_string())
 }
 
 /// Name of a stereo mode.

@@ -6,22 +6,26 @@
 use std::ops::RangeInclusive;
 use std::path::Path;
 
+use saute_kitchen::data::regular_file::{self, Unread};
+
 /// Name of the value in the stored text.
 const NAME: &str = "zoom_factor:";
 /// Zooms with which a window can be used [-] (egui's own limits).
 const USABLE: RangeInclusive<f32> = 0.2..=5.0;
-/// Larger files are not read [bytes] (chosen: a usual one has a few kilobytes).
-const LARGEST: u64 = 16 << 20;
+/// Larger files are not read [MiB] (chosen: a usual one has a few kilobytes).
+const LARGEST_MIB: u64 = 16;
+/// New name of what is no file of settings.
+const SET_ASIDE: &str = "app.ron.set-aside";
 
-/// Replaces an unusable zoom in eframe's file in a folder. A file that cannot be read or written stays as it is.
+/// Replaces an unusable zoom in eframe's file in a folder. What is no file, or a far too large one, gets another name: eframe would
+/// wait for a pipe, or read without end. A file that cannot be read or written stays as it is.
 pub fn mend(folder: &Path) {
     let path = folder.join("app.ron");
-    if !path.metadata().is_ok_and(|data| data.is_file() && data.len() <= LARGEST) {
-        return;
-    }
-    if let Some(text) = std::fs::read_to_string(&path).ok().and_then(|text| mended(&text)) {
-        // Without the mended file the window may not open; there is no other place for the settings.
-        let _ = std::fs::write(&path, text);
+    // Without the mended file the window may not open; there is no other place for the settings.
+    match regular_file::read_text(&path, LARGEST_MIB) {
+        Ok(text) => drop(mended(&text).map(|text| std::fs::write(&path, text))),
+        Err(Unread::NoFile | Unread::Large(_)) => drop(std::fs::rename(&path, folder.join(SET_ASIDE))),
+        Err(Unread::Folder | Unread::NoText | Unread::Io(_)) => {}
     }
 }
 
@@ -61,5 +65,20 @@ mod tests {
             assert_eq!(mended(&stored(zoom)), None, "{zoom}");
         }
         assert_eq!(mended("no zoom"), None);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_pipe_or_an_endless_file_of_settings_is_set_aside_and_the_window_opens_without_it() {
+        let folder = std::env::temp_dir().join(format!("saute-settings-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).expect("a folder");
+        let path = folder.join("app.ron");
+        std::os::unix::fs::symlink("/dev/zero", &path).expect("links");
+        mend(&folder);
+        assert!(!path.exists() && folder.join(SET_ASIDE).exists());
+        std::fs::write(&path, stored("NaN")).expect("writes");
+        mend(&folder);
+        assert_eq!(std::fs::read_to_string(&path).expect("reads"), stored("1.0"));
+        std::fs::remove_dir_all(folder).expect("removes");
     }
 }

@@ -1,13 +1,13 @@
 //! The rows of a sweep, read a few columns at a time.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use saute_formats::{Heading, Kind, Table};
+use saute_kitchen::data::regular_file;
 use saute_sweep::design::DesignKind;
 use saute_sweep::{Manifest, manifest};
-use saute_sweep_folder::ROWS;
 use saute_sweep_folder::checksums::Checksums;
+use saute_sweep_folder::{MANIFEST_MIB, PART_MIB, ROWS};
 
 use crate::error::CliError;
 
@@ -33,7 +33,7 @@ impl Rows {
     pub fn open(sweep: &Path) -> Result<Self, CliError> {
         let place = sweep.join(manifest::FILE);
         let refused = |message: String, remedy: &str| CliError::place(sweep.display(), message, remedy);
-        let text = fs::read_to_string(&place)
+        let text = regular_file::read_text(&place, MANIFEST_MIB)
             .map_err(|e| refused(format!("holds no sweep: {e}"), "name the folder of: saute sweep --out"))?;
         let manifest = Manifest::parse(&text)
             .map_err(|why| CliError::place(place.display(), why, "name the folder of: saute sweep --out"))?;
@@ -51,7 +51,7 @@ impl Rows {
         let refused = |why: String| {
             CliError::place(path.display(), why, "complete the sweep first, with the command that began it")
         };
-        let bytes = fs::read(&path).map_err(|e| refused(format!("cannot be read: {e}")))?;
+        let bytes = regular_file::read(&path, PART_MIB).map_err(|unread| refused(unread.to_string()))?;
         if !Checksums::in_folder(&self.folder).holds(&Manifest::part_name(part), &bytes) {
             let remedy = "remove this file and sweep again: its rows are cooked again";
             return Err(CliError::place(path.display(), "has not the checksum with which it was written", remedy));

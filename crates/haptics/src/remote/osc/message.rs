@@ -10,9 +10,9 @@ pub const LONGEST: usize = 1024;
 /// Maximum number of messages per datagram (chosen: as many as fit).
 const MOST: usize = 64;
 /// Largest distance from the ring's centre [m] (chosen: no arm is longer).
-const FARTHEST_M: f64 = 2.0;
+pub const FARTHEST_M: f64 = 2.0;
 /// Largest tilt angle [°].
-const STEEPEST_DEG: f64 = 180.0;
+pub const STEEPEST_DEG: f64 = 180.0;
 /// Longest part of an unknown address that is repeated (chosen: enough to find a typing error).
 const LONGEST_ECHO: usize = 40;
 

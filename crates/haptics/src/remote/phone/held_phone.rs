@@ -5,7 +5,7 @@ use saute_kitchen::dynamics::Pose;
 use saute_kitchen::dynamics::pose::turn;
 
 use super::held_pan::HeldPan;
-use super::message::{BadMessage, Measured};
+use super::message::{BadMessage, LARGEST_DEG, Measured};
 use super::orientation::{Level, acceleration, from_angles};
 use crate::remote::remote_pose::{SILENCE_S, limited_step};
 
@@ -34,8 +34,8 @@ impl HeldPhone {
     /// If a number is outside a sensor's range; the reading is then left out.
     pub fn receive(&mut self, measured: &Measured, screen_deg: f64) -> Result<(), BadMessage> {
         measured.check()?;
-        if !(0.0..360.0).contains(&screen_deg) {
-            return Err(BadMessage::Range("screen"));
+        if !(0.0..LARGEST_DEG).contains(&screen_deg) {
+            return Err(BadMessage::Range { key: "screen", low: 0.0, high: LARGEST_DEG });
         }
         let phone = from_angles(measured.turn);
         let screen = phone * turn(DVec3::Z, -screen_deg.to_radians());

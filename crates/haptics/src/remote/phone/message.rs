@@ -8,9 +8,9 @@ use crate::control::rumble::Rumble;
 /// Longest message [bytes] (chosen: a motion message with all digits has 300).
 pub const LONGEST: usize = 1024;
 /// Largest accepted acceleration [m/s²] (chosen: above the 16 g range of phone sensors).
-const LARGEST_M_S2: f64 = 200.0;
+pub const LARGEST_M_S2: f64 = 200.0;
 /// Largest angle of the DeviceOrientation event [°].
-const LARGEST_DEG: f64 = 360.0;
+pub const LARGEST_DEG: f64 = 360.0;
 
 /// A message from the phone.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
@@ -78,7 +78,7 @@ pub enum ToPhone {
 }
 
 /// Why a message is invalid.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum BadMessage {
     /// The message is too long.
     #[error("a message of {0} bytes is too long")]
@@ -87,8 +87,15 @@ pub enum BadMessage {
     #[error("{0}")]
     Json(String),
     /// A number is outside a sensor's range.
-    #[error("{0} is out of range")]
-    Range(&'static str),
+    #[error("{key} may be {low} to {high}")]
+    Range {
+        /// Key of the number.
+        key: &'static str,
+        /// Smallest value, in the unit of the key.
+        low: f64,
+        /// Largest value, in the unit of the key.
+        high: f64,
+    },
 }
 
 impl FromPhone {
@@ -107,15 +114,16 @@ impl FromPhone {
 
 impl Measured {
     pub(super) fn check(&self) -> Result<(), BadMessage> {
-        let within = |list: &[f64], most: f64| list.iter().all(|v| v.is_finite() && v.abs() <= most);
-        if !within(&self.turn, LARGEST_DEG) {
-            return Err(BadMessage::Range("turn"));
-        }
-        if !self.push.iter().chain(&self.felt).all(|a| within(a, LARGEST_M_S2)) {
-            return Err(BadMessage::Range("push or felt"));
-        }
-        Ok(())
+        within("turn", Some(&self.turn), LARGEST_DEG)?;
+        within("push", self.push.as_ref(), LARGEST_M_S2)?;
+        within("felt", self.felt.as_ref(), LARGEST_M_S2)
     }
+}
+
+/// Refuses numbers beyond a largest one to either side.
+fn within(key: &'static str, numbers: Option<&[f64; 3]>, most: f64) -> Result<(), BadMessage> {
+    let fits = |numbers: &[f64; 3]| numbers.iter().all(|v| (-most..=most).contains(v));
+    if numbers.is_none_or(fits) { Ok(()) } else { Err(BadMessage::Range { key, low: -most, high: most }) }
 }
 
 impl ToPhone {

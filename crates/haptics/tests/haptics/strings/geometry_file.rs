@@ -62,3 +62,15 @@ fn a_feel_out_of_range_is_refused() {
         Feel::parse(&text.replace("frequency_hz = 12", "frequency_hz = 400"), "feel.toml").unwrap_err().to_string();
     assert!(said.contains("frequency_hz = 400") && said.contains("0.5 to 40"), "{said}");
 }
+
+#[cfg(unix)]
+#[test]
+fn a_device_file_that_is_a_pipe_or_has_no_end_is_refused_before_it_is_opened() {
+    let dir = tempfile::tempdir().unwrap();
+    let pipe = dir.path().join("mine.toml");
+    assert!(std::process::Command::new("mkfifo").arg(&pipe).status().unwrap().success());
+    for place in [pipe.to_str().unwrap(), "/dev/zero"] {
+        let said = saute_haptics::Named::parse(place).unwrap_err().to_string();
+        assert!(said.contains(place) && said.contains("is a pipe or a device") && said.contains("remedy"), "{said}");
+    }
+}

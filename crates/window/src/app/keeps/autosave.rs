@@ -3,6 +3,7 @@
 use crate::app::SauteApp;
 use crate::kept::autosave::{Autosave, CookStore};
 use saute_recipe::Recording;
+use saute_recipe::session::limits;
 
 impl SauteApp {
     /// Keeps the cook from now on. What was kept of an earlier cook is offered first.
@@ -40,9 +41,15 @@ impl SauteApp {
         if self.keeps.autosave.offered.is_some() {
             return;
         }
-        if let Err(error) = self.keeps.autosave.follow(&mut self.session, at_once) {
-            self.keeps.autosave = Autosave::default();
-            self.desk.notice.say(self.settings.language.fill("notice.not_kept", &[("error", &error)]));
-        }
+        let error = match self.keeps.autosave.follow(&mut self.session, at_once) {
+            Ok(false) => return,
+            // Another cook is kept again.
+            Ok(true) => limits(),
+            Err(error) => {
+                self.keeps.autosave = Autosave::default();
+                error
+            }
+        };
+        self.desk.notice.say(self.settings.language.fill("notice.not_kept", &[("error", &error)]));
     }
 }

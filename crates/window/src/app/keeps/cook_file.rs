@@ -2,6 +2,8 @@
 
 use crate::app::SauteApp;
 use crate::kept::autosave::CookStore;
+use saute_kitchen::data::regular_file;
+use saute_recipe::session::session_file;
 use std::fs::File;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -22,6 +24,7 @@ impl CookFile {
         if let Some(folder) = self.path.parent() {
             std::fs::create_dir_all(folder)?;
         }
+        regular_file::check_place(&self.path)?;
         File::create(&self.path)
     }
 }
@@ -43,7 +46,7 @@ impl CookStore for CookFile {
 impl SauteApp {
     /// Keeps the cook in a file from now on. What the file holds of an earlier cook is offered first.
     pub fn keep_cook_in(&mut self, path: &Path) {
-        let earlier = std::fs::read(path).ok();
+        let earlier = regular_file::read(path, session_file::LARGEST_MIB).ok();
         self.keep_cook_by(Box::new(CookFile { path: path.to_owned(), file: None }), earlier.as_deref());
     }
 }

@@ -6,6 +6,7 @@ use crate::kept::files::dialog_errors;
 use crate::kept::files::{Answer, Asked, Dialog, free_path, read};
 use crate::kept::session_file::write_whole;
 use crate::plan::PlanFile;
+use saute_kitchen::data::regular_file;
 use saute_session::export::Export;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -195,7 +196,7 @@ fn pictures_folder() -> PathBuf {
 /// The folder that the file of the user's folders names (XDG: user-dirs.dirs).
 fn named_by_user(home: &Path) -> Option<PathBuf> {
     let config = std::env::var_os("XDG_CONFIG_HOME").map_or_else(|| home.join(".config"), PathBuf::from);
-    let text = std::fs::read_to_string(config.join("user-dirs.dirs")).ok()?;
+    let text = regular_file::read_text(&config.join("user-dirs.dirs"), 1).ok()?;
     pictures_in(&text, home)
 }
 

@@ -37,11 +37,12 @@ impl SauteApp {
 
     /// Cooks a condition's recipe to its instant. The cook of the last condition goes on, where it has not come too far.
     fn cook_to(&mut self, pose: &Pose) -> Result<(), String> {
+        let library = std::sync::Arc::clone(&self.session.library);
+        let text = library.recipes.get(&pose.recipe).unwrap_or(&pose.recipe);
+        let recipe = Recipe::parse(text, "pose.toml", &library).map_err(|e| e.to_string())?;
+        pose.check(&recipe)?;
         let posed = Some((pose.recipe.clone(), self.session.generation));
         if self.sights.scene.posed != posed || self.session.kitchen.time_s() > pose.at_s + 0.5 * TICK_S {
-            let library = std::sync::Arc::clone(&self.session.library);
-            let text = library.recipes.get(&pose.recipe).unwrap_or(&pose.recipe);
-            let recipe = Recipe::parse(text, "pose.toml", &library).map_err(|e| e.to_string())?;
             self.session.play(recipe).map_err(|e| e.to_string())?;
             self.sights.scene.posed = Some((pose.recipe.clone(), self.session.generation));
         }
