@@ -21,7 +21,15 @@ page's script asks for is 0 to the end of its cook. Speed and pause are no chang
 /// Returns the page.
 pub fn page() -> String {
     let mut text = HEAD.to_owned();
-    text += "\n## What hands change\n\n| change | recipe | session | Python | phone, OSC, device |\n|---|---|---|---|---|\n";
+    changes(&mut text);
+    starts(&mut text);
+    streams(&mut text);
+    text
+}
+
+fn changes(text: &mut String) {
+    *text += "\n## What hands change\n\n\
+              | change | recipe | session | Python | phone, OSC, device |\n|---|---|---|---|---|\n";
     for change in CHANGES {
         let recipe = change.recipe.map_or("no".to_owned(), |way| range(way.range));
         let entry = change.entry.map_or("no".to_owned(), |way| range(way.range));
@@ -29,20 +37,25 @@ pub fn page() -> String {
         let posed = if change.posed { "pose only" } else { "no" };
         let _ = writeln!(text, "| {} | {recipe} | {entry} | {python} | {posed} |", change.name);
     }
-    text += "\n## What a kitchen begins with\n\n\
-             Python hands it over as a recipe; a session holds the text of its recipe.\n\n\
-             | start | recipe, Python | session |\n|---|---|---|\n";
+}
+
+fn starts(text: &mut String) {
+    *text += "\n## What a kitchen begins with\n\n\
+              Python hands it over as a recipe; a session holds the text of its recipe.\n\n\
+              | start | recipe, Python | session |\n|---|---|---|\n";
     for Start { name, recipe } in STARTS {
         let taken = range(recipe.range);
         let own = if matches!(recipe.write, Part::Home(_)) { "`--data`, `data=`" } else { &taken };
         let _ = writeln!(text, "| {name} | {own} | {taken} |");
     }
-    text += "\n## Numbers of streams\n\n| number | taken | beyond it |\n|---|---|---|\n";
+}
+
+fn streams(text: &mut String) {
+    *text += "\n## Numbers of streams\n\n| number | taken | beyond it |\n|---|---|---|\n";
     for number in STREAMED {
         let beyond = if matches!(number.message, Streamed::Device(_)) { "dropped" } else { "refused" };
         let _ = writeln!(text, "| {} | {} | {beyond} |", number.name, range(number.range));
     }
-    text
 }
 
 fn range(range: Range) -> String {

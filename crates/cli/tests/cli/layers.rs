@@ -19,7 +19,7 @@ const ARROWS: [(&str, &[&str]); 29] = [
     ("saute-study", &["saute-kitchen", "saute-plan", "saute-recipe"]),
     ("saute-formats", &["saute-kitchen", "saute-recipe"]),
     ("saute-sweep", &["saute-formats", "saute-kitchen", "saute-recipe"]),
-    ("saute-sweep-folder", &["saute-formats", "saute-sweep"]),
+    ("saute-sweep-folder", &["saute-formats", "saute-kitchen", "saute-sweep"]),
     ("saute-surface", &["saute-heat"]),
     ("saute-scene", &["wgpu"]),
     ("saute-mirror", &[]),
