@@ -96,7 +96,7 @@ impl Rows<'_> {
             return Err(format!("\"{name}\" is {field}, which is no finite number; correct the row or leave it out"));
         }
         let is_id = field.len() <= LONGEST_ID && field.chars().all(|c| c.is_ascii_alphanumeric() || "._-".contains(c));
-        if self.ids.contains(&name) && !(is_id && !field.starts_with(['-', '.'])) {
+        if self.ids.contains(&name) && (!is_id || field.starts_with(['-', '.'])) {
             return Err(format!(
                 "\"{name}\" is no id of letters, digits, dots, hyphens and low lines; correct the row or leave it out"
             ));

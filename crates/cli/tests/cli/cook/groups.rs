@@ -104,10 +104,10 @@ fn the_text_has_a_line_for_each_group_and_none_for_its_pieces() {
 /// The pan holds a limited number of pieces; the error names the number, the line and the remedy.
 #[test]
 fn too_many_pieces_for_the_pan_are_refused_before_anything_is_cooked() {
-    let (_dir, path) = crowded(&["count = 20", "count = 100"]);
+    let (_dir, path) = crowded(&["count = 20", "count = 70", "size_mm = [18, 6]", "size_mm = [40, 6]"]);
     let ran = run(&["cook", &path, "--json"]);
     assert_eq!((ran.code, ran.out.as_str()), (Some(2), ""));
-    for part in ["crowd.toml:25:", "of 100 fit", "remedy:", "heap = true"] {
+    for part in ["crowd.toml:25:", "of 70 fit", "remedy:", "heap = true"] {
         assert!(ran.err.contains(part), "{part}: {}", ran.err);
     }
 }

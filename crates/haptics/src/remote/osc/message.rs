@@ -59,11 +59,20 @@ pub enum BadOsc {
     #[error("{0} has other arguments than {1}")]
     Arguments(&'static str, &'static str),
     /// A number is NaN or infinite.
-    #[error("{0} has a number that is not finite: send nothing while there is no measurement")]
+    #[error("{0} has a number that is not finite: send {send}, and nothing while there is no measurement", send = allowed(.0))]
     NotFinite(&'static str),
     /// A number is out of range.
     #[error("{0} has a number out of range: send {1}")]
     Range(&'static str, &'static str),
+}
+
+/// What the numbers of an address may be.
+fn allowed(address: &str) -> &'static str {
+    match address {
+        PAN | TURNER => "the distance from the ring's centre as 0 to 2 m, and the length of the quaternion as 0.5 to 2",
+        TILT => "the tilt as -180 to 180 degrees",
+        _ => "a finite one",
+    }
 }
 
 /// Returns all messages of a datagram with bundles opened, each one parsed or an error.
@@ -157,15 +166,15 @@ fn pose(args: &[OscType], address: &'static str) -> Result<Pose, BadOsc> {
     let [x, y, z, qx, qy, qz, qw] = numbers(args, address, "seven numbers: x, y, z and a quaternion x, y, z, w")?;
     let (position, rotation) = (DVec3::new(x, y, z), DQuat::from_xyzw(qx, qy, qz, qw));
     let fits = position.length() <= FARTHEST_M && (0.5..2.0).contains(&rotation.length());
-    let allowed = "metres within 2 m, and a quaternion of length 1";
-    if fits { Ok(Pose { position, rotation: rotation.normalize() }) } else { Err(BadOsc::Range(address, allowed)) }
+    let pose = Pose { position, rotation: rotation.normalize() };
+    if fits { Ok(pose) } else { Err(BadOsc::Range(address, allowed(address))) }
 }
 
 /// Parses rotation angles about the axis to the right and about the axis away from the cook [°].
 fn tilt(args: &[OscType]) -> Result<DQuat, BadOsc> {
     let [right, away] = numbers(args, TILT, "two angles in degrees")?;
     if right.abs().max(away.abs()) > STEEPEST_DEG {
-        return Err(BadOsc::Range(TILT, "degrees from -180 to 180"));
+        return Err(BadOsc::Range(TILT, allowed(TILT)));
     }
     Ok(about(DVec3::new(right.to_radians(), away.to_radians(), 0.0)))
 }

@@ -4,24 +4,24 @@
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum DateOrder {
     /// Year, month, day.
-    YearFirst,
+    Ymd,
     /// Day, month, year.
-    DayFirst,
+    Dmy,
     /// Month, day, year.
-    MonthFirst,
+    Mdy,
 }
 
 impl DateOrder {
     /// All of them.
-    pub const ALL: [Self; 3] = [Self::YearFirst, Self::DayFirst, Self::MonthFirst];
+    pub const ALL: [Self; 3] = [Self::Ymd, Self::Dmy, Self::Mdy];
 
     /// Returns the number of a date's day in the Gregorian calendar; none if it is no date in this order.
     pub fn day(self, date: &[i64]) -> Option<f64> {
         let [a, b, c] = *date else { return None };
         let (year, month, day) = match self {
-            Self::YearFirst => (a, b, c),
-            Self::DayFirst => (c, b, a),
-            Self::MonthFirst => (c, a, b),
+            Self::Ymd => (a, b, c),
+            Self::Dmy => (c, b, a),
+            Self::Mdy => (c, a, b),
         };
         // A year of two digits is of this century (chosen: no thermometer logged before it).
         day_number(if (0..100).contains(&year) { year + 2000 } else { year }, month, day)
@@ -59,7 +59,7 @@ mod tests {
 
     #[test]
     fn the_day_after_is_one_day_later() {
-        let day = |date: [i64; 3]| DateOrder::YearFirst.day(&date).expect("a date");
+        let day = |date: [i64; 3]| DateOrder::Ymd.day(&date).expect("a date");
         for [before, after] in [
             [[2026, 11, 24], [2026, 11, 25]],
             [[2026, 11, 30], [2026, 12, 1]],
@@ -68,8 +68,8 @@ mod tests {
         ] {
             assert_eq!(day(after) - day(before), 1.0, "{before:?}");
         }
-        assert_eq!(DateOrder::MonthFirst.day(&[4, 5, 25]), DateOrder::YearFirst.day(&[2025, 4, 5]));
-        assert_eq!(DateOrder::MonthFirst.day(&[13, 5, 25]), None);
+        assert_eq!(DateOrder::Mdy.day(&[4, 5, 25]), DateOrder::Ymd.day(&[2025, 4, 5]));
+        assert_eq!(DateOrder::Mdy.day(&[13, 5, 25]), None);
     }
 
     #[test]

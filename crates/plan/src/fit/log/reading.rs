@@ -375,7 +375,7 @@ fn is_letter_of_channel(headers: &[String], at: usize) -> bool {
     };
     let Some((stem, _)) = split(&headers[at]) else { return false };
     let is_other = |(words, last): (Vec<String>, String)| {
-        words == stem && Unit::of_word(&last).is_none() && !last.parse::<u8>().is_ok()
+        words == stem && Unit::of_word(&last).is_none() && last.parse::<u8>().is_err()
     };
     headers.iter().filter_map(split).any(is_other)
 }

@@ -230,14 +230,14 @@ fn order_of(stamps: &[&Stamp]) -> DateOrder {
         Some(days.iter().fold(f64::MIN, |a, b| a.max(*b)) - days.iter().fold(f64::MAX, |a, b| a.min(*b)))
     };
     let spans = DateOrder::ALL.into_iter().filter_map(|order| Some((span(order)?, order)));
-    spans.min_by(|a, b| a.0.total_cmp(&b.0)).map_or(DateOrder::YearFirst, |(_, order)| order)
+    spans.min_by(|a, b| a.0.total_cmp(&b.0)).map_or(DateOrder::Ymd, |(_, order)| order)
 }
 
 fn day_of(stamp: &Stamp, order: DateOrder) -> Option<f64> {
     let order = match stamp.month_at {
-        Some(0) => DateOrder::MonthFirst,
-        Some(_) if !stamp.is_year_first => DateOrder::DayFirst,
-        _ if stamp.is_year_first => DateOrder::YearFirst,
+        Some(0) => DateOrder::Mdy,
+        Some(_) if !stamp.is_year_first => DateOrder::Dmy,
+        _ if stamp.is_year_first => DateOrder::Ymd,
         _ => order,
     };
     order.day(&stamp.date)
