@@ -6,7 +6,7 @@ use core::f32::consts::{FRAC_PI_4, PI};
 use crate::random::Random;
 
 /// Largest number of bubbles that ring at once [-].
-pub(crate) const MOST: usize = 64;
+const MOST: usize = 64;
 /// Frequency times radius [m·Hz]: (1/2π)·√(3γp/ρ) of a bubble in water at 1 bar (`[@minnaert-1933]`). In hot oil it is 3.4 (γ = 1.3,
 /// ρ = 850 kg/m³), four per cent more, which is not told apart.
 const MINNAERT: f32 = 3.26;
@@ -66,7 +66,7 @@ impl Voice {
         let shrink = libm::expf(-damping / rate);
         let faster = angle * RISE * damping / bubble.damped / rate;
         // Equal power on the way from left to right.
-        let pan = FRAC_PI_4 * (1.0 + bubble.side.clamp(-1.0, 1.0));
+        let pan = FRAC_PI_4 * (1.0 + bubble.side);
         Self {
             pointer: [bubble.amplitude, 0.0],
             turn: [shrink * libm::cosf(angle), shrink * libm::sinf(angle)],

@@ -1,7 +1,7 @@
 //! How the steam of each place sounds: constants.
 //!
 //! No level or spectrum of a frying steak was found in print, so levels are chosen; one gram of steam a second from under food at
-//! 200 °C is −18 dBFS. Levels of the other places are set against that by ear-free reasons that stand at each.
+//! 200 °C is −18 dBFS. The levels of the other places are chosen relative to that, each with its reason.
 
 use crate::snapshot::Steam;
 

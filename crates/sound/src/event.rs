@@ -1,5 +1,7 @@
 //! What sounds once: blows, drops, signals.
 
+use crate::synth::TICK_S;
+
 /// Kind of an event.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EventKind {
@@ -64,5 +66,13 @@ impl Event {
     /// An event at the beginning of a tick, in the middle.
     pub fn now(kind: EventKind, strength: f32) -> Self {
         Self { kind, strength, at_s: 0.0, side: 0.0 }
+    }
+
+    /// Returns the event within its ranges; none if it has no strength or one of its values is not a number.
+    pub(crate) fn within_ranges(&self) -> Option<Self> {
+        let (strength, at_s) = (self.strength.clamp(0.0, 1.0), self.at_s.clamp(0.0, TICK_S));
+        let side = self.side.clamp(-1.0, 1.0);
+        let is_heard = strength > 0.0 && !at_s.is_nan() && !side.is_nan();
+        is_heard.then_some(Self { kind: self.kind, strength, at_s, side })
     }
 }

@@ -52,8 +52,8 @@ impl Snapshot {
         self
     }
 
-    /// Returns the snapshot with finite numbers only; what is none counts as nothing.
-    pub(crate) fn sound(&self) -> Self {
+    /// Returns the snapshot within its ranges; what is not a finite number counts as 0.
+    pub(crate) fn within_ranges(&self) -> Self {
         let finite = |x: f32, most: f32| if x.is_finite() { x.clamp(0.0, most) } else { 0.0 };
         Self {
             steam: self.steam.map(|flow| finite(flow, MOST_STEAM)),

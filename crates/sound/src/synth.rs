@@ -86,7 +86,7 @@ impl Synth {
     /// Takes the state of a tick and the events in it. Flows glide to it over [`TICK_S`] from the next sample on; events start at
     /// their samples.
     pub fn feed(&mut self, snapshot: &Snapshot, events: &[Event]) {
-        let snapshot = snapshot.sound();
+        let snapshot = snapshot.within_ranges();
         let steps = libm::roundf(TICK_S * self.rate / self.control_every as f32) as u32;
         for (place, hiss) in Steam::ALL.into_iter().zip(&mut self.steam) {
             let celsius = if place == Steam::Oil { snapshot.oil_c } else { snapshot.floor_c };
@@ -94,12 +94,8 @@ impl Synth {
         }
         self.is_lid_on = snapshot.lid;
         self.struck.cover(snapshot.covered);
-        for event in events {
-            let (at_s, strength) = (event.at_s.clamp(0.0, TICK_S), event.strength.clamp(0.0, 1.0));
-            // What is no number is no event.
-            if at_s.is_finite() && strength > 0.0 {
-                self.events.push(self.now + (at_s * self.rate) as u64, Event { at_s, strength, ..*event });
-            }
+        for event in events.iter().filter_map(Event::within_ranges) {
+            self.events.push(self.now + (event.at_s * self.rate) as u64, event);
         }
     }
 

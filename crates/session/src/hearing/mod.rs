@@ -67,13 +67,13 @@ impl Sound {
         }
     }
 
-    /// Returns the samples of the tick that has just ended; none if none has since the last call.
+    /// Returns the samples of the tick that has just ended; none if none has since the last call, or the kitchen went back in time.
     pub fn follow(&mut self, kitchen: &Kitchen) -> &[[f32; 2]] {
         let from = core::mem::replace(&mut self.tick, kitchen.tick());
         // Samples up to a tick; a rate need not be a multiple of ten.
         let until = |tick: u64| (tick * self.rate / TICKS_A_SECOND) as usize;
         self.samples.clear();
-        self.samples.resize(until(self.tick) - until(from), [0.0; 2]);
+        self.samples.resize(until(self.tick).saturating_sub(until(from)), [0.0; 2]);
         if !self.samples.is_empty() {
             let (snapshot, events) = self.ear.hear(kitchen);
             self.synth.feed(&snapshot, &events);

@@ -2,8 +2,9 @@
 
 use std::fs;
 use std::path::Path;
+use std::process::Command;
 
-use crate::running::{SHORT, names_in, run};
+use crate::running::{SHORT, names_in, run, saute};
 
 /// Cooks a recipe with `--wav` in a folder; returns what was said and the file.
 fn recorded(dir: &Path, name: &str, more: &[&str]) -> (Option<i32>, String, Vec<u8>) {
@@ -83,4 +84,24 @@ fn a_cook_that_fails_leaves_the_old_file_as_it_was() {
     let ran = run(&["cook", recipe.to_str().unwrap(), "--wav", dir.path().join("old.wav").to_str().unwrap()]);
     assert_eq!(ran.code, Some(2));
     assert_eq!(fs::read(dir.path().join("old.wav")).unwrap(), b"old");
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupted_cook_leaves_the_old_file_and_nothing_unfinished() {
+    let dir = tempfile::tempdir().unwrap();
+    let wav = dir.path().join("old.wav");
+    fs::write(&wav, b"old").unwrap();
+    let mut cook = saute().args(["cook", "medium", "--wav", wav.to_str().unwrap()]).spawn().unwrap();
+    let unfinished = dir.path().join(".saute-unfinished-old.wav");
+    // Half a megabyte of samples: it cooks.
+    while cook.try_wait().unwrap().is_none() && fs::metadata(&unfinished).map_or(0, |file| file.len()) < 500_000 {
+        std::thread::yield_now();
+    }
+    let asked = Command::new("kill").args(["-TERM", &cook.id().to_string()]).status().unwrap();
+    assert!(asked.success() && !cook.wait().unwrap().success());
+    assert_eq!(
+        (fs::read(&wav).unwrap().as_slice(), names_in(dir.path())),
+        (b"old".as_slice(), vec!["old.wav".to_owned()])
+    );
 }
