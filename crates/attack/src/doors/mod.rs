@@ -66,6 +66,9 @@ pub enum Before {
     OnBoard,
 }
 
+/// What an entry of a session does with a number.
+pub type DeedOf = fn(f64) -> Deed;
+
 /// One change, and how recipe, session and Python say it. A link and a stored cook of another version hold a session.
 #[derive(Clone, Copy, Debug)]
 pub struct Change {
@@ -76,7 +79,7 @@ pub struct Change {
     /// In a recipe.
     pub recipe: Option<Way<Part>>,
     /// As an entry of a session, from the number in the unit of the change.
-    pub entry: Option<Way<fn(f64) -> Deed>>,
+    pub entry: Option<Way<DeedOf>>,
     /// As a call of Python, with the number's range.
     pub python: Option<(&'static str, Range)>,
     /// By phone, OSC and device: true where a pose says it.

@@ -87,7 +87,8 @@ impl Happenings {
             (begins(self.pan_moves, before.pan_moves), EventKind::Scrape, SCRAPE),
         ]
         .into_iter()
-        .filter_map(|(is_heard, kind, strength)| is_heard.then(|| Event::now(kind, strength)))
+        .filter(|(is_heard, ..)| *is_heard)
+        .map(|(_, kind, strength)| Event::now(kind, strength))
     }
 
     fn poured(&self, before: &Self) -> Option<Event> {
