@@ -16,7 +16,7 @@ const BEGIN_OFF: f64 = 10.0;
 /// True if nearly all of a core's or a pan's temperatures are such as one has.
 pub(super) fn is_believed(points: &[(f64, f64)], quantity: Quantity) -> bool {
     let celsius = sorted_c(points);
-    let at = |share: f64| celsius.get((share * (celsius.len() - 1) as f64) as usize).copied().unwrap_or(0.0);
+    let at = |share: f64| celsius.get((share * (celsius.len() - 1) as f64).round() as usize).copied().unwrap_or(0.0);
     !celsius.is_empty() && at(0.05) >= LEAST_C && at(0.95) <= most_c(quantity)
 }
 
