@@ -1,6 +1,7 @@
 //! What sounds once: blows, drops, signals.
 
-use crate::synth::TICK_S;
+/// Time from one snapshot to the next [s].
+pub const TICK_S: f32 = 0.1;
 
 /// Kind of an event.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

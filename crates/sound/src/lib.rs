@@ -45,8 +45,8 @@ mod strikes;
 mod struck;
 mod synth;
 
-pub use event::{Event, EventKind};
+pub use event::{Event, EventKind, TICK_S};
 pub use limiter::CEILING;
 pub use plate::{Metal, Plate};
 pub use snapshot::{Snapshot, Steam};
-pub use synth::{RATES, Synth, TICK_S};
+pub use synth::{RATES, Synth};

@@ -4,7 +4,7 @@ use alloc::vec::Vec;
 
 use crate::bubbles::{Bubble, Bubbles, radius};
 use crate::character::Character;
-use crate::event::{Event, EventKind};
+use crate::event::{Event, EventKind, TICK_S};
 use crate::event_queue::EventQueue;
 use crate::hiss::Hiss;
 use crate::lid::LidFilter;
@@ -15,8 +15,6 @@ use crate::random::Random;
 use crate::snapshot::{Snapshot, Steam};
 use crate::struck::Struck;
 
-/// Time from one snapshot to the next [s].
-pub const TICK_S: f32 = 0.1;
 /// Sample rates that can be asked for [Hz].
 pub const RATES: core::ops::RangeInclusive<u32> = 8_000..=192_000;
 

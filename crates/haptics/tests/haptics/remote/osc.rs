@@ -187,7 +187,7 @@ fn a_rejected_message_says_why_on_the_screen_and_to_its_sender() {
         ("/saute/pan/tilt", floats(&[0.0]), "two angles in degrees"),
         ("/saute/pan/tilt", floats(&[f32::NAN, 0.0]), "/saute/pan/tilt has a number that is not finite"),
         ("/saute/pan/pose", floats(&[f32::INFINITY; 7]), "/saute/pan/pose has a number that is not finite"),
-        ("/saute/turner/pose", floats(&[9.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0]), "within 2 m"),
+        ("/saute/turner/pose", floats(&[9.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0]), "as 0 to 2 m"),
         ("/saute/button", floats(&[0.5, 1.0]), "from 0 to 31"),
         ("/saute/pair", vec![OscType::String("no code".into())], "the code is wrong"),
     ];
