@@ -55,7 +55,7 @@ impl Parameters {
     }
 
     /// Returns the least and the largest transformed parameters of a fit [-]: factors of hob and contact that a kitchen at home can state,
-    /// and a thickness within [`FAR`] standard deviations of the stated one.
+    /// and a thickness within four standard deviations of the stated one.
     pub fn bounds(recipe: &Recipe, library: &Library) -> [Logs; 2] {
         let (start, earlier) = (Self::of(recipe, library), &library.at_home);
         let shipped = library.hob.efficiency() / earlier.hob_factor;

@@ -161,26 +161,6 @@ fn a_log_gives_the_kitchen_which_is_kept_used_and_left_again() {
     assert!(harness.state().settings().kitchen.as_ref().is_some_and(|kept| !kept.is_used), "it is not forgotten");
 }
 
-/// In one window: a question has its answers beside it, and what is no log is called by its name.
-#[test]
-fn a_log_that_can_be_read_in_two_ways_is_asked_about() {
-    let mut harness = window(WIDE);
-    let text = "Time,Core\n1:00,6\n2:30,20\n4:00,40\n";
-    act(&mut harness, Act::App(AppAct::OpenFile(file("two-ways.csv", text))));
-    harness.get_by_label("The times can be read in two ways: which are they?");
-    save(&mut harness, "athome-question");
-    harness.get_by_label("hours and minutes").click();
-    steps(&mut harness, 3);
-    harness.get_by_label_contains("Read as hours and minutes: 180:00 from 1:00.");
-    act(&mut harness, Act::App(AppAct::OpenFile(file("unit.csv", "Time,Core\n0:00,43\n5:00,70\n14:00,115\n"))));
-    harness.get_by_label_contains("Nothing states the unit");
-    harness.get_by_label("°F").click();
-    steps(&mut harness, 3);
-    harness.get_by_label_contains("3 values in °F");
-    act(&mut harness, Act::App(AppAct::OpenFile(file("log.xlsx", "PK\u{3}\u{4}"))));
-    harness.get_by_label_contains("is a spreadsheet");
-}
-
 #[test]
 fn values_by_hand_are_entered_row_by_row_and_a_wrong_one_is_named() {
     let mut harness = window(PHONE);
@@ -201,13 +181,29 @@ fn values_by_hand_are_entered_row_by_row_and_a_wrong_one_is_named() {
     harness.get_by_label_contains("row 1 cannot be read");
 }
 
+/// In one window: the card in Japanese; then a question has its answers beside it, and what is no log is called by its name.
 #[test]
-fn my_kitchen_reads_in_japanese() {
+fn my_kitchen_reads_in_japanese_and_asks_about_a_log_that_can_be_read_in_two_ways() {
     let library = Library::embedded().expect("embedded data");
     let mut harness = entered(WIDE, &library);
     act(&mut harness, Act::App(AppAct::Set(Setting::Language(Language::Japanese))));
     harness.get_by_label("わたしの台所を求める");
     save(&mut harness, "athome-japanese");
+    act(&mut harness, Act::App(AppAct::Set(Setting::Language(Language::English))));
+    let text = "Time,Core\n1:00,6\n2:30,20\n4:00,40\n";
+    act(&mut harness, Act::App(AppAct::OpenFile(file("two-ways.csv", text))));
+    harness.get_by_label("The times can be read in two ways: which are they?");
+    save(&mut harness, "athome-question");
+    harness.get_by_label("hours and minutes").click();
+    steps(&mut harness, 3);
+    harness.get_by_label_contains("Read as hours and minutes: 180:00 from 1:00.");
+    act(&mut harness, Act::App(AppAct::OpenFile(file("unit.csv", "Time,Core\n0:00,43\n5:00,70\n14:00,115\n"))));
+    harness.get_by_label_contains("Nothing states the unit");
+    harness.get_by_label("°F").click();
+    steps(&mut harness, 3);
+    harness.get_by_label_contains("3 values in °F");
+    act(&mut harness, Act::App(AppAct::OpenFile(file("log.xlsx", "PK\u{3}\u{4}"))));
+    harness.get_by_label_contains("is a spreadsheet");
 }
 
 /// A cook of some seconds by hand.
