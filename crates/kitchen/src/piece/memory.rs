@@ -64,7 +64,7 @@ impl Load {
     ///
     /// If they do not fit beside those before, or if the food has no piece of that size.
     pub fn add(&mut self, id: &str, spec: &PieceSpec, food: &FoodDescription, count: usize) -> Result<(), NoRoom> {
-        let each = bytes(Body::estimated_nodes(food, spec)?, food);
+        let each = needed(Body::estimated_nodes(food, spec)?, food);
         let in_memory = (MOST_BYTES - self.bytes).max(0.0) / each;
         let fit = (in_memory as usize).min(MOST_PIECES.saturating_sub(self.pieces));
         let bytes = each * count as f64;
@@ -105,12 +105,12 @@ fn megabytes(bytes: f64) -> String {
 }
 
 /// Memory of a piece with a number of nodes [bytes].
-fn bytes(nodes: f64, food: &FoodDescription) -> f64 {
+fn needed(nodes: f64, food: &FoodDescription) -> f64 {
     let triangles = food.body.as_ref().map_or(0, |surface| surface.triangles.len());
     PER_PIECE + PER_NODE * nodes + PER_TRIANGLE * triangles as f64
 }
 
 /// Memory of a piece of a model [bytes].
 pub(crate) fn bytes_of(model: &FoodModel) -> f64 {
-    bytes(model.mesh().node_count() as f64, model.description())
+    needed(model.mesh().node_count() as f64, model.description())
 }
