@@ -89,7 +89,9 @@ fn rows(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
             }
         }
     });
-    ui.label(RichText::new(l.text("athome.rows_how")).size(13.0).color(theme::of(ui).quiet));
+    if !rows.is_empty() {
+        ui.label(RichText::new(l.text("athome.rows_how")).size(13.0).color(theme::of(ui).quiet));
+    }
     if rows != entered.rows {
         acts.push(Act::Learn(LearnAct::AtHome(AtHomeAct::Rows(rows))));
     }

@@ -26,13 +26,17 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
         if entered.log.is_some() && ui.add(theme::of(ui).button(l.text("athome.no_log"), false)).clicked() {
             acts.push(Act::Learn(LearnAct::AtHome(AtHomeAct::NoLog)));
         }
+        // Beside the buttons: on a low window the button that fits is then still seen.
+        if let Some(open) = &entered.log {
+            let parts: [(&str, &dyn std::fmt::Display); 2] =
+                [("file", &file_name(&open.name)), ("rows", &open.log.rows())];
+            ui.label(RichText::new(l.fill("athome.log_is", &parts)).size(13.5));
+        }
     });
     let Some(open) = &entered.log else {
         ui.label(RichText::new(l.text("athome.log_how")).size(13.0).color(theme::of(ui).quiet));
         return;
     };
-    let parts: [(&str, &dyn std::fmt::Display); 2] = [("file", &file_name(&open.name)), ("rows", &open.log.rows())];
-    ui.label(RichText::new(l.fill("athome.log_is", &parts)).size(13.5));
     let mut columns = *open.columns();
     egui::Grid::new("columns").num_columns(2).spacing(vec2(10.0, 6.0)).show(ui, |ui| {
         maker(state, ui, &mut columns);
