@@ -64,6 +64,9 @@ pub use tick::event::{Event, EventKind, EventLog};
 /// Length of one tick [s].
 pub const TICK_S: f64 = 0.1;
 
+/// Ticks in a second [-].
+pub const TICKS_PER_S: u32 = (1.0 / TICK_S + 0.5) as u32;
+
 /// Frames in a tick [-].
 pub const FRAMES_PER_TICK: u32 = 6;
 

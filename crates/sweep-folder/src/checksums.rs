@@ -49,7 +49,8 @@ impl Checksums {
     }
 }
 
-fn sum_of(bytes: &[u8]) -> u64 {
+/// Checksum of bytes (SipHash-1-3).
+pub(crate) fn sum_of(bytes: &[u8]) -> u64 {
     let mut hasher = SipHasher13::new();
     hasher.write(bytes);
     hasher.finish()

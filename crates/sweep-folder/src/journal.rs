@@ -5,13 +5,13 @@
 
 use std::collections::BTreeMap;
 use std::fs::{File, OpenOptions};
-use std::hash::Hasher;
 use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 
 use saute_kitchen::data::regular_file;
 use saute_sweep::RowResult;
-use siphasher::sip::SipHasher13;
+
+use crate::checksums::sum_of;
 
 /// Bytes of a record before its result.
 const HEAD: usize = 16;
@@ -42,7 +42,7 @@ impl Journal {
         let bytes = result.to_bytes();
         let mut record = Vec::with_capacity(HEAD + bytes.len());
         record.extend((bytes.len() as u64).to_le_bytes());
-        record.extend(hash(&bytes).to_le_bytes());
+        record.extend(sum_of(&bytes).to_le_bytes());
         record.extend(bytes);
         self.file.write_all(&record)
     }
@@ -64,16 +64,10 @@ fn record(bytes: &[u8], at: usize) -> Option<(RowResult, usize)> {
     let length = usize::try_from(number(at)?).ok()?;
     let end = (at + HEAD).checked_add(length)?;
     let own = bytes.get(at + HEAD..end)?;
-    if hash(own) != number(at + 8)? {
+    if sum_of(own) != number(at + 8)? {
         return None;
     }
     Some((RowResult::from_bytes(own)?, end))
-}
-
-fn hash(bytes: &[u8]) -> u64 {
-    let mut hasher = SipHasher13::new();
-    hasher.write(bytes);
-    hasher.finish()
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@ use saute_kitchen::Library;
 use saute_plan::fit::compared::Compared;
 use saute_plan::fit::log::log_error::LogError;
 use saute_plan::fit::log::log_file::LogFile;
-use saute_plan::fit::log::logger::{Logger, loggers};
+use saute_plan::fit::log::logger::Logger;
 use saute_plan::fit::log::reading::{Choices, Pick, Reading};
 use saute_plan::fit::log::times::TimeForm;
 use saute_plan::fit::log::unit::Unit;
@@ -55,7 +55,7 @@ fn compared(args: &FitArgs, recipe: &Recipe) -> Compared {
 
 /// What is chosen for the log; where core or pan is named, the other one is not guessed.
 fn choices(args: &FitArgs, log: &LogFile, begin: Option<(f64, f64)>) -> Result<Choices, CliError> {
-    let logger = args.maker.as_deref().map(maker).transpose()?;
+    let logger = args.maker.as_deref().and_then(Logger::named);
     let column = |name: &Option<String>| name.as_ref().map(|name| log.column(name, logger)).transpose().map_err(of_log);
     let named = args.core.is_some() || args.pan.is_some();
     let pick = |column: Option<usize>| match column {
@@ -71,14 +71,6 @@ fn choices(args: &FitArgs, log: &LogFile, begin: Option<(f64, f64)>) -> Result<C
         unit: args.unit.map(unit),
         form: args.times.map(form),
         begin,
-    })
-}
-
-fn maker(id: &str) -> Result<&'static Logger, CliError> {
-    Logger::named(id).ok_or_else(|| {
-        let known: Vec<&str> = loggers().iter().map(|logger| &*logger.id).collect();
-        let remedy = format!("use one of: {}", known.join(", "));
-        CliError::place(format!("--maker {id}"), "is no maker of thermometers with a preset", remedy)
     })
 }
 

@@ -8,7 +8,9 @@ use std::process::ExitCode;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
+use clap::builder::PossibleValuesParser;
 use saute_plan::fit::found::Found;
+use saute_plan::fit::log::logger::loggers;
 use saute_plan::fit::observed::Observed;
 use saute_plan::fit::predict::FitError;
 use saute_plan::fit::search::Fit;
@@ -42,9 +44,8 @@ pub struct FitArgs {
     /// Column of the pan's temperature, by header or number from 1.
     #[arg(long, value_name = "COLUMN", requires = "log")]
     pub pan: Option<String>,
-    /// Preset of the thermometer's maker: combustion, meater, fireboard, thermoworks, inkbird, heatermeter, home-assistant, artisan,
-    /// max31855, spreadsheet [default: the log says enough of itself].
-    #[arg(long, value_name = "MAKER", requires = "log")]
+    /// Preset of the thermometer's maker [default: the log says enough of itself].
+    #[arg(long, value_name = "MAKER", requires = "log", value_parser = makers())]
     pub maker: Option<String>,
     /// What the times are, where the log can be read in two ways.
     #[arg(long, value_name = "FORM", requires = "log")]
@@ -79,6 +80,11 @@ pub struct FitArgs {
     /// Prints the numbers as JSON.
     #[arg(long)]
     pub json: bool,
+}
+
+/// The makers that have a preset.
+fn makers() -> PossibleValuesParser {
+    PossibleValuesParser::new(loggers().iter().map(|logger| logger.id.as_str()))
 }
 
 /// What the times of a log are.

@@ -259,6 +259,22 @@ fn listening() -> (Child, String, String) {
     (child, place, code)
 }
 
+/// What a check gives while somebody sends, sixty times a second or so.
+fn ran_while(check: std::process::Child, send: impl Fn() + Sync) -> Ran {
+    let sending = std::sync::atomic::AtomicBool::new(true);
+    std::thread::scope(|scope| {
+        scope.spawn(|| {
+            while sending.load(std::sync::atomic::Ordering::Acquire) {
+                send();
+                std::thread::sleep(std::time::Duration::from_millis(15));
+            }
+        });
+        let output = check.wait_with_output().unwrap();
+        sending.store(false, std::sync::atomic::Ordering::Release);
+        output.into()
+    })
+}
+
 #[test]
 fn a_sender_of_floats_alone_pairs_and_reads_why_a_message_was_rejected() {
     let (child, place, code) = listening();
@@ -269,19 +285,10 @@ fn a_sender_of_floats_alone_pairs_and_reads_why_a_message_was_rejected() {
         let _ = socket.send_to(&rosc::encoder::encode(&packet).unwrap(), &place);
     };
     send("/saute/pair/", &[code.parse().unwrap()]);
-    let sending = std::sync::atomic::AtomicBool::new(true);
-    let ran: Ran = std::thread::scope(|scope| {
-        scope.spawn(|| {
-            while sending.load(std::sync::atomic::Ordering::Acquire) {
-                send("/saute/pan/tilt", &[10.0, 0.0]);
-                send("/saute/button", &[1.0, 1.0]);
-                send("/saute/pan/tilt", &[f32::NAN, 0.0]);
-                std::thread::sleep(std::time::Duration::from_millis(15));
-            }
-        });
-        let output = child.wait_with_output().unwrap();
-        sending.store(false, std::sync::atomic::Ordering::Release);
-        output.into()
+    let ran = ran_while(child, || {
+        send("/saute/pan/tilt", &[10.0, 0.0]);
+        send("/saute/button", &[1.0, 1.0]);
+        send("/saute/pan/tilt", &[f32::NAN, 0.0]);
     });
     let report: Value = serde_json::from_str(&ran.out).unwrap();
     assert_eq!((ran.code, &report["health"]), (Some(0), &"running".into()), "{report}");
@@ -300,18 +307,9 @@ fn a_sender_of_osc_is_checked_with_the_code_that_the_screen_shows() {
         let _ = socket.send_to(&rosc::encoder::encode(&packet).unwrap(), &place);
     };
     send("/saute/pair", vec![rosc::OscType::String(code)]);
-    let sending = std::sync::atomic::AtomicBool::new(true);
-    let ran: Ran = std::thread::scope(|scope| {
-        scope.spawn(|| {
-            while sending.load(std::sync::atomic::Ordering::Acquire) {
-                send("/saute/pan/tilt", vec![rosc::OscType::Float(0.0), rosc::OscType::Float(12.0)]);
-                send("/saute/nonsense", Vec::new());
-                std::thread::sleep(std::time::Duration::from_millis(15));
-            }
-        });
-        let output = child.wait_with_output().unwrap();
-        sending.store(false, std::sync::atomic::Ordering::Release);
-        output.into()
+    let ran = ran_while(child, || {
+        send("/saute/pan/tilt", vec![rosc::OscType::Float(0.0), rosc::OscType::Float(12.0)]);
+        send("/saute/nonsense", Vec::new());
     });
     let report: Value = serde_json::from_str(&ran.out).unwrap();
     assert_eq!((ran.code, &report["health"]), (Some(0), &"running".into()), "{report}");

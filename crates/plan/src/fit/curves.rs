@@ -1,9 +1,10 @@
 //! What a fitted kitchen would have shown all along: curves beside the log.
 
+use saute_kitchen::TICKS_PER_S;
 use serde::{Deserialize, Serialize};
 
 use super::observed::Quantity;
-use super::predict::{FitError, Job, TICKS_PER_S, value};
+use super::predict::{FitError, Job, value};
 
 /// Time between two points [s] (chosen: a curve of ten minutes has 150).
 const EVERY_S: u32 = 4;

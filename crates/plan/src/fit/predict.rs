@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use saute_kitchen::{Kitchen, Library};
+use saute_kitchen::{Kitchen, Library, TICKS_PER_S};
 use saute_recipe::{Cook, Recipe};
 
 use super::levels::Level;
@@ -90,9 +90,6 @@ pub struct Predicting {
     samples: Arc<Vec<Sample>>,
     values: Vec<f64>,
 }
-
-/// Ticks in a second [-].
-pub(super) const TICKS_PER_S: u32 = (1.0 / saute_kitchen::TICK_S + 0.5) as u32;
 
 impl Predicting {
     /// Begins a job.

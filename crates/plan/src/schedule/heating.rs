@@ -1,9 +1,9 @@
 //! The empty pan as it heats up.
 
-use saute_kitchen::{Command, Kitchen, Library, TICK_S, celsius, kelvin};
+use saute_kitchen::{Command, Kitchen, Library, TICK_S, TICKS_PER_S, celsius, kelvin};
 
 use crate::schedule::Order;
-use crate::schedule::candidate::job::{JobError, TICKS_PER_S};
+use crate::schedule::candidate::job::JobError;
 
 /// Temperature of a pan from the cupboard [°C], as recipes have it.
 const COLD_C: f64 = 20.0;

@@ -6,7 +6,7 @@
 mod happenings;
 mod steam_heard;
 
-use saute_kitchen::{Kitchen, TICK_S, celsius};
+use saute_kitchen::{Kitchen, TICKS_PER_S, celsius};
 use saute_sound::{Event, Metal, Plate, Snapshot, Synth};
 
 use self::happenings::Happenings;
@@ -14,8 +14,6 @@ use self::steam_heard::SteamHeard;
 
 /// Seed of the noise [-] (chosen: the same cook gives the same samples).
 const SEED: u64 = 0x5a07e;
-/// Ticks in a second [1/s].
-const TICKS_A_SECOND: u64 = (1.0 / TICK_S + 0.5) as u64;
 
 /// Listens to a kitchen.
 #[derive(Clone, Debug)]
@@ -71,7 +69,7 @@ impl Sound {
     pub fn follow(&mut self, kitchen: &Kitchen) -> &[[f32; 2]] {
         let from = core::mem::replace(&mut self.tick, kitchen.tick());
         // Samples up to a tick; a rate need not be a multiple of ten.
-        let until = |tick: u64| (tick * self.rate / TICKS_A_SECOND) as usize;
+        let until = |tick: u64| (tick * self.rate / u64::from(TICKS_PER_S)) as usize;
         self.samples.clear();
         self.samples.resize(until(self.tick).saturating_sub(until(from)), [0.0; 2]);
         if !self.samples.is_empty() {

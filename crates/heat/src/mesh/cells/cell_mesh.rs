@@ -36,7 +36,7 @@ impl Fineness {
         let (area, volume) = (surface.area(), surface.volume());
         let mut spacing = SPACING.min(SPACING_SHARE * 6.0 * volume / area) * coarseness;
         let first = FIRST_LAYER * coarseness;
-        while (Self { spacing, first }).estimated_nodes(surface) > MOST_NODES {
+        while node_count(area, volume, spacing) > MOST_NODES {
             spacing *= 1.05;
         }
         Self { spacing, first }
@@ -44,10 +44,14 @@ impl Fineness {
 
     /// Estimated number of nodes inside a surface [-].
     pub fn estimated_nodes(&self, surface: &Surface) -> f64 {
-        let s = self.spacing;
-        // About seven layers of nodes, each with an area of spacing², and lattice cells of 0.13 spacing³.
-        7.0 * surface.area() / (s * s) + surface.volume() / (0.13 * s * s * s)
+        node_count(surface.area(), surface.volume(), self.spacing)
     }
+}
+
+/// Estimated number of nodes of a spacing in a body with an area and a volume: about seven layers of nodes, each with an area of
+/// spacing², and lattice cells of 0.13 spacing³ [-].
+fn node_count(area: f64, volume: f64, s: f64) -> f64 {
+    7.0 * area / (s * s) + volume / (0.13 * s * s * s)
 }
 
 /// The part of the surface that belongs to one node and has one orientation [m²].

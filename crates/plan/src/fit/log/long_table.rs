@@ -1,5 +1,7 @@
 //! Tables that have a row for each value of each sensor, as home automation writes them.
 
+use std::collections::BTreeSet;
+
 use super::header_words::{has_any, words_of};
 use super::stamp::Stamp;
 use super::table::{Row, Table};
@@ -15,16 +17,7 @@ impl Table {
     /// Returns the table with a column for each sensor, if it has a row for each value.
     pub(super) fn with_a_column_each(self) -> Self {
         let Some((sensor, value)) = self.sensor_and_value() else { return self };
-        let names = self.column(sensor);
-        let mut known: Vec<String> = Vec::new();
-        names.iter().for_each(|name| {
-            if !known.contains(name) {
-                known.push(name.clone())
-            }
-        });
-        if known.len() > MOST_SENSORS {
-            return self;
-        }
+        let known: Vec<String> = self.names(sensor).into_iter().map(str::to_owned).collect();
         let width = self.headers.len();
         let unit = self.headers[value].clone();
         let widened = |(line, mut fields): Row| {
@@ -55,19 +48,20 @@ impl Table {
 
     /// True if a column holds a few names, again and again.
     fn names_sensors(&self, at: usize) -> bool {
-        let fields = self.column(at);
-        let is_small = |field: &String| field.parse::<u32>().is_ok_and(|number| number < 17);
-        let is_name = |field: &String| !field.is_empty() && (is_small(field) || Stamp::of(field).is_none());
-        let mut known: Vec<&String> = fields.iter().collect();
-        known.sort_unstable();
-        known.dedup();
-        fields.iter().all(is_name) && 2 * known.len() <= fields.len()
+        let is_small = |field: &str| field.parse::<u32>().is_ok_and(|number| number < 17);
+        let is_name = |field: &str| !field.is_empty() && (is_small(field) || Stamp::of(field).is_none());
+        let known = self.names(at).len();
+        known <= MOST_SENSORS && 2 * known <= self.rows.len() && self.column(at).all(is_name)
+    }
+
+    /// The different fields of a column, in the order in which they come.
+    fn names(&self, at: usize) -> Vec<&str> {
+        let mut seen = BTreeSet::new();
+        self.column(at).filter(|name| seen.insert(*name)).collect()
     }
 
     fn holds_numbers(&self, at: usize) -> bool {
-        let fields = self.column(at);
-        let numbers = fields.iter().filter(|field| Value::of(field).number().is_some());
-        2 * numbers.count() > fields.len()
+        2 * self.column(at).filter(|field| Value::of(field).number().is_some()).count() > self.rows.len()
     }
 }
 
@@ -85,8 +79,8 @@ mod tests {
                     sensor.meat,7,2025-04-05T18:00:30Z\nsensor.pan,unavailable,2025-04-05T18:00:35Z\n";
         let table = Table::of(text).expect("a table").with_a_column_each();
         assert_eq!(table.headers[3..], ["sensor.meat", "sensor.pan"]);
-        assert_eq!(table.column(3), ["6", "", "7", ""]);
-        assert_eq!(table.column(4)[1], "200");
+        assert!(table.column(3).eq(["6", "", "7", ""]));
+        assert_eq!(table.column(4).nth(1), Some("200"));
     }
 
     #[test]

@@ -90,6 +90,7 @@ pub struct Reading {
 const RANGE: [f64; 2] = [220.0, 1200.0];
 /// Share of the values that may be none without a word of their own [-] (chosen: dropouts, the column is read all the same).
 const FEW: f64 = 0.2;
+
 impl LogFile {
     /// Reads the times and the curves of a log.
     ///
@@ -156,13 +157,11 @@ impl Looked<'_> {
     }
 
     fn times(&self, time: usize, half: Option<usize>) -> Result<Times, LogError> {
-        let mut fields = self.table.column(time);
-        if let Some(half) = half {
-            fields
-                .iter_mut()
-                .zip(self.table.column(half))
-                .for_each(|(field, other)| *field = format!("{field} {other}"));
-        }
+        let column = |at: usize| self.table.column(at);
+        let fields: Vec<String> = match half {
+            Some(half) => column(time).zip(column(half)).map(|(field, other)| format!("{field} {other}")).collect(),
+            None => column(time).map(str::to_owned).collect(),
+        };
         let line = |row: usize| self.table.rows.get(row).map_or(1, |(line, _)| *line);
         times_of(&self.table.headers[time], &fields, self.choices.form).map_err(|no| match no {
             NoTimes::Row(row) => self.log.error(
@@ -339,10 +338,13 @@ impl Looked<'_> {
 
     /// Refuses °C that nothing states where only °F makes sense.
     fn believe(&self, at: usize, points: &[(f64, f64)], times: &Times, quantity: Quantity) -> Result<(), LogError> {
-        let (other, _) = self.in_unit(at, times, Unit::Fahrenheit)?;
         let begin = self.choices.begin.filter(|_| quantity == Quantity::Core);
         let is_good = |points: &[(f64, f64)]| is_believed(points, quantity) && begins_as(points, begin);
-        if is_good(points) || !is_good(&other) {
+        if is_good(points) {
+            return Ok(());
+        }
+        let (other, _) = self.in_unit(at, times, Unit::Fahrenheit)?;
+        if !is_good(&other) {
             return Ok(());
         }
         let why = match begin {

@@ -150,10 +150,12 @@ impl<'t> Roles<'t> {
 
     /// Share of a column's fields that are times of a kind [-].
     fn share(&self, at: usize, is: impl Fn(&Stamp) -> bool) -> f64 {
-        let fields = self.table.column(at);
-        let given: Vec<&String> = fields.iter().filter(|field| !field.is_empty()).collect();
-        let times = given.iter().filter(|field| Stamp::of(field).is_some_and(|stamp| is(&stamp)));
-        times.count() as f64 / given.len().max(1) as f64
+        let (mut given, mut times) = (0_u32, 0_u32);
+        for field in self.table.column(at).filter(|field| !field.is_empty()) {
+            given += 1;
+            times += u32::from(Stamp::of(field).is_some_and(|stamp| is(&stamp)));
+        }
+        f64::from(times) / f64::from(given.max(1))
     }
 
     /// Returns the columns of temperatures whose headers name the pan.
@@ -190,7 +192,7 @@ impl<'t> Roles<'t> {
     }
 
     fn changes(&self, at: usize) -> bool {
-        let values: Vec<f64> = self.table.column(at).iter().filter_map(|field| Value::of(field).number()).collect();
+        let values: Vec<f64> = self.table.column(at).filter_map(|field| Value::of(field).number()).collect();
         let first = values.first().copied();
         10 * values.len() > 3 * self.table.rows.len() && values.iter().any(|value| Some(*value) != first)
     }

@@ -123,9 +123,11 @@ fn tokens_of(text: &str) -> Vec<String> {
 
 /// A number with a point or a comma.
 pub(super) fn number_of(text: &str) -> Option<f64> {
-    let is_number = text.starts_with(|c: char| c.is_ascii_digit() || "+-.,".contains(c));
-    let number = is_number.then(|| text.replacen(',', ".", 1).parse::<f64>().ok()).flatten();
-    number.filter(|number| number.is_finite())
+    if !text.starts_with(|c: char| c.is_ascii_digit() || "+-.,".contains(c)) {
+        return None;
+    }
+    let number = if text.contains(',') { text.replacen(',', ".", 1).parse::<f64>() } else { text.parse() };
+    number.ok().filter(|number| number.is_finite())
 }
 
 /// A time with units [s]: `90 s`, `5m 30s`, `1h02m`, `5.5 min`, `PT5M30S`.

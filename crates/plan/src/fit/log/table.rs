@@ -46,10 +46,11 @@ impl Table {
     /// Reads a text.
     pub fn of(text: &str) -> Result<Self, NoTable> {
         let (separator, text) = separator_of(text);
-        let records = records_of(&text, separator)?;
+        let mut records = records_of(&text, separator)?;
         let data = data_from(&records).ok_or_else(|| no_rows(1))?;
-        let rows: Vec<Row> = records[data..].iter().filter(|(_, fields)| filled(fields) > 0).cloned().collect();
-        let (above, headers) = headers_of(&records[..data]);
+        let mut rows = records.split_off(data);
+        rows.retain(|(_, fields)| filled(fields) > 0);
+        let (above, headers) = headers_of(&records);
         decimal_commas(&rows, headers.len(), separator)?;
         let preamble = records[..above].iter().map(|(_, fields)| fields.join(" ")).collect();
         let line = records.get(above).map_or(1, |(line, _)| *line);
@@ -64,8 +65,8 @@ impl Table {
     }
 
     /// Returns the fields of a column.
-    pub fn column(&self, at: usize) -> Vec<String> {
-        self.rows.iter().map(|(_, fields)| fields.get(at).cloned().unwrap_or_default()).collect()
+    pub fn column(&self, at: usize) -> impl Iterator<Item = &str> {
+        self.rows.iter().map(move |(_, fields)| fields.get(at).map_or("", String::as_str))
     }
 }
 
@@ -135,12 +136,14 @@ fn filled(fields: &[String]) -> usize {
     fields.iter().rposition(|field| !field.is_empty()).map_or(0, |at| at + 1)
 }
 
-/// True if at least half of a row's fields are numbers or times, one of them a time, and there are two or more.
+/// True if a row has two fields or more, and at least half of those that hold something are numbers or times.
 fn is_data(fields: &[String]) -> bool {
-    let given = || fields.iter().filter(|field| !field.is_empty());
-    let is_value = |field: &&String| Value::of(field).number().is_some() || Stamp::of(field).is_some();
-    let values = given().filter(is_value).count();
-    fields.len() > 1 && values > 0 && 2 * values >= given().count()
+    let given = fields.iter().filter(|field| !field.is_empty()).count();
+    let is_enough = |values: usize| fields.len() > 1 && values > 0 && 2 * values >= given;
+    let numbers = fields.iter().filter(|field| Value::of(field).number().is_some()).count();
+    // Times are looked for only where the numbers are too few.
+    let is_time = |field: &&String| Value::of(field).number().is_none() && Stamp::of(field).is_some();
+    is_enough(numbers) || is_enough(numbers + fields.iter().filter(is_time).count())
 }
 
 /// Place of the first row of the table: the first of a run of rows of data that is no few lines of remarks above it.

@@ -49,12 +49,12 @@ impl Value {
     /// Reads a field.
     pub fn of(text: &str) -> Self {
         let text = text.trim().trim_matches(['"', '\'']).trim();
+        if let Some(number) = number_of(text) {
+            return Self::Number(number, None);
+        }
         let is_dashes = text.chars().all(|c| "-._?* ".contains(c));
         if is_dashes || MISSING.contains(&text.to_lowercase().as_str()) {
             return Self::Missing;
-        }
-        if let Some(number) = number_of(text) {
-            return Self::Number(number, None);
         }
         let end = text.find(|c: char| !c.is_ascii_digit() && !"+-.,".contains(c)).unwrap_or(text.len());
         let (number, unit) = text.split_at(end);

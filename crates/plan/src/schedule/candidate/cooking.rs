@@ -2,14 +2,14 @@
 
 use saute_kitchen::kitchen::SetupError;
 use saute_kitchen::reduced::{ReducedKitchen, Reductions};
-use saute_kitchen::{Command, Kitchen, Library, Piece, celsius};
+use saute_kitchen::{Command, Kitchen, Library, Piece, TICKS_PER_S, celsius};
 use saute_recipe::Cook;
 
 use crate::goal::Score;
 use crate::goal::score::HOT_C;
 use crate::schedule::Schedule;
 use crate::schedule::candidate::fork::{self, Rested, Resting};
-use crate::schedule::candidate::job::{Cue, Job, JobError, JobResult, Mesh, Pull, TICKS_PER_S};
+use crate::schedule::candidate::job::{Cue, Job, JobError, JobResult, Mesh, Pull};
 use crate::schedule::candidate::stove::{self, Stove};
 
 /// Time from putting in to the first look at the core [s] (chosen: a piece that has just been laid down).

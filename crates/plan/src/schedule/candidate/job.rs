@@ -1,15 +1,12 @@
 //! A job: a whole candidate to be cooked, and what came of it.
 
 use saute_kitchen::kitchen::SetupError;
-use saute_kitchen::{InputError, Library, TICK_S};
+use saute_kitchen::{InputError, Library};
 use serde::{Deserialize, Serialize};
 
 use crate::goal::{Outcome, Score};
 use crate::schedule::candidate::cooking::Cooking;
 use crate::schedule::{Order, Schedule};
-
-/// Ticks in a second [-].
-pub(crate) const TICKS_PER_S: u32 = (1.0 / TICK_S + 0.5) as u32;
 
 /// How a job finds the time to pull the food.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,9 +1,7 @@
 //! Pan and food of a candidate: the whole kitchen, or on coarse meshes.
 
 use saute_kitchen::reduced::{LAPSE_S, ReducedKitchen};
-use saute_kitchen::{Command, Kitchen, RestOn};
-
-use crate::schedule::candidate::job::TICKS_PER_S;
+use saute_kitchen::{Command, Kitchen, RestOn, TICKS_PER_S};
 
 /// Steps on coarse meshes in a second [-].
 const STEPS_PER_S: u64 = (1.0 / LAPSE_S + 0.5) as u64;
