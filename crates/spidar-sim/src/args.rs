@@ -7,7 +7,8 @@ use clap::Parser;
 /// A simulated eight-string haptic device. Prints its address and pairing code, then serves until it is stopped.
 ///
 /// Reads commands on stdin: "loss SHARE", "delay MS", "malformed SHARE", "silence S" (unplugged for that time), "units wrong",
-/// "units right", "power-cycle" (encoders lose their count), "fault CODE" (1 to 4), "repair", "buttons BITS", "clear", "quit".
+/// "units right", "power-cycle" (encoders lose their count), "fault CODE" (1 to 4), "repair", "encoders stuck" (they
+/// repeat their count), "encoders free", "buttons BITS", "clear", "quit".
 #[derive(Debug, Parser)]
 #[command(name = "saute-spidar-sim", version)]
 pub struct Args {

@@ -54,6 +54,8 @@ pub struct Device {
     state: State,
     fault: Option<Fault>,
     buttons: u8,
+    /// Encoder counts that every sample repeats, while the encoders are stuck.
+    stuck: Option<[i32; 8]>,
     session: Option<Session>,
     past: Past,
     /// Sequence number of the last frame sent.
@@ -92,6 +94,7 @@ impl Device {
             state: State::Idle,
             fault: None,
             buttons: 0,
+            stuck: None,
             session: None,
             past: Past::default(),
             sequence: 0,
@@ -175,6 +178,8 @@ impl Device {
             ["power-cycle"] => self.power_cycle(now),
             ["fault", code] => return code.parse().is_ok_and(|code| self.fail(code)),
             ["repair"] => self.fault.iter_mut().for_each(|fault| fault.persists = false),
+            ["encoders", "stuck"] => self.stuck = Some(self.scene.counts()),
+            ["encoders", "free"] => self.stuck = None,
             ["buttons", bits] => return bits.parse().map(|bits| self.buttons = bits).is_ok(),
             _ => return self.faults.order(words, now),
         }
@@ -289,7 +294,7 @@ impl Device {
             jig: self.scene.jig_contact(),
             time_us,
             obeyed: self.obeyed,
-            count: self.scene.counts(),
+            count: self.stuck.unwrap_or_else(|| self.scene.counts()),
             tension_mn: std::array::from_fn(|i| (self.scene.drives[i].by_current() * 1e3) as u16),
         };
         self.truth.note(time_us, &self.scene);
