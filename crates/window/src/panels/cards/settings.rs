@@ -8,6 +8,7 @@ use saute_scene::quality::Quality;
 use crate::act::{Act, Acts, AppAct, Card, Setting, ViewAct};
 use crate::panels::cards::frame::Framed;
 use crate::panels::cards::language;
+use crate::panels::cook::speaker_switch;
 use crate::panels::memory::PanelMemory;
 use crate::panels::window_state::WindowState;
 use crate::ui::interface_size::InterfaceSize;
@@ -101,6 +102,9 @@ fn choices(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mu
     }
     if turns {
         acts.push(Act::View(ViewAct::More));
+    }
+    if !state.forbids(&Act::App(AppAct::Set(Setting::Sound(true)))) {
+        named(ui, narrow, l.text("heard.volume"), |ui| speaker_switch::volume(state, ui, acts));
     }
     #[cfg(target_arch = "wasm32")]
     {
