@@ -33,6 +33,7 @@ mod event_queue;
 mod filter;
 mod glide;
 mod hiss;
+pub mod letter;
 mod lid;
 mod limiter;
 mod loudness;

@@ -89,6 +89,11 @@ impl Sound {
         }
     }
 
+    /// Returns true if it can go on with a kitchen at a sample rate [Hz]: no tick of it was missed.
+    pub fn goes_on(&self, kitchen: &Kitchen, rate: u32) -> bool {
+        self.tick == kitchen.tick() && self.rate == u64::from(rate)
+    }
+
     /// Returns the samples of the tick that has just ended; none if none has since the last call, or the kitchen went back in time.
     pub fn follow(&mut self, kitchen: &Kitchen) -> &[[f32; 2]] {
         let from = core::mem::replace(&mut self.tick, kitchen.tick());

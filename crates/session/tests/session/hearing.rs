@@ -169,7 +169,7 @@ fn an_ear_may_look_at_any_pace() {
     let library = Library::embedded().expect("the library is sound");
     let mut cook = cook(&library);
     let (mut each, mut slow) = (Ear::new(&cook.kitchen), Ear::new(&cook.kitchen));
-    while cook.kitchen.time_s() < 8.05 {
+    while cook.kitchen.time_s() < 9.05 {
         cook.advance().expect("cooks");
         each.hear(&cook.kitchen);
         // Twenty times real time, ten pictures a second.
@@ -178,8 +178,10 @@ fn an_ear_may_look_at_any_pace() {
         }
     }
     let (now, events) = each.hear(&cook.kitchen);
-    assert!(events.is_empty() && now.steam[Steam::Floor as usize] > 1e-5, "{now:?}");
-    assert_eq!(slow.hear(&cook.kitchen).0, now);
+    let flow = |snapshot: &Snapshot| snapshot.steam.iter().sum::<f32>();
+    assert!(events.is_empty() && flow(&now) > 1e-5, "{now:?}");
+    let (fast, _) = slow.hear(&cook.kitchen);
+    assert!((flow(&fast) / flow(&now) - 1.0).abs() < 0.3, "{fast:?} after eleven ticks, {now:?} after each");
     cook.kitchen.apply(&Command::Lid(true)).expect("a lid");
     let (lidded, events) = each.hear(&cook.kitchen);
     assert!(lidded.lid && lidded.steam == now.steam);

@@ -1,5 +1,6 @@
 //! What plays live: at once, at a volume, silent in a pause and when nobody tells it anything.
 
+use saute_sound::letter;
 use saute_sound::{Event, EventKind, Metal, Plate, Player, SILENCE_DB, Snapshot, Steam, TICK_S, Told};
 
 use crate::ear::{bends, level, mono, quantile};
@@ -133,6 +134,37 @@ fn odd_rates_and_lengths_of_blocks_are_played() {
             assert!(frames.iter().flatten().all(|x| x.is_finite() && x.abs() <= 1.0), "{rate} Hz, {block} samples");
         }
     }
+}
+
+/// A page gets what a window gets: nothing is lost on the way as numbers, and what is no letter is refused.
+#[test]
+fn a_letter_says_what_was_told() {
+    let snapshot = Snapshot { lid: true, covered: 0.4, oil_c: 175.0, ..hot(Steam::Butter, 0.2) };
+    let told = Told { snapshot, volume: 0.3, pan: Plate { metal: Metal::Aluminium, ..PAN }, is_paused: true };
+    let events = EventKind::ALL.map(|kind| Event { kind, strength: 0.5, at_s: 0.03, side: -0.7 });
+    let letter = letter::written(&told, &events);
+    let (read, read_events) = letter::read(&letter).expect("a letter");
+    assert_eq!((read, read_events.collect::<Vec<_>>()), (told, events.to_vec()));
+    for wrong in [&letter[..14], &letter[..letter.len() - 1], &[f32::NAN; 15], &[0.0; 15], &[]] {
+        assert!(letter::read(wrong).is_none(), "{wrong:?}");
+    }
+}
+
+/// The page's module makes the same bits: web/test/sound.test.mjs has this number too. It changes when the sound is meant to.
+#[test]
+fn a_letter_sounds_the_same_everywhere() {
+    let mut player = Player::new(RATE);
+    let snapshot = Snapshot { floor_c: 180.0, oil_c: 180.0, ..Snapshot::default() }.with(Steam::Floor, 1e-4);
+    let told = Told { snapshot, volume: 0.5, ..frying() };
+    let letter = letter::written(&told, &[Event { kind: EventKind::Clank, strength: 0.8, at_s: 0.05, side: 0.0 }]);
+    let (told, events) = letter::read(&letter).expect("a letter");
+    player.hear(&told, &events.collect::<Vec<_>>());
+    let mut frames = vec![[0.0f32; 2]; SECOND / 2];
+    frames.chunks_mut(128).for_each(|block| player.render(block));
+    // FNV-1a of the bits, in 32 bits.
+    let hash = |hash: u32, x: &f32| (hash ^ x.to_bits()).wrapping_mul(0x0100_0193);
+    let found = frames.iter().flatten().fold(0x811c_9dc5, hash);
+    assert_eq!(found, 0xc0cd_5f5a, "{found:#x}");
 }
 
 /// A device's thread does not wait for memory while one pan sounds.
