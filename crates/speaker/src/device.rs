@@ -39,15 +39,3 @@ pub trait Device {
     /// If it does not play any more, as when it is unplugged.
     fn play(&mut self, block: &[[f32; 2]]) -> Result<(), Trouble>;
 }
-
-/// Opens the sound card that the system uses.
-///
-/// # Errors
-///
-/// If there is none.
-pub fn system() -> Result<Box<dyn Device>, Trouble> {
-    #[cfg(target_os = "linux")]
-    return Ok(Box::new(crate::alsa::Alsa::open(crate::alsa::DEFAULT)?));
-    #[cfg(not(target_os = "linux"))]
-    Err(Trouble::NoLibrary)
-}

@@ -12,7 +12,9 @@ pub mod alsa;
 mod device;
 mod events;
 mod speaker;
+mod system;
 
-pub use device::{BLOCK, Device, Trouble, system};
+pub use device::{BLOCK, Device, Trouble};
 pub use events::QUEUED;
 pub use speaker::{Opening, Speaker};
+pub use system::system;

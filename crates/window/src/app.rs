@@ -15,7 +15,7 @@ mod pace;
 #[cfg(target_arch = "wasm32")]
 mod page;
 mod sights;
-pub mod sounds;
+mod sounds;
 mod unseen;
 
 use std::sync::Arc;

@@ -6,18 +6,10 @@ use saute_session::permits::Permit;
 use saute_sound::{Event, Snapshot, Told};
 
 use super::SauteApp;
+use crate::listener::Listener;
 
 /// Time in which captions and level follow what is heard [s] (chosen: words that change faster cannot be read).
 const READ_S: f64 = 0.7;
-
-/// Who plays what is heard.
-pub trait Listener {
-    /// Takes what there is to hear. It never waits.
-    fn hear(&mut self, told: &Told, events: &[Event]);
-
-    /// Returns why nothing is heard, once for each time that sound is lost.
-    fn trouble(&mut self) -> Option<String>;
-}
 
 /// What is heard, and by whom.
 #[derive(Default)]
@@ -87,16 +79,5 @@ impl SauteApp {
             Ok(speaker) => self.let_listen(Box::new(speaker)),
             Err(trouble) => self.say_no_sound(&trouble.to_string()),
         }
-    }
-}
-
-#[cfg(not(target_arch = "wasm32"))]
-impl Listener for saute_speaker::Speaker {
-    fn hear(&mut self, told: &Told, events: &[Event]) {
-        Self::hear(self, *told, events);
-    }
-
-    fn trouble(&mut self) -> Option<String> {
-        Self::trouble(self).map(|trouble| trouble.to_string())
     }
 }

@@ -1,7 +1,7 @@
 //! The page's script, as the window calls it.
 
-use crate::app::sounds::Listener;
 use crate::kept::autosave::CookStore;
+use crate::listener::Listener;
 use crate::start::Start;
 use saute_sound::{Event, Told, letter};
 use wasm_bindgen::prelude::wasm_bindgen;

@@ -8,7 +8,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use saute_sound::{Event, EventKind, Steam, Told};
 use saute_window::SauteApp;
-use saute_window::app::sounds::Listener;
+use saute_window::listener::Listener;
 use saute_window::settings::Settings;
 
 use crate::harness::{cook, press, save, steps, window};
