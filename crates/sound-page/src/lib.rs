@@ -67,7 +67,7 @@ pub extern "C" fn hear(length: usize) -> u32 {
     1
 }
 
-/// Renders so many samples, at most [`MOST_BLOCK`]; returns how many.
+/// Renders so many samples, at most 1024; returns how many.
 #[unsafe(no_mangle)]
 pub extern "C" fn render(count: usize) -> usize {
     let desk = &mut *desk();
