@@ -73,12 +73,16 @@ mod tests {
     use crate::validate::case_folder::CaseFolder;
 
     #[test]
-    fn there_are_twenty_and_each_asks_of_a_shipped_case() {
+    fn there_are_twenty_and_each_has_its_question_and_row_in_the_table_of_all() {
         let rows: Rows = toml::from_str(ROWS).expect("rows");
         assert_eq!(rows.row.len(), 20);
         let shipped = CaseFolder::shipped().cases;
-        let missing: Vec<&str> =
-            rows.row.iter().map(|row| row.case.as_str()).filter(|case| !shipped.contains_key(*case)).collect();
-        assert!(missing.is_empty(), "{missing:?}");
+        let page = include_str!("../../../../VALIDATION.md");
+        for Row { asks, case, quantity } in &rows.row {
+            assert!(shipped.contains_key(case), "{case}");
+            // Once in the table of all values, once at the head.
+            assert!(page.matches(&format!("{quantity} [")).count() >= 2, "{case}: {quantity}");
+            assert!(page.contains(&format!("| {asks} |")), "{asks}");
+        }
     }
 }
