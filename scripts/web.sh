@@ -37,24 +37,27 @@ need_web_tools() {
 # site COMMAND...: the program that makes and serves sites.
 site() { "${CARGO_TARGET_DIR:-target}/release/saute-site" "$@"; }
 
+# module PROFILE CRATE: where cargo put the module of a crate.
+module() { echo "$(wasm_folder)/$WASM_TARGET/$1/saute_$2.wasm"; }
+
 # build_page: the whole site in PAGE_DIR; seconds where nothing has changed.
 build_page() {
     local optimise=()
-    cargo_wasm build web -p saute-web
+    cargo_wasm build web -p saute-web -p saute-sound-page
     if need_web_tools; then
         optimise=(--wasm-opt web/node_modules/.bin/wasm-opt)
     else
         say "the page is made without wasm-opt and is larger for it"
     fi
-    site build --wasm "$(wasm_folder)/$WASM_TARGET/web/saute_web.wasm" --out "$PAGE_DIR" ${optimise[@]+"${optimise[@]}"}
+    site build --wasm "$(module web web)" --sound "$(module web sound_page)" --out "$PAGE_DIR" ${optimise[@]+"${optimise[@]}"}
 }
 
 # compile_page: the module of the page for tests, and crates that must work in a browser and are not in the page.
-compile_page() { cargo_wasm build web-test -p saute-web -p saute-surface -p saute-lab; }
+compile_page() { cargo_wasm build web-test -p saute-web -p saute-sound-page -p saute-surface -p saute-lab; }
 
 # make_test_page: the page for tests in TEST_PAGE_DIR, of the module that compile_page made.
 make_test_page() {
-    site build --wasm "$(wasm_folder)/$WASM_TARGET/web-test/saute_web.wasm" --out "$TEST_PAGE_DIR" --brotli 5 \
+    site build --wasm "$(module web-test web)" --sound "$(module web-test sound_page)" --out "$TEST_PAGE_DIR" --brotli 5 \
         --most "$TEST_PAGE_BYTES"
 }
 

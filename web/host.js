@@ -2,13 +2,14 @@
 
 const version = new URL(import.meta.url).search;
 const part = (name) => import(new URL(`./${name}.js${version}`, import.meta.url).href);
-const [{ readPad, shakePad }, { canTilt, Tilt }] = await Promise.all([part("gamepad"), part("tilt")]);
+const [{ readPad, shakePad }, { canTilt, Tilt }, { Sound }] = await Promise.all([part("gamepad"), part("tilt"), part("sound")]);
 
 /** The page's side of the module. */
 export class Host {
   constructor(keptCook, controls, errands, reportTo = "") {
     Object.assign(this, { keptCook, keptStudy: null, controls, errands, reportTo: origin(reportTo) });
     this.phone = new Tilt(document.getElementById("tilt"));
+    this.sound = new Sound();
   }
 
   /** Numbers of the first gamepad; undefined where there is none. */
@@ -34,6 +35,16 @@ export class Host {
   /** How the phone is held, if that is new; empty if it was refused. */
   readTilt() {
     return this.phone.read();
+  }
+
+  /** Tells what there is to hear, as numbers. The module's memory may move: they are copied. */
+  tellSound(letter) {
+    this.sound.tell(letter.slice());
+  }
+
+  /** Why nothing is heard, once. */
+  soundTrouble() {
+    return this.sound.trouble();
   }
 
   /** Gives the worker for a kind of work an order. The module's memory may move: the bytes are copied. */

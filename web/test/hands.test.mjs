@@ -1,4 +1,5 @@
-// Promises: a gamepad cooks in the page and shakes; two fingers bring the eye nearer; the phone is the pan. What fingers do else, and
+// Promises: a gamepad cooks in the page and shakes, and the cook is heard; two fingers bring the eye nearer; the phone is the pan, also
+// where a browser has no sound. What fingers do else, and
 // how high controls are for them: crates/window/tests/window/touch.rs.
 
 import assert from "node:assert/strict";
@@ -8,6 +9,7 @@ import { STUCK_MS, trouble } from "./browser.mjs";
 import { difference, pixels } from "./canvas.mjs";
 import { draws, kitchen, stats, until, visit } from "./cooking.mjs";
 import { clickLabel } from "./labels.mjs";
+import { renderInPage } from "./sounding.mjs";
 
 const there = kitchen();
 
@@ -34,6 +36,12 @@ const askForSensors = (page) =>
     };
   });
 
+/** Waits until the sound of the page is in a state. */
+const sounds = (page, state) => page.waitForFunction((state) => document.documentElement.dataset.sound === state, state);
+
+/** A browser without sound. */
+const takeSound = (page) => page.addInitScript(() => delete window.AudioWorkletNode);
+
 /** Presses a button for a few frames. */
 async function pressPad(page, button) {
   const set = (down) => page.evaluate(([b, down]) => Object.assign(window.pad.buttons[b], { pressed: down, value: Number(down) }), [button, down]);
@@ -47,6 +55,7 @@ async function pressPad(page, button) {
 
 test("a gamepad cooks and shakes: hob, steak, flip, toss and pause", { timeout: STUCK_MS }, async () => {
   const { page, seen, close } = await visit(there.browser, there.host.address, { prepare: plugIn });
+  await sounds(page, "plays");
   await pressPad(page, 12);
   await until(page, "the hob is higher", (now) => now.hob_w > 0);
   await pressPad(page, 14);
@@ -61,13 +70,19 @@ test("a gamepad cooks and shakes: hob, steak, flip, toss and pause", { timeout: 
   await page.waitForFunction(() => window.effects.at(-1).kind === "reset");
   const kinds = await page.evaluate(() => [...new Set(window.effects.map(({ kind }) => kind))].sort());
   assert.deepEqual(kinds, ["dual-rumble", "reset"]);
+  const { samples, silent_seconds, loudest, wide, took_ms } = await renderInPage(page, 60);
+  console.log(`60 s of sound took ${(took_ms / 1000).toFixed(1)} s`);
+  assert.deepEqual([samples, silent_seconds, wide], [60 * 48000, [], true]);
+  assert.ok(loudest > 0.001 && loudest < 1, `${loudest}`);
   assert.deepEqual(trouble(seen), []);
   await close();
 });
 
 test("two fingers bring the eye nearer, and the phone is the pan", { timeout: STUCK_MS }, async () => {
   const options = { viewport: { width: 390, height: 844 }, hasTouch: true };
-  const { page, close } = await visit(there.browser, there.host.address, { ...options, prepare: askForSensors });
+  const prepare = (page) => Promise.all([askForSensors(page), takeSound(page)]);
+  const { page, close } = await visit(there.browser, there.host.address, { ...options, prepare });
+  await sounds(page, "fails");
   const touch = await page.context().newCDPSession(page);
   const fingers = (type, apart) => {
     const touchPoints = apart === null ? [] : [-apart, apart].map((x, id) => ({ x: 150 + x, y: 250, id }));

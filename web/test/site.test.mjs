@@ -48,6 +48,7 @@ test("a first visit cooks: no third party, no missing file, no word in the conso
     assert.deepEqual(trouble(seen), []);
     assert.deepEqual(seen.violations, []);
     assert.ok(!seen.requests.some(isFont), "the Japanese font is for those who choose Japanese");
+    assert.ok(!seen.requests.some((url) => url.includes("sound_player")), "nothing sounds before the first touch");
     assert.ok(seen.sent > 100_000 && seen.sent <= BUDGET, `${seen.sent} bytes were sent`);
     await page.screenshot({ path: join(PICTURES, "cooking.png") });
   });

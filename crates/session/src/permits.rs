@@ -50,11 +50,13 @@ pub enum Permit {
     Pictures,
     /// Goals, coach, forecasts, plans.
     Advice,
+    /// Sound, and what stands for it: captions and the level.
+    Sound,
 }
 
 impl Permit {
     /// All of them.
-    pub const ALL: [Self; 17] = [
+    pub const ALL: [Self; 18] = [
         Self::Hands,
         Self::Eye,
         Self::Comfort,
@@ -72,6 +74,7 @@ impl Permit {
         Self::Leaving,
         Self::Pictures,
         Self::Advice,
+        Self::Sound,
     ];
     /// What every study and every lesson allows.
     pub const ALWAYS: [Self; 6] = [Self::Hands, Self::Eye, Self::Comfort, Self::Help, Self::Guide, Self::Devices];

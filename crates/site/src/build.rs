@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::error::{SiteError, at};
-use crate::{bind, bytes_sent, compress, docs, page, stamp};
+use crate::{bind, bytes_sent, compress, docs, page, sound, stamp};
 
 /// What the site is made of.
 #[derive(clap::Args)]
@@ -12,6 +12,9 @@ pub struct Build {
     /// The module that cargo compiled from saute-web.
     #[arg(long)]
     wasm: PathBuf,
+    /// The module that cargo compiled from saute-sound-page.
+    #[arg(long)]
+    sound: PathBuf,
     /// The folder for the site; what it holds is replaced.
     #[arg(long)]
     out: PathBuf,
@@ -45,7 +48,7 @@ impl Build {
     }
 
     fn inputs(&self, root: &Path) -> Result<Vec<PathBuf>, SiteError> {
-        let mut inputs = vec![self.wasm.clone()];
+        let mut inputs = vec![self.wasm.clone(), self.sound.clone()];
         inputs.extend(page::sources(root)?);
         inputs.extend(docs::inputs(root)?);
         Ok(inputs)
@@ -61,6 +64,7 @@ impl Build {
             println!("wasm-opt: two minutes");
             bind::optimise(program, &self.out)?;
         }
+        sound::add(&self.sound, &self.out)?;
         page::add(root, &self.out)?;
         docs::add(root, &self.out)?;
         if self.quick {

@@ -6,10 +6,11 @@ use std::path::{Path, PathBuf};
 use crate::compress::name;
 use crate::error::{SiteError, at};
 use crate::page::{MODULE, files_of};
+use crate::sound::AFTER_TOUCH;
 
 /// 4 MB with brotli: half a minute at 1 Mbit/s.
 pub const BUDGET: u64 = 4_000_000;
-/// What a first visit loads; guides and the Japanese font it does not.
+/// What a first visit loads; guides, the Japanese font and what sounds after the first touch it does not.
 const ENDINGS: [&str; 5] = ["wasm", "js", "html", "css", "svg"];
 
 /// Sizes of one file: as it is, with gzip, with brotli.
@@ -42,7 +43,7 @@ fn first(site: &Path) -> Result<Vec<PathBuf>, SiteError> {
     }
     let is_guide = |path: &PathBuf| path.extension().is_some_and(|e| e == "html") && !path.ends_with("index.html");
     files.retain(|path| path.extension().is_some_and(|end| ENDINGS.iter().any(|known| end == *known)));
-    files.retain(|path| !is_guide(path));
+    files.retain(|path| !is_guide(path) && !AFTER_TOUCH.iter().any(|name| path.ends_with(name)));
     files.sort_by_key(|path| !path.ends_with(MODULE));
     Ok(files)
 }
@@ -62,7 +63,7 @@ mod tests {
     fn site(bytes: u64) -> tempfile::TempDir {
         let site = tempfile::tempdir().unwrap();
         std::fs::create_dir(site.path().join("fonts")).unwrap();
-        for file in ["index.html", MODULE, "README.html", "fonts/japanese.otf"] {
+        for file in ["index.html", MODULE, "README.html", "fonts/japanese.otf", "sound_player.wasm"] {
             for ending in ["", ".br", ".gz"] {
                 let file = fs::File::create(site.path().join(format!("{file}{ending}"))).unwrap();
                 file.set_len(bytes).unwrap();
@@ -71,7 +72,7 @@ mod tests {
         site
     }
 
-    /// Promise: a page that sends more than 4 MB before the first interaction is not made; guides and font do not count.
+    /// Promise: a page that sends more than 4 MB before the first interaction is not made; guides, font and sound do not count.
     #[test]
     fn a_page_over_the_budget_is_an_error() {
         assert!(check(site(BUDGET / 2).path(), BUDGET).is_ok());

@@ -17,6 +17,14 @@ pub enum SiteError {
     /// wasm-bindgen refuses the module.
     #[error("wasm-bindgen: {0}")]
     Bind(String),
+    /// The module of the sound is not what a worklet can take.
+    #[error("{path}: {reason}")]
+    Sound {
+        /// Its file.
+        path: PathBuf,
+        /// What is wrong.
+        reason: String,
+    },
     /// wasm-opt failed.
     #[error("{program}: {reason}")]
     Optimise {

@@ -12,6 +12,7 @@ mod docs;
 mod error;
 mod page;
 mod serve;
+mod sound;
 mod stamp;
 
 use std::path::PathBuf;

@@ -13,6 +13,11 @@ const LAYS_ON_S: f32 = 0.12;
 /// Amplitude that counts as silence [-] (chosen: −140 dB).
 const SILENT: f32 = 1e-7;
 
+/// Power that comes out of that at a frequency [Hz] [-].
+pub(crate) fn through(hz: f32) -> f32 {
+    LEAKS * LEAKS / (1.0 + (hz / CORNER_HZ) * (hz / CORNER_HZ))
+}
+
 /// The lid's effect on both channels.
 #[derive(Clone, Debug)]
 pub(crate) struct LidFilter {

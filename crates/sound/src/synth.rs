@@ -9,11 +9,11 @@ use crate::event_queue::EventQueue;
 use crate::hiss::Hiss;
 use crate::lid::LidFilter;
 use crate::limiter::Limiter;
-use crate::plate::Plate;
 use crate::pour::Pour;
 use crate::random::Random;
 use crate::snapshot::{Snapshot, Steam};
 use crate::struck::Struck;
+use crate::struck::plate::Plate;
 
 /// Sample rates that can be asked for [Hz].
 pub const RATES: core::ops::RangeInclusive<u32> = 8_000..=192_000;

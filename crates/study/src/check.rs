@@ -53,6 +53,7 @@ impl Check<'_> {
             seed: raw.seed,
             keep_sessions: raw.keep_sessions,
             time_of_day: raw.time_of_day,
+            sound: raw.sound,
             conditions,
             phases,
             checksum: crc32fast::hash(self.input.text.as_bytes()),

@@ -24,6 +24,8 @@ pub struct Protocol {
     pub keep_sessions: bool,
     /// True if the log holds the time of day of the start.
     pub time_of_day: bool,
+    /// True if the pan is heard, and its sound shown as captions and level.
+    pub sound: bool,
     /// Conditions.
     pub conditions: Vec<Condition>,
     /// Phases, in their order.

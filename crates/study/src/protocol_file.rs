@@ -30,6 +30,9 @@ pub struct ProtocolFile {
     /// If true, items may be answered with free text. Such answers may hold personal data: the person at the desk is warned.
     #[serde(default)]
     pub allow_free_text: bool,
+    /// If true, participants hear the pan, and captions and level of its sound are shown; if false, trials are silent.
+    #[serde(default)]
+    pub sound: bool,
     /// Conditions; participants are spread over them evenly.
     #[schemars(with = "Vec<ConditionEntry>", length(min = 1, max = MOST_CONDITIONS))]
     pub condition: Vec<Spanned<ConditionEntry>>,

@@ -15,6 +15,7 @@ mod pace;
 #[cfg(target_arch = "wasm32")]
 mod page;
 mod sights;
+mod sounds;
 mod unseen;
 
 use std::sync::Arc;
@@ -35,6 +36,7 @@ use self::pace::Pace;
 #[cfg(target_arch = "wasm32")]
 use self::page::Page;
 use self::sights::Sights;
+use self::sounds::Sounds;
 use crate::act::Card;
 #[cfg(target_arch = "wasm32")]
 use crate::browser::host::Surroundings;
@@ -77,6 +79,7 @@ pub struct SauteApp {
     pub(crate) session: Session,
     pub(crate) settings: Settings,
     pub(crate) sights: Sights,
+    pub(crate) sounds: Sounds,
     pub(crate) inputs: Inputs,
     pub(crate) leads: Leads,
     pub(crate) desk: Desk,
@@ -133,6 +136,7 @@ impl SauteApp {
             session,
             settings,
             sights: Sights::default(),
+            sounds: Sounds::default(),
             inputs: Inputs::default(),
             leads: Leads::default(),
             desk: Desk { card: first_steps.then_some(Card::FirstSteps), ..Desk::default() },
@@ -151,6 +155,10 @@ impl SauteApp {
             page: Page::default(),
         };
         app.draw_on(context, graphics);
+        #[cfg(not(target_arch = "wasm32"))]
+        {
+            app.sounds.may_open = start.speaker;
+        }
         #[cfg(not(target_arch = "wasm32"))]
         if start.threads {
             let context = context.clone();

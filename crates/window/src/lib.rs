@@ -31,6 +31,7 @@ pub mod hand;
 pub mod input;
 pub mod kept;
 pub mod learn;
+pub mod listener;
 pub mod mirror;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod offscreen;

@@ -23,6 +23,8 @@ use saute_words::speech::Speech;
 pub const VERSION: u32 = 1;
 /// The speed that gives way to a hand [-] (chosen: a steak of twelve minutes takes four, and a pan still answers at once).
 pub(crate) const EASED: f64 = 5.0;
+/// Volume at first [-] (chosen: −12 dB, modest).
+const VOLUME: f64 = 0.5;
 /// Marks of one goal that are kept (chosen: a month of steaks).
 const MOST_MARKS: usize = 30;
 /// The first goal for the core, and that of version 0 [°C].
@@ -105,6 +107,10 @@ pub struct Settings {
     pub recent: Vec<std::path::PathBuf>,
     /// The half mirror.
     pub mirror: MirrorSettings,
+    /// True if the pan is heard.
+    pub sound: bool,
+    /// Volume, from 0 to 1 [-].
+    pub volume: f64,
 }
 
 impl Default for Settings {
@@ -145,6 +151,8 @@ impl Default for Settings {
             forecasts: true,
             recent: Vec::new(),
             mirror: MirrorSettings::default(),
+            sound: true,
+            volume: VOLUME,
         }
     }
 }

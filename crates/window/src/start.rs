@@ -24,6 +24,9 @@ pub struct Start {
     /// True lets threads work beside the window; without them, and without a page, nobody does.
     #[cfg(not(target_arch = "wasm32"))]
     pub threads: bool,
+    /// True plays the sound of the cook on the system's sound card.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub speaker: bool,
     /// Folder of pictures; that of the user unless given.
     #[cfg(not(target_arch = "wasm32"))]
     pub pictures: Option<std::path::PathBuf>,

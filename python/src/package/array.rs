@@ -35,6 +35,10 @@ pub(crate) trait Number: Copy + 'static {
     const KIND: &'static str;
 }
 
+impl Number for f32 {
+    const KIND: &'static str = "<f4";
+}
+
 impl Number for f64 {
     const KIND: &'static str = "<f8";
 }

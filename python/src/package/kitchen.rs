@@ -9,6 +9,7 @@ use pyo3::types::PyBytes;
 use saute_kitchen::bytes::Models;
 use saute_kitchen::hands::FoodVelocities;
 use saute_kitchen::{Kitchen, Library, PieceOrder};
+use saute_session::hearing::Sound;
 
 use crate::package::own_data::Shelf;
 use crate::package::piece::PyPiece;
@@ -16,7 +17,7 @@ use crate::package::recipe::Source;
 use crate::package::{errors, expected};
 
 /// Ticks between two looks for Ctrl-C [-] (chosen: some milliseconds to a second of a full pan).
-const TICKS_PER_LOOK: u64 = 50;
+pub(crate) const TICKS_PER_LOOK: u64 = 50;
 
 /// Models that were built in this process, so that restored kitchens and batches share them, and how often they were looked up.
 static MODELS: Mutex<Option<(Models, usize)>> = Mutex::new(None);
@@ -52,11 +53,13 @@ pub(crate) struct PyKitchen {
     pub(crate) is_reduced: bool,
     /// What it was built from.
     pub(crate) shelf: Shelf,
+    /// Its sound so far, once that was asked for; it is no part of the state.
+    pub(crate) sound: Option<Arc<Sound>>,
 }
 
 impl PyKitchen {
     pub(crate) fn of(state: Kitchen, shelf: Shelf) -> Self {
-        Self { before: FoodVelocities::of(&state), state: Arc::new(state), is_reduced: false, shelf }
+        Self { before: FoodVelocities::of(&state), state: Arc::new(state), is_reduced: false, shelf, sound: None }
     }
 
     /// Checks that it can go on and be stored.

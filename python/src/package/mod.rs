@@ -14,13 +14,13 @@ mod kitchen;
 mod own_data;
 mod pan;
 mod piece;
-mod piece_fields;
 mod readings;
 mod recipe;
 mod render;
 mod score;
 mod seat;
 mod shelf;
+mod sound;
 mod sweep;
 
 use pyo3::prelude::*;

@@ -53,7 +53,7 @@ fn open(data: DataLibrary, hands: HandArgs, start: Start) -> Result<ExitCode, Cl
     }
     let HandArgs { device, turner, pairing, calibration } = hands;
     let hands = HandsStart { pan: device, turner, pairing, calibration };
-    let start = Start { library: Some(Arc::new(data.library)), hands, threads: true, ..start };
+    let start = Start { library: Some(Arc::new(data.library)), hands, threads: true, speaker: true, ..start };
     saute_window::window::run(start)
         .map_err(|e| CliError::NoDisplay(format!("the window cannot be opened: {e}\n{NO_DISPLAY}")))?;
     Ok(ExitCode::SUCCESS)

@@ -10,6 +10,8 @@ mod listed_cases;
 mod page;
 mod picture;
 mod segments;
+mod twenty;
+mod verdict_text;
 
 use std::process::ExitCode;
 use std::time::Instant;

@@ -8,7 +8,8 @@ use saute_kitchen::Library;
 use saute_lab::Verdict;
 
 use super::groups::{Group, groups, known};
-use super::{CaseRun, frying, picture, segments};
+use super::verdict_text::{number, word};
+use super::{CaseRun, frying, picture, segments, twenty};
 use crate::error::CliError;
 use crate::output::out_file::OutFile;
 
@@ -52,7 +53,7 @@ impl Pages {
             clear_old_pictures(&drawn)?;
         }
         let names: Vec<&str> = drawn.iter().map(|(name, _)| name.as_str()).collect();
-        self.table.fill(markdown(runs, &names).as_bytes())
+        self.table.fill(markdown(runs, &names)?.as_bytes())
     }
 }
 
@@ -75,21 +76,6 @@ fn clear_old_pictures(drawn: &[(String, String)]) -> Result<(), CliError> {
 
 fn picture_path(name: &str) -> PathBuf {
     Path::new(PICTURES).join(format!("{name}.svg"))
-}
-
-fn word(verdict: &Verdict) -> &'static str {
-    match (verdict.pass, &verdict.known_miss) {
-        (Some(true), None) => "holds",
-        (Some(true), Some(_)) => "HOLDS, but known_miss says that it does not",
-        (Some(false), None) => "FALLS SHORT",
-        (Some(false), Some(_)) => "known miss",
-        (None, _) => "information",
-    }
-}
-
-/// Returns a value with four decimals, or `none`.
-pub fn number(value: Option<f64>) -> String {
-    value.map_or_else(|| "none".into(), |v| format!("{v:.4}"))
 }
 
 /// Returns how many of all values that pass or fail hold, in words.
@@ -140,7 +126,7 @@ fn case_text<'a>(text: &mut String, verdicts: impl Iterator<Item = &'a Verdict>)
     }
 }
 
-fn markdown(runs: &[CaseRun], pictures: &[&str]) -> String {
+fn markdown(runs: &[CaseRun], pictures: &[&str]) -> Result<String, CliError> {
     let groups = groups(runs);
     let mut text = format!(
         "# Validation\n\nWritten by `saute validate --write`. Every case is a file in `validation/`; the expected values come \
@@ -151,6 +137,7 @@ fn markdown(runs: &[CaseRun], pictures: &[&str]) -> String {
     for group in &groups {
         let _ = writeln!(text, "- {}: {}.", group.title(), group.summary_line());
     }
+    text.push_str(&twenty::section(runs)?);
     let _ = write!(text, "\n![every error over its tolerance]({PICTURES}/errors.svg)\n");
     for group in &groups {
         table(&mut text, group, pictures);
@@ -161,7 +148,7 @@ fn markdown(runs: &[CaseRun], pictures: &[&str]) -> String {
     sources.sort_unstable();
     sources.dedup();
     sources.iter().for_each(|s| text.push_str(&format!("- {s}\n")));
-    text
+    Ok(text)
 }
 
 /// Adds the reasons of all known misses.

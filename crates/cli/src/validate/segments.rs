@@ -6,8 +6,8 @@ use saute_kitchen::heat::Rule;
 use saute_lab::{Case, Shape, Verdict, verdicts};
 
 use super::chart::Curve;
-use super::page::number;
 use super::picture::{dense, draw, expected};
+use super::verdict_text::number;
 use super::{CaseRun, timed};
 use crate::workers::map_all;
 

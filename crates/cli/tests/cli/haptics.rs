@@ -153,8 +153,12 @@ fn a_device_at_an_address_is_used_with_its_pairing_code_and_only_with_it() {
 
 /// Starts a check of a device that is switched on and waits until it is measured. What it says after that is read and dropped.
 fn measured(address: &str, args: &[&str]) -> Child {
+    measured_by(Command::new(env!("CARGO_BIN_EXE_saute")), address, args)
+}
+
+/// [`measured`] by a command that starts the program.
+fn measured_by(mut command: Command, address: &str, args: &[&str]) -> Child {
     let device = format!("spidar-pan@{address}");
-    let mut command = Command::new(env!("CARGO_BIN_EXE_saute"));
     command.args(["haptics", "check", "--pairing", "424242", "--json", "--device", &device]).args(args);
     command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
     let mut child = command.spawn().unwrap();
@@ -209,12 +213,15 @@ fn a_pan_that_stands_still_for_longer_than_stated_falls_short_and_its_passivity_
     still.wait().unwrap();
 }
 
-#[cfg(unix)]
+#[cfg(target_os = "linux")]
 #[test]
 fn a_closed_terminal_ends_a_check() {
     use std::os::unix::process::ExitStatusExt;
     let (mut device, address) = switched_on("424242", "1");
-    let mut check = measured(&address, &["--for-s", "600"]);
+    // A run that was started by `nohup` passes on that a closed terminal is ignored: here it is not.
+    let mut command = Command::new("env");
+    command.args(["--default-signal=HUP", env!("CARGO_BIN_EXE_saute")]);
+    let mut check = measured_by(command, &address, &["--for-s", "60"]);
     assert!(Command::new("kill").args(["-s", "HUP", &check.id().to_string()]).status().unwrap().success());
     assert_eq!(check.wait().unwrap().signal(), Some(1));
     drop(device.stdin.take());

@@ -9,7 +9,7 @@ use serde_json::Value;
 
 /// Each crate with the crates that it needs directly, of the workspace and of [`NOTABLE`]. A crate that does not exist yet is
 /// skipped.
-const ARROWS: [(&str, &[&str]); 29] = [
+const ARROWS: [(&str, &[&str]); 31] = [
     ("saute-heat", &[]),
     ("saute-food", &["saute-heat"]),
     ("saute-kitchen", &["saute-heat", "saute-food", "rapier3d"]),
@@ -24,6 +24,9 @@ const ARROWS: [(&str, &[&str]); 29] = [
     ("saute-scene", &["wgpu"]),
     ("saute-mirror", &[]),
     ("saute-sound", &[]),
+    // What plays: a sound card of this machine, a page's worklet. Neither knows a kitchen.
+    ("saute-speaker", &["saute-sound"]),
+    ("saute-sound-page", &["saute-sound"]),
     ("saute-session", &["saute-kitchen", "saute-plan", "saute-recipe", "saute-sound", "saute-study", "saute-words"]),
     ("saute-words", &["saute-kitchen", "saute-plan", "saute-recipe", "saute-study"]),
     ("saute-picture", &["saute-kitchen", "saute-recipe", "saute-scene", "wgpu"]),
@@ -60,7 +63,7 @@ const ARROWS: [(&str, &[&str]); 29] = [
         ],
     ),
     ("saute-spidar-sim", &["clap", "thread-priority"]),
-    // For Python: kitchens on all cores, pictures without a window.
+    // For Python: kitchens on all cores, pictures and sound without a window.
     (
         "saute-python",
         &[
@@ -68,6 +71,8 @@ const ARROWS: [(&str, &[&str]); 29] = [
             "saute-recipe",
             "saute-plan",
             "saute-scene",
+            "saute-session",
+            "saute-sound",
             "saute-picture",
             "saute-surface",
             "saute-sweep",
@@ -91,6 +96,8 @@ const ARROWS: [(&str, &[&str]); 29] = [
             "saute-study",
             "saute-words",
             "saute-session",
+            "saute-sound",
+            "saute-speaker",
             "saute-mirror",
             "saute-scene",
             "saute-picture",

@@ -1,13 +1,14 @@
 //! A kitchen as input of the synthesiser, and its sound tick by tick.
 //!
 //! All of it is read from the kitchen after each tick. Nothing of it is stored in a kitchen or a session, and nothing is asked of
-//! the tick: flows and happenings are differences between two ticks.
+//! the tick: flows and happenings are differences between two looks.
 
+pub mod caption;
 mod happenings;
 mod steam_heard;
 
 use saute_kitchen::{Kitchen, TICKS_PER_S, celsius};
-use saute_sound::{Event, Metal, Plate, Snapshot, Synth};
+use saute_sound::{Event, Metal, Plate, Snapshot, Steam, Synth};
 
 use self::happenings::Happenings;
 use self::steam_heard::SteamHeard;
@@ -15,31 +16,54 @@ use self::steam_heard::SteamHeard;
 /// Seed of the noise [-] (chosen: the same cook gives the same samples).
 const SEED: u64 = 0x5a07e;
 
-/// Listens to a kitchen.
+/// Ticks between two looks from which the kitchen counts as another one [-] (chosen: a slow picture at twenty times real time has 20).
+const LEAP: u64 = 50;
+
+/// Listens to a kitchen. It may look after each tick, or whenever a picture is drawn.
 #[derive(Clone, Debug)]
 pub struct Ear {
     steam: SteamHeard,
     happenings: Happenings,
+    tick: u64,
+    /// What the last tick sounded like.
+    flows: [f32; Steam::ALL.len()],
 }
 
 impl Ear {
     /// Begins to listen: what has happened so far is not heard.
     pub fn new(kitchen: &Kitchen) -> Self {
-        Self { steam: SteamHeard::new(kitchen), happenings: Happenings::new(kitchen) }
+        Self {
+            steam: SteamHeard::new(kitchen),
+            happenings: Happenings::new(kitchen),
+            tick: kitchen.tick(),
+            flows: Default::default(),
+        }
     }
 
-    /// Returns what is heard of the tick that has just ended.
+    /// Returns what is heard now, and what happened since the last look. Within a tick flows are those of the last one, and what hands do
+    /// is heard at once. Where time leapt or went back, it begins to listen anew.
     pub fn hear(&mut self, kitchen: &Kitchen) -> (Snapshot, Vec<Event>) {
+        match kitchen.tick().checked_sub(self.tick) {
+            Some(0) => {}
+            Some(ticks) if ticks < LEAP => {
+                self.flows = self.steam.flows(kitchen, ticks).map(|flow| flow as f32);
+                self.tick = kitchen.tick();
+            }
+            _ => *self = Self::new(kitchen),
+        }
+        (self.snapshot(kitchen), self.happenings.since(kitchen))
+    }
+
+    fn snapshot(&self, kitchen: &Kitchen) -> Snapshot {
         let floor_c = celsius(kitchen.pan_temperature()) as f32;
-        let snapshot = Snapshot {
-            steam: self.steam.flows(kitchen).map(|flow| flow as f32),
+        Snapshot {
+            steam: self.flows,
             floor_c,
             // Oil has the temperature of the metal below it.
             oil_c: floor_c,
             lid: kitchen.pan_state().lid.is_some(),
             covered: steam_heard::covered(kitchen) as f32,
-        };
-        (snapshot, self.happenings.since(kitchen))
+        }
     }
 }
 
@@ -63,6 +87,11 @@ impl Sound {
             tick: kitchen.tick(),
             samples: Vec::new(),
         }
+    }
+
+    /// Returns true if it can go on with a kitchen at a sample rate [Hz]: no tick of it was missed.
+    pub fn goes_on(&self, kitchen: &Kitchen, rate: u32) -> bool {
+        self.tick == kitchen.tick() && self.rate == u64::from(rate)
     }
 
     /// Returns the samples of the tick that has just ended; none if none has since the last call, or the kitchen went back in time.

@@ -34,10 +34,11 @@ impl SteamHeard {
         Self { heat_taken, butter: butter_share(kitchen).unwrap_or(0.0) }
     }
 
-    /// Returns the flows of the tick that has just ended [kg/s], in the order of [`Steam::ALL`].
-    pub(super) fn flows(&mut self, kitchen: &Kitchen) -> [f64; Steam::ALL.len()] {
+    /// Returns the flows of the tick that has just ended [kg/s], in the order of [`Steam::ALL`], at a look a number of ticks after the
+    /// last one.
+    pub(super) fn flows(&mut self, kitchen: &Kitchen, ticks: u64) -> [f64; Steam::ALL.len()] {
         let mut flows = [0.0; Steam::ALL.len()];
-        let food = self.below_foods(kitchen);
+        let food = self.below_foods(kitchen, ticks as f64 * TICK_S);
         let ([water, oil], (puddle, cloth)) = (depths(kitchen), kitchen.other_vapour());
         let drowned = water / (water + DROWNS_M);
         let in_oil = oil / (oil + DEEP_OIL_M) * (1.0 - drowned);
@@ -53,13 +54,13 @@ impl SteamHeard {
 
     /// Steam that boils off below the foods in the pan [kg/s]: what leaves a food, as far as the heat that it took from below goes.
     /// What dries off its upper face is not heard.
-    fn below_foods(&mut self, kitchen: &Kitchen) -> f64 {
+    fn below_foods(&mut self, kitchen: &Kitchen, since_s: f64) -> f64 {
         let latent = latent_heat(kelvin(100.0));
         let mut sum = 0.0;
         for piece in kitchen.pieces() {
             let before = self.heat_taken.insert(piece.key, piece.heat_taken).unwrap_or(piece.heat_taken);
             if piece.in_pan() {
-                let most = (piece.heat_taken - before).max(0.0) / latent / TICK_S;
+                let most = (piece.heat_taken - before).max(0.0) / latent / since_s;
                 sum += piece.vapour_flow.clamp(0.0, most);
             }
         }

@@ -88,6 +88,11 @@ impl<H: Hands> Session<H> {
         self.owed_s = 0.0;
     }
 
+    /// Returns true while time does not go on: paused, held, or on its way to another instant.
+    pub fn time_stands(&self) -> bool {
+        self.paused || self.timeline.is_held || self.is_travelling()
+    }
+
     /// Turns time to an instant of the cook [s]; what lay ahead happens again when time goes on.
     pub fn scrub(&mut self, time_s: f64) {
         self.turn_to(time_s, true);

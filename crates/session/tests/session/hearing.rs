@@ -4,7 +4,7 @@
 #[allow(dead_code, reason = "the tests of the synthesiser need the rest")]
 mod ear;
 
-use saute_kitchen::{Kitchen, Library, TICK_S};
+use saute_kitchen::{Command, Kitchen, Library, TICK_S};
 use saute_recipe::{Cook, Recipe};
 use saute_session::hearing::{Ear, Sound, plate};
 use saute_sound::{EventKind, Metal, Snapshot, Steam};
@@ -160,4 +160,45 @@ fn the_sound_lasts_as_long_as_the_cook() {
         assert!(sound.follow(&cook.kitchen).is_empty());
     }
     assert_eq!(samples, 3 * 11_025);
+}
+
+/// In a window the ear looks at each picture: what hands do is heard in the same one, flows are those of the last tick, and fast time is
+/// neither louder nor quieter.
+#[test]
+fn an_ear_may_look_at_any_pace() {
+    let library = Library::embedded().expect("the library is sound");
+    let mut cook = cook(&library);
+    let (mut each, mut slow) = (Ear::new(&cook.kitchen), Ear::new(&cook.kitchen));
+    while cook.kitchen.time_s() < 9.05 {
+        cook.advance().expect("cooks");
+        each.hear(&cook.kitchen);
+        // Twenty times real time, ten pictures a second.
+        if cook.kitchen.tick().is_multiple_of(20) {
+            slow.hear(&cook.kitchen);
+        }
+    }
+    let (now, events) = each.hear(&cook.kitchen);
+    let flow = |snapshot: &Snapshot| snapshot.steam.iter().sum::<f32>();
+    assert!(events.is_empty() && flow(&now) > 1e-5, "{now:?}");
+    let (fast, _) = slow.hear(&cook.kitchen);
+    assert!((flow(&fast) / flow(&now) - 1.0).abs() < 0.3, "{fast:?} after eleven ticks, {now:?} after each");
+    cook.kitchen.apply(&Command::Lid(true)).expect("a lid");
+    let (lidded, events) = each.hear(&cook.kitchen);
+    assert!(lidded.lid && lidded.steam == now.steam);
+    assert_eq!(events.iter().map(|event| event.kind).collect::<Vec<_>>(), [EventKind::Lid]);
+}
+
+/// Time that is turned is not heard: nothing clanks that happened long ago.
+#[test]
+fn turned_time_begins_anew() {
+    let library = Library::embedded().expect("the library is sound");
+    let mut cook = cook(&library);
+    let start = cook.kitchen.clone();
+    let mut ear = Ear::new(&cook.kitchen);
+    while cook.kitchen.time_s() < 15.0 {
+        cook.advance().expect("cooks");
+    }
+    let (heard, events) = ear.hear(&cook.kitchen);
+    assert!(events.is_empty() && heard.steam.iter().all(|flow| *flow == 0.0), "a leap forward: {events:?}");
+    assert_eq!(ear.hear(&start).1, []);
 }

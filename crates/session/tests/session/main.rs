@@ -1,5 +1,6 @@
 //! The cook that the window shows: turned, played elsewhere, and fast enough.
 
+mod captions;
 mod errands;
 mod hearing;
 mod scrubbing;

@@ -89,6 +89,15 @@ fn shipped_protocols_and_scenarios_are_right_and_bear_their_ids() {
     }
 }
 
+/// Sound tells how dry a face is: a study hears it only where its protocol says so, and that of 2013 had none.
+#[test]
+fn a_study_is_silent_unless_its_protocol_states_sound() {
+    let library = library();
+    let sounds = |text: &str| Protocol::parse(text, "small.toml", &library).expect("parses").sound;
+    assert!(!sounds(SMALL) && !sounds(shipped::text("2013").expect("is shipped")));
+    assert!(sounds(&format!("sound = true\n{SMALL}")));
+}
+
 #[test]
 fn consecutive_participants_are_balanced_over_the_conditions_in_an_order_that_is_not_their_number() {
     let text = shipped::text("2013").expect("is shipped");

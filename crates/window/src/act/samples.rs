@@ -241,6 +241,8 @@ fn settings() -> Vec<Setting> {
         Setting::Choice(_) => Setting::Choice(Default::default()),
         Setting::Forecasts(_) => Setting::Forecasts(false),
         Setting::Mirror(_) => Setting::Mirror(Default::default()),
+        Setting::Sound(_) => Setting::Sound(false),
+        Setting::Volume(_) => Setting::Volume(0.2),
     }
 }
 

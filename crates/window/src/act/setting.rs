@@ -48,6 +48,10 @@ pub enum Setting {
     Forecasts(bool),
     /// The half mirror.
     Mirror(Box<MirrorSettings>),
+    /// True if the pan is heard.
+    Sound(bool),
+    /// Volume, from 0 to 1 [-].
+    Volume(f64),
 }
 
 impl Setting {
@@ -71,6 +75,7 @@ impl Setting {
             Self::SkillMode(_) => &[Permit::Leaving],
             Self::Choice(_) => &[Permit::Foods, Permit::Pan],
             Self::Mirror(_) => &[Permit::Devices],
+            Self::Sound(_) | Self::Volume(_) => &[Permit::Sound],
         }
     }
 }

@@ -209,6 +209,8 @@ impl SauteApp {
             Setting::Choice(choice) => self.settings.choice = choice,
             Setting::Forecasts(on) => self.settings.forecasts = on,
             Setting::Mirror(mirror) => self.settings.mirror = *mirror,
+            Setting::Sound(on) => self.settings.sound = on,
+            Setting::Volume(volume) => self.settings.volume = volume.clamp(0.0, 1.0),
         }
     }
 }

@@ -52,6 +52,7 @@ impl SauteApp {
         self.follow_fit(&ctx);
         self.keep_cook(false);
         self.show(ui);
+        self.sound(ctx.input(|i| i.time));
         self.inputs.tab_end.look(&ctx);
         #[cfg(target_arch = "wasm32")]
         self.show_mirrored();
@@ -122,6 +123,7 @@ impl SauteApp {
             guide_leads: keeping == Some(Keeping::Kept),
             coaching,
             alarm,
+            heard: self.heard(),
             rise,
             result,
             try_from_s,
@@ -168,6 +170,11 @@ impl SauteApp {
         }
     }
 
+    /// Behind a card nothing is missed; a trial whose time cannot be stopped goes on.
+    pub(super) fn time_waits(&self) -> bool {
+        self.card_is_open() && self.leads.guided.as_ref().is_none_or(Guided::time_waits)
+    }
+
     fn let_time_pass(&mut self, ctx: &egui::Context) {
         let now = ctx.input(|i| i.time);
         // A longer gap is a tab that was hidden, or a machine that slept: nobody saw it.
@@ -177,8 +184,7 @@ impl SauteApp {
         self.take_hands(ctx, wall.min(LONGEST_FRAME_S));
         let begun = Instant::now();
         self.session.permits = self.permits();
-        // Behind a card nothing is missed; a trial whose time cannot be stopped goes on.
-        let waits = self.card_is_open() && self.leads.guided.as_ref().is_none_or(Guided::time_waits);
+        let waits = self.time_waits();
         let passes = if waits { 0.0 } else { wall };
         let holds_speed = self.leads.guided.as_ref().is_some_and(Guided::holds_speed);
         let before_s = self.session.kitchen.time_s();

@@ -1,7 +1,9 @@
 //! The page's script, as the window calls it.
 
 use crate::kept::autosave::CookStore;
+use crate::listener::Listener;
 use crate::start::Start;
+use saute_sound::{Event, Told, letter};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 #[wasm_bindgen]
@@ -41,6 +43,14 @@ extern "C" {
     /// How the phone is held, if that is new: angles, turn of the picture, accelerations; nothing in it if it was refused.
     #[wasm_bindgen(method, js_name = readTilt)]
     pub(crate) fn read_tilt(this: &Host) -> Option<Vec<f64>>;
+
+    /// Tells what there is to hear, as numbers ([`saute_sound::letter`]).
+    #[wasm_bindgen(method, js_name = tellSound)]
+    fn tell_sound(this: &Host, letter: &[f32]);
+
+    /// Why nothing is heard, once.
+    #[wasm_bindgen(method, js_name = soundTrouble)]
+    fn sound_trouble(this: &Host) -> Option<String>;
 
     /// Gives the page's worker for a kind of work an order.
     #[wasm_bindgen(method, js_name = askWorker)]
@@ -95,6 +105,32 @@ impl Host {
         if let Ok(text) = serde_json::to_string(row) {
             self.report_result(&text);
         }
+    }
+}
+
+/// Plays what is heard by the page's script.
+pub(crate) struct HostPlays {
+    host: Host,
+    is_paused: bool,
+}
+
+impl HostPlays {
+    pub(crate) fn new(host: Host) -> Self {
+        Self { host, is_paused: true }
+    }
+}
+
+impl Listener for HostPlays {
+    /// A pause is told once: a page that is silent needs no sound.
+    fn hear(&mut self, told: &Told, events: &[Event]) {
+        if !(told.is_paused && self.is_paused) {
+            self.host.tell_sound(&letter::written(told, events));
+        }
+        self.is_paused = told.is_paused;
+    }
+
+    fn trouble(&mut self) -> Option<String> {
+        self.host.sound_trouble()
     }
 }
 

@@ -34,7 +34,7 @@ impl Guided {
     /// What is allowed.
     pub fn permits(&self) -> Permits {
         match self {
-            Self::Study(desk) => permits::of_study(desk.hides_read_outs()),
+            Self::Study(desk) => permits::of_study(desk.hides_read_outs(), desk.sounds()),
             Self::Lesson(desk) => permits::of_lesson(&desk.scenario().locked, desk.is_locked(), desk.hides_read_outs()),
         }
     }

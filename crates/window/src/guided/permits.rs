@@ -6,9 +6,12 @@ use saute_study::class::Locked;
 
 use saute_session::permits::{Permit, Permits};
 
-/// Those of a study: to cook, to look, and what the study itself asks for.
-pub(crate) fn of_study(hidden: bool) -> Permits {
-    Permits::only(&Permit::ALWAYS).with(Permit::ReadOuts, !hidden).with(Permit::Views, !hidden)
+/// Those of a study: to cook, to look, what the study itself asks for, and to hear where its protocol says so.
+pub(crate) fn of_study(hidden: bool, sounds: bool) -> Permits {
+    Permits::only(&Permit::ALWAYS)
+        .with(Permit::ReadOuts, !hidden)
+        .with(Permit::Views, !hidden)
+        .with(Permit::Sound, sounds)
 }
 
 /// Those of a lesson, less what its scenario locks, or the link by which it came.
@@ -26,12 +29,13 @@ pub(crate) fn of_lesson(locked: &BTreeSet<Locked>, leaving: bool, hidden: bool) 
         .with(Permit::Leaving, !leaving)
         .with(Permit::Pictures, true)
         .with(Permit::Advice, true)
+        .with(Permit::Sound, true)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::act::{Act, AppAct, Card, CookAct, TimeAct, ViewAct};
+    use crate::act::{Act, AppAct, Card, CookAct, Setting, TimeAct, ViewAct};
     use saute_picture::View;
 
     fn allow(permits: Permits, act: &Act) -> bool {
@@ -40,7 +44,7 @@ mod tests {
 
     #[test]
     fn a_study_allows_cooking_and_looking_and_nothing_that_stops_time_or_leads_out() {
-        let [shown, hidden] = [false, true].map(of_study);
+        let [shown, hidden] = [false, true].map(|hidden| of_study(hidden, false));
         for act in [
             Act::Time(TimeAct::Undo),
             Act::Time(TimeAct::SpeedSet(20.0)),
@@ -61,6 +65,11 @@ mod tests {
             assert!(allow(hidden, &act), "{act:?}");
         }
         assert!(allow(hidden, &Act::View(ViewAct::View(View::Look))) && allow(hidden, &Act::App(AppAct::Help)));
+        let louder = Act::App(AppAct::Set(Setting::Sound(true)));
+        assert!(
+            !allow(shown, &louder) && allow(of_study(true, true), &louder),
+            "what is heard is stated by the protocol"
+        );
     }
 
     #[test]

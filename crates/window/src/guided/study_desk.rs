@@ -219,6 +219,11 @@ impl StudyDesk {
         self.study.information() == Information::Hidden
     }
 
+    /// Returns true if the protocol lets participants hear the pan.
+    pub(crate) fn sounds(&self) -> bool {
+        self.study.protocol().sound
+    }
+
     pub(crate) fn decline(&mut self) {
         self.has_declined = self.study.stage() == Stage::Consent;
     }

@@ -46,6 +46,7 @@ impl Settings {
         let moved = mirror.calibrations.values().flat_map(|c| c.moved.iter());
         SPEED.contains(&self.speed)
             && self.marks.values().flatten().all(|mark| (0.0..=100.0).contains(mark))
+            && (0.0..=1.0).contains(&self.volume)
             && self.held_speed.is_none_or(|held| SPEED.contains(&held))
             && self.goals.values().chain([&self.goal_c]).all(|goal| GOAL.contains(goal))
             && GOAL.contains(&self.plan.core_c)
@@ -99,12 +100,13 @@ mod tests {
 
     #[test]
     fn a_number_out_of_its_range_costs_no_other_value() {
-        let wild = r#"{"fahrenheit":true,"speed":1e308,"goal_c":-1e9,"goals":{"chefs":1e300,"shrimp":63.0},
+        let wild = r#"{"fahrenheit":true,"speed":1e308,"volume":7,"goal_c":-1e9,"goals":{"chefs":1e300,"shrimp":63.0},
             "choice":{"kind":"shrimp","size_mm":[75.0,1e99],"initial_c":1e9},
             "mirror":{"eye_distance_mm":1e9,"calibrations":{"ceiling":{"moved":{"0":[1e99,0.2],"1":[0.1,0.2],"99":[0.0,0.0]}}}}}"#;
         let (settings, refused) = Settings::remembered(wild);
         assert!(refused && settings.fahrenheit && settings.is_within_ranges());
-        assert_eq!((settings.speed, settings.goals.len(), settings.goals["shrimp"]), (1.0, 1, 63.0));
+        assert_eq!((settings.speed, settings.volume), (1.0, 0.5));
+        assert_eq!((settings.goals.len(), settings.goals["shrimp"]), (1, 63.0));
         assert_eq!((settings.choice.kind.as_str(), settings.choice.initial_c), ("shrimp", 5.0));
         assert_eq!(settings.mirror.calibrations["ceiling"].moved.len(), 1);
     }

@@ -8,6 +8,7 @@ use saute_kitchen::{Piece, Place, celsius};
 
 use crate::act::{Act, Acts, AppAct, Card, Setting, ViewAct};
 use crate::learn::goal_choice::named_goal;
+use crate::panels::cook::heard;
 use crate::panels::learn::coach;
 use crate::panels::now::control_place;
 use crate::panels::section_read::Inside;
@@ -45,6 +46,9 @@ pub fn show(state: &WindowState, inside: &mut Inside, ui: &mut Ui, acts: &mut Ac
     }
     probes::show(state, ui, acts);
     more(state, ui, acts);
+    if open {
+        heard::show(state, ui);
+    }
     if open && ahead {
         ahead::table::show(state, ui, acts);
     }
@@ -89,6 +93,8 @@ fn skill(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let l = state.settings.language;
     ui.label(RichText::new(l.text("skill.title")).size(16.0).strong());
     ui.label(RichText::new(l.text("skill.how")).size(13.5).color(theme::of(ui).quiet));
+    // It stands for what a cook hears.
+    heard::show(state, ui);
     ui.horizontal_wrapped(|ui| {
         result(state, ui, acts);
         let size = vec2(0.0, fingers::height(ui, 24.0));

@@ -4,6 +4,7 @@ use egui::Ui;
 use saute_picture::view::View;
 
 use crate::act::{Act, Acts, AppAct, Card, ViewAct, hint};
+use crate::panels::cook::speaker_switch;
 use crate::panels::now::control_place;
 use crate::panels::window_state::WindowState;
 use crate::spoken::view_words::ViewWords;
@@ -20,7 +21,10 @@ const BUBBLE: f32 = 36.0;
 /// Shows the chips of the views, the switches of cut and split, and what stands at the right.
 pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
     if narrow {
-        ui.horizontal_wrapped(|ui| views(state, ui, acts, 6.0));
+        ui.horizontal_wrapped(|ui| {
+            views(state, ui, acts, 6.0);
+            speaker_switch::show(state, ui, acts, HEIGHT);
+        });
         return;
     }
     ui.horizontal_centered(|ui| {
@@ -34,6 +38,7 @@ pub fn few(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
         help(state, ui, acts);
         gear(state, ui, acts);
+        speaker_switch::show(state, ui, acts, HEIGHT);
         messages(state, ui, acts);
         chip(state, ui, acts, state.settings.language.text("top.all"), false, Act::View(ViewAct::More));
     });
@@ -86,6 +91,7 @@ fn help_and_settings(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
         help(state, ui, acts);
         gear(state, ui, acts);
+        speaker_switch::show(state, ui, acts, HEIGHT);
         if ui.available_width() >= LEARN {
             learn(state, ui, acts);
         }

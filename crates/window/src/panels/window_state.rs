@@ -26,6 +26,7 @@ use saute_session::permits::{Permit, Permits};
 use saute_session::plan::live::Live;
 use saute_session::plan::planning::Planning;
 use saute_session::timeline::WayBeside;
+use saute_sound::Snapshot;
 use saute_words::judgement_words::ResultWords;
 
 /// The window's state as panels read it; what they want changed they say with an [`crate::act::Act`].
@@ -78,6 +79,8 @@ pub struct WindowState<'a> {
     pub coaching: Option<Coaching>,
     /// True if the goal is reached, the food is still in the pan and the coach is on.
     pub alarm: bool,
+    /// What is heard; none where a study leaves no sound.
+    pub heard: Option<Snapshot>,
     /// How high the core of resting food still rises, and in how long.
     pub rise: Option<Forecast>,
     /// The result in words, while its card is open.

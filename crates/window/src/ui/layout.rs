@@ -19,8 +19,8 @@ const INSIDE_HEIGHT: f32 = 410.0;
 /// Heights of the few controls of a first cook: of one row, and of what stands above them; and the width of *More* and its neighbours
 /// [points].
 const FEW_HEIGHT: f32 = 58.0;
-const FEW_TOP: Vec2 = vec2(210.0, 46.0);
-const FEW_TOP_NARROW: Vec2 = vec2(246.0, 58.0);
+const FEW_TOP: Vec2 = vec2(252.0, 46.0);
+const FEW_TOP_NARROW: Vec2 = vec2(290.0, 58.0);
 /// Height of their drawer [points]: the line that says what to do and three rows for fingers.
 const FEW_DRAWER: f32 = 240.0;
 /// Two rows of controls and a line of words.

@@ -16,6 +16,7 @@ use saute_window::{SauteApp, Start};
 use saute_words::language::Language;
 
 use crate::harness::{cook, press, save, steps, window_with};
+use crate::sound::Witness;
 
 /// Two short trials, one before and one after the stove, with hidden read-outs in both conditions.
 const PROTOCOL: &str = r#"id = "tiny"
@@ -93,6 +94,7 @@ fn a_whole_study_is_gone_through_and_its_rows_are_on_the_disk() {
     let folder = folder("whole");
     let mut harness = window_with(vec2(1280.0, 720.0), start(&folder));
     save(&mut harness, "study-consent");
+    let witness = Witness::of(&mut harness);
     press(&mut harness, Key::Escape);
     assert_eq!(stage(&harness), Stage::Consent, "Esc closes no card of a study");
     click(&mut harness, "I agree and begin");
@@ -100,6 +102,8 @@ fn a_whole_study_is_gone_through_and_its_rows_are_on_the_disk() {
     click(&mut harness, "Begin");
     assert_eq!(harness.state().session().speed, 5.0);
     locks_hold(&mut harness);
+    assert!(witness.told().is_paused, "this protocol states no sound");
+    assert!(harness.query_by_role(Role::Switch).is_none() && harness.query_by_role(Role::Meter).is_none());
     cook(&mut harness, 25.5);
     assert_eq!(stage(&harness), Stage::CookForReal { phase: 1 }, "its time is over");
     assert_eq!(rows(&folder).last().map(|row| row.kind), Some(RowKind::Trial), "is on the disk at once");

@@ -16,6 +16,7 @@ mod mirror;
 mod pan;
 mod photo;
 mod settings;
+mod sound;
 mod steak;
 mod teaching;
 mod time;

@@ -80,7 +80,7 @@ fn every_setting_is_chosen_on_the_card() {
 }
 
 #[test]
-fn the_card_opens_and_closes_with_keys_and_its_choices_are_reached_with_tab() {
+fn card_choices_and_size_are_reached_with_keys() {
     let mut harness = window(SIZES[0].0);
     press(&mut harness, Key::F2);
     assert!(harness.state().settings_are_open());
@@ -98,6 +98,7 @@ fn the_card_opens_and_closes_with_keys_and_its_choices_are_reached_with_tab() {
     assert!(!harness.state().session().paused, "the key was the card's");
     press(&mut harness, Key::Escape);
     assert!(!harness.state().settings_are_open());
+    control_with_plus_and_minus_changes_the_size(&mut harness);
 }
 
 /// Choices lie within the window and on no other one.
@@ -165,7 +166,9 @@ fn chips_have_room(harness: &Harness<'static, SauteApp>, size: egui::Vec2) {
     let whole = Rect::from_min_size(pos2(0.0, 0.0), size / harness.ctx.zoom_factor());
     let layout = Layout::new(whole, harness.state().settings());
     let rect = |label| harness.get_by_label(label).rect();
-    assert!(layout.top.contains_rect(rect("Split")), "{:?} in {:?}", rect("Split"), layout.top);
+    for last in ["Split", "Sound"] {
+        assert!(layout.top.contains_rect(rect(last)), "{:?} in {:?}", rect(last), layout.top);
+    }
     assert!(rect("Pieces").right() < rect("Settings").left(), "{:?} {:?}", rect("Pieces"), rect("Settings"));
 }
 
@@ -188,9 +191,7 @@ fn the_interface_grows_as_far_as_the_window_has_room() {
     }
 }
 
-#[test]
-fn control_with_plus_and_minus_changes_the_size() {
-    let mut harness = window(SIZES[0].0);
+fn control_with_plus_and_minus_changes_the_size(harness: &mut Harness<'static, SauteApp>) {
     let size = |h: &Harness<'static, SauteApp>| h.state().settings().size;
     for (key, expected) in [
         (Key::Plus, InterfaceSize::Large),
@@ -200,8 +201,8 @@ fn control_with_plus_and_minus_changes_the_size() {
         (Key::Num0, InterfaceSize::Usual),
     ] {
         harness.key_press_modifiers(Modifiers::COMMAND, key);
-        steps(&mut harness, 2);
-        assert_eq!(size(&harness), expected);
+        steps(harness, 2);
+        assert_eq!(size(harness), expected);
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::act::Card;
 use crate::app::SauteApp;
-use crate::browser::host::{PageStart, Surroundings};
+use crate::browser::host::{HostPlays, PageStart, Surroundings};
 
 impl SauteApp {
     /// Opens the cook of the address, and keeps the cook in the browser's storage.
@@ -11,6 +11,7 @@ impl SauteApp {
         let PageStart { host, kept, link, is_embedded } = around.0;
         self.page.host = host;
         if let Some(host) = self.page.host.clone() {
+            self.let_listen(Box::new(HostPlays::new(host.clone())));
             self.employ(Box::new(host));
         }
         if is_embedded && self.desk.card == Some(Card::FirstSteps) {

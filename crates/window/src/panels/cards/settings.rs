@@ -8,6 +8,7 @@ use saute_scene::quality::Quality;
 use crate::act::{Act, Acts, AppAct, Card, Setting, ViewAct};
 use crate::panels::cards::frame::Framed;
 use crate::panels::cards::language;
+use crate::panels::cook::speaker_switch;
 use crate::panels::memory::PanelMemory;
 use crate::panels::window_state::WindowState;
 use crate::ui::interface_size::InterfaceSize;
@@ -102,6 +103,9 @@ fn choices(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mu
     if turns {
         acts.push(Act::View(ViewAct::More));
     }
+    if !state.forbids(&Act::App(AppAct::Set(Setting::Sound(true)))) {
+        volume(state, ui, acts, narrow);
+    }
     #[cfg(target_arch = "wasm32")]
     {
         let _ = memory;
@@ -109,6 +113,18 @@ fn choices(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mu
     }
     #[cfg(not(target_arch = "wasm32"))]
     crate::hand::section(state, &mut memory.hand_choice, ui, acts, narrow);
+}
+
+/// The volume; its slider is short enough for one line with its name.
+fn volume(state: &WindowState, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
+    let name = state.settings.language.text("heard.volume");
+    if !narrow {
+        return named(ui, narrow, name, |ui| speaker_switch::volume(state, ui, acts));
+    }
+    ui.horizontal(|ui| {
+        ui.label(RichText::new(name).size(14.0).color(theme::of(ui).quiet));
+        speaker_switch::volume(state, ui, acts);
+    });
 }
 
 /// A name and its choices, of which one is on; returns the one that was clicked.

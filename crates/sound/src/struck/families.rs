@@ -1,6 +1,6 @@
 //! Bodies beside the pan that ring by a family of ratios: bell, tool, board and flesh.
 
-use crate::modes::Mode;
+use crate::struck::modes::Mode;
 
 /// A family of modes: frequencies over the lowest [-].
 #[derive(Clone, Copy, Debug)]

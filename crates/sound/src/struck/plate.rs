@@ -2,7 +2,7 @@
 
 use core::f32::consts::PI;
 
-use crate::modes::Mode;
+use crate::struck::modes::Mode;
 
 /// What a pan is made of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,5 +1,7 @@
 //! A piece of food in a kitchen: readings of the present state.
 
+mod fields;
+
 use std::collections::BTreeMap;
 use std::sync::Arc;
 

@@ -1,13 +1,18 @@
 //! All bodies that ring when they are struck, with the forces at work on them.
 
+mod families;
+mod modes;
+pub(crate) mod plate;
+mod strikes;
+
 use alloc::vec::Vec;
 
 use crate::event::Event;
-use crate::families::{BELL, BOARD, FLESH, TOOL};
-use crate::modes::Modes;
-use crate::plate::{Metal, Plate};
 use crate::random::Random;
-use crate::strikes::{BODIES, Body, Strike, forces};
+use crate::struck::families::{BELL, BOARD, FLESH, TOOL};
+use crate::struck::modes::Modes;
+use crate::struck::plate::{Metal, Plate};
+use crate::struck::strikes::{BODIES, Body, Strike, forces};
 
 /// Largest number of forces at work at once [-] (chosen: ten blows within a quarter of a second).
 const MOST_STRIKES: usize = 32;

@@ -1,0 +1,23 @@
+//! Who plays what the window hears: a sound card, a page, a test.
+
+use saute_sound::{Event, Told};
+
+/// Who plays what is heard.
+pub trait Listener {
+    /// Takes what there is to hear. It never waits.
+    fn hear(&mut self, told: &Told, events: &[Event]);
+
+    /// Returns why nothing is heard, once for each time that sound is lost.
+    fn trouble(&mut self) -> Option<String>;
+}
+
+#[cfg(not(target_arch = "wasm32"))]
+impl Listener for saute_speaker::Speaker {
+    fn hear(&mut self, told: &Told, events: &[Event]) {
+        Self::hear(self, *told, events);
+    }
+
+    fn trouble(&mut self) -> Option<String> {
+        Self::trouble(self).map(|trouble| trouble.to_string())
+    }
+}

@@ -1,0 +1,150 @@
+//! Promise: the cook is heard while time goes on; one switch and a volume are on top and kept; who does not hear it reads it.
+
+use std::sync::{Arc, Mutex};
+
+use egui::accesskit::Role;
+use egui::{Key, vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT, Queryable};
+use saute_sound::{Event, EventKind, Steam, Told};
+use saute_window::SauteApp;
+use saute_window::listener::Listener;
+use saute_window::settings::Settings;
+
+use crate::harness::{cook, press, save, steps, window};
+
+/// Keeps what it is told instead of playing it.
+#[derive(Clone, Default)]
+pub struct Witness(Arc<Mutex<Kept>>);
+
+#[derive(Default)]
+struct Kept {
+    told: Told,
+    events: Vec<EventKind>,
+    trouble: Option<String>,
+}
+
+impl Listener for Witness {
+    fn hear(&mut self, told: &Told, events: &[Event]) {
+        let mut kept = self.0.lock().expect("nobody panicked");
+        kept.told = *told;
+        kept.events.extend(events.iter().map(|event| event.kind));
+    }
+
+    fn trouble(&mut self) -> Option<String> {
+        self.0.lock().expect("nobody panicked").trouble.take()
+    }
+}
+
+impl Witness {
+    /// Lets a window tell it what is heard.
+    pub fn of(harness: &mut Harness<'static, SauteApp>) -> Self {
+        let witness = Self::default();
+        harness.state_mut().let_listen(Box::new(witness.clone()));
+        steps(harness, 2);
+        witness
+    }
+
+    /// What was told last.
+    pub fn told(&self) -> Told {
+        self.0.lock().expect("nobody panicked").told
+    }
+
+    /// Whether something was heard since the last call.
+    fn heard(&self, kind: EventKind) -> bool {
+        std::mem::take(&mut self.0.lock().expect("nobody panicked").events).contains(&kind)
+    }
+}
+
+#[test]
+fn the_cook_is_heard_switched_and_read() {
+    let mut harness = window(vec2(1280.0, 720.0));
+    let witness = Witness::of(&mut harness);
+    assert!(!witness.told().is_paused && witness.told().volume == 0.5, "{:?}", witness.told());
+    harness.state_mut().session_mut().command(&saute_kitchen::Command::Hob(1400.0)).expect("hob");
+    cook(&mut harness, 90.0);
+    hands_are_heard_at_once(&mut harness, &witness);
+    it_is_read(&mut harness, &witness);
+    it_is_silent_while_time_stands(&mut harness, &witness);
+    one_switch_and_a_volume_are_kept(&mut harness, &witness);
+    a_loss_is_said_once(&mut harness, &witness);
+}
+
+/// A lid sounds in the picture after its key; a steak when it lies.
+fn hands_are_heard_at_once(harness: &mut Harness<'static, SauteApp>, witness: &Witness) {
+    for _ in 0..2 {
+        witness.heard(EventKind::Lid);
+        harness.key_press(Key::Z);
+        harness.step();
+        assert!(witness.heard(EventKind::Lid));
+    }
+    press(harness, Key::A);
+    cook(harness, 0.5);
+    assert!(witness.heard(EventKind::Put));
+    cook(harness, 20.0);
+    steps(harness, 20);
+    assert!(witness.told().snapshot.steam[Steam::Floor as usize] > 1e-5, "{:?}", witness.told());
+}
+
+/// Under *More* a caption and a meter say what is heard.
+fn it_is_read(harness: &mut Harness<'static, SauteApp>, witness: &Witness) {
+    assert!(harness.query_by_label_contains("sizzle").is_none());
+    harness.get_by_label("More: curves and all readings").click();
+    steps(harness, 12);
+    harness.get_by_label_contains("sizzle, ");
+    let meter = harness.get_by_role(Role::Meter).accesskit_node().label().expect("a level");
+    let percent: f64 = meter.trim_matches(|c: char| !c.is_ascii_digit()).parse().expect("a number");
+    let level = f64::from(saute_session::hearing::caption::meter(&witness.told().snapshot));
+    assert!(percent > 10.0 && (percent - 100.0 * level).abs() < 10.0, "{meter}, {level}");
+    save(harness, "sound-more");
+    press(harness, Key::Z);
+    cook(harness, 2.0);
+    harness.get_by_label_contains(", under the lid");
+    press(harness, Key::Z);
+    harness.get_by_label("Less").click();
+    steps(harness, 3);
+}
+
+fn it_is_silent_while_time_stands(harness: &mut Harness<'static, SauteApp>, witness: &Witness) {
+    for key in [Key::Space, Key::F1] {
+        press(harness, key);
+        assert!(witness.told().is_paused, "{key:?}");
+        press(harness, key);
+        assert!(!witness.told().is_paused, "{key:?} again");
+    }
+    let turned = harness.state().session().kitchen.time_s() - 30.0;
+    harness.state_mut().session_mut().scrub(turned);
+    witness.heard(EventKind::Put);
+    steps(harness, 4);
+    assert!(!witness.heard(EventKind::Flip), "what time is turned over is not heard");
+}
+
+fn one_switch_and_a_volume_are_kept(harness: &mut Harness<'static, SauteApp>, witness: &Witness) {
+    let click = |harness: &mut Harness<'static, SauteApp>| {
+        harness.get_by_role_and_label(Role::Switch, "Sound").click();
+        steps(harness, 3);
+    };
+    click(harness);
+    assert!(witness.told().is_paused && !harness.state().settings().sound);
+    save(harness, "sound-off");
+    let kept = serde_json::to_string(harness.state().settings()).expect("is written");
+    assert!(!Settings::remembered(&kept).0.sound);
+    click(harness);
+    assert!(!witness.told().is_paused && harness.state().settings().sound);
+    press(harness, Key::F2);
+    harness.get_by_role_and_label(Role::Slider, "Volume").focus();
+    steps(harness, 2);
+    (0..3).for_each(|_| press(harness, Key::ArrowRight));
+    let louder = harness.state().settings().volume;
+    assert!(louder > 0.5 && witness.told().volume == louder as f32, "{louder}");
+    save(harness, "sound-settings");
+    press(harness, Key::Escape);
+}
+
+fn a_loss_is_said_once(harness: &mut Harness<'static, SauteApp>, witness: &Witness) {
+    witness.0.lock().expect("nobody panicked").trouble = Some("no sound card".into());
+    steps(harness, 4);
+    let words = "No sound: no sound card. Everything else works.";
+    assert_eq!(harness.state().said().iter().filter(|said| *said == words).count(), 1);
+    assert!(!harness.state().session().paused, "the cook goes on");
+}
