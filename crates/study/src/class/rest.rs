@@ -12,9 +12,8 @@ const LONGEST_S: f64 = 3600.0;
 
 /// Returns true if food was taken out and its core has begun to cool.
 pub fn has_rested(kitchen: &Kitchen) -> bool {
-    let rested = |piece: &Piece| {
-        piece.lies_on_board() && piece.core_peak.1 > 0.0 && piece.core() < piece.core_peak.0 - RESTED_K
-    };
+    let rested =
+        |piece: &Piece| piece.lies_on_board() && piece.core_peak.1 > 0.0 && piece.core() < piece.core_peak.0 - RESTED_K;
     is_out(kitchen) && kitchen.pieces().iter().all(rested)
 }
 

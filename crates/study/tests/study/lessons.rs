@@ -78,36 +78,59 @@ fn questions_come_when_they_are_due_one_by_one_and_the_truth_is_that_of_the_cook
     assert_eq!((row.scenario.as_str(), row.student.as_deref(), row.q4_answer), ("quick", Some("S01"), None));
 }
 
-/// A steak that is taken out at once, and a lesson that is ended at once: the rest is cooked on in a copy, and the truth is that which a
-/// student would have seen who waited.
-#[test]
-fn what_time_has_not_shown_yet_is_cooked_on_in_a_copy_and_is_what_waiting_would_have_shown() {
+/// A lesson whose questions are all answered, with its steak on the board after some time in the pan [s]; the hob is off.
+fn on_the_board(in_pan_s: f64) -> (Lesson, Kitchen) {
     let (mut lesson, mut kitchen) = lesson();
     let give = |kitchen: &mut Kitchen, command: &Command| kitchen.apply(command).expect("is done");
     give(&mut kitchen, &Command::Hob(1100.0));
     until_asked(&mut lesson, &mut kitchen);
     lesson.answer(7.0);
     give(&mut kitchen, &Command::Put { food: "steak".into(), at: [0.0, 0.0], heap: false });
+    let put_s = kitchen.time_s();
     for answer in [6.0, 1.0] {
         until_asked(&mut lesson, &mut kitchen);
         assert!(lesson.answer(answer).is_some());
     }
+    until(&mut lesson, &mut kitchen, |kitchen| kitchen.time_s() >= put_s + in_pan_s);
     give(&mut kitchen, &Command::Rest { food: "steak".into(), on: RestOn::Board });
-    while !is_out(&kitchen) {
-        kitchen.step();
-        lesson.observe(&kitchen);
-    }
+    until(&mut lesson, &mut kitchen, is_out);
     give(&mut kitchen, &Command::Hob(0.0));
+    (lesson, kitchen)
+}
+
+/// Cooks on until something is so.
+fn until(lesson: &mut Lesson, kitchen: &mut Kitchen, is_so: impl Fn(&Kitchen) -> bool) {
+    while !is_so(kitchen) {
+        kitchen.step();
+        lesson.observe(kitchen);
+        assert!(kitchen.time_s() < 1200.0, "it does not come");
+    }
+}
+
+/// A steak that is taken out while it still warms, and a lesson that is ended at once: the rest is cooked on in a copy, and the truth is that
+/// which a student would have seen who waited.
+#[test]
+fn what_time_has_not_shown_yet_is_cooked_on_in_a_copy_and_is_what_waiting_would_have_shown() {
+    let (mut lesson, mut kitchen) = on_the_board(90.0);
     assert!(!has_rested(&kitchen));
     let mut ended = lesson.clone();
     let mut rest = Rest::of(&ended, &kitchen).expect("it rests");
     while !rest.tick(&mut ended) {}
-    while !has_rested(&kitchen) {
-        kitchen.step();
-        lesson.observe(&kitchen);
-    }
+    assert_eq!(rest.kind(), RestKind::CookedOn);
+    until(&mut lesson, &mut kitchen, has_rested);
     assert!(ended.asked()[1].truth.is_some() && ended.asked() == lesson.asked(), "{:?}", ended.asked());
     assert_eq!(rest.kitchen().state_hash(), kitchen.state_hash());
+}
+
+/// A steak that is nearly raw warms on the board until it is as warm as the room: its end does not come, and is left empty.
+#[test]
+fn an_end_that_does_not_come_within_an_hour_stays_empty() {
+    let (mut lesson, kitchen) = on_the_board(6.0);
+    let mut rest = Rest::of(&lesson, &kitchen).expect("it rests");
+    while !rest.tick(&mut lesson) {}
+    assert_eq!((rest.kind(), (rest.lasted_s() - 3600.0).abs() < 0.2), (RestKind::None, true));
+    let row = lesson.end(&Measures::default(), rest.kind());
+    assert_eq!((row.q3_answer, row.q3_truth), (Some(1.0), None));
 }
 
 /// A result of before the rest was cooked on: the core "at most" is that of the instant at which *Finish* was pressed.

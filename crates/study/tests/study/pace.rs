@@ -17,7 +17,10 @@ fn even_frames_hold_the_speed_however_long_they_are() {
     for wall_s in [0.016, 0.2, 1.5] {
         let meter = after((0..400).map(|_| (wall_s, 5.0 * wall_s)));
         let pace = meter.pace().expect("time has passed");
-        assert!(pace.holds(meter.wall_s()) && (pace.held_median - 5.0).abs() < 1e-9 && pace.behind_s < 1e-6, "{pace:?}");
+        assert!(
+            pace.holds(meter.wall_s()) && (pace.held_median - 5.0).abs() < 1e-9 && pace.behind_s < 1e-6,
+            "{pace:?}"
+        );
     }
 }
 

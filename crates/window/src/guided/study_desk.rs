@@ -34,7 +34,12 @@ pub struct StudyStart {
 impl Clone for StudyStart {
     /// A clone keeps its rows in memory: a log has one writer.
     fn clone(&self) -> Self {
-        Self { study: self.study.clone(), earlier: self.earlier.clone(), keeper: Keeper::Memory, readiness: self.readiness.clone() }
+        Self {
+            study: self.study.clone(),
+            earlier: self.earlier.clone(),
+            keeper: Keeper::Memory,
+            readiness: self.readiness.clone(),
+        }
     }
 }
 
