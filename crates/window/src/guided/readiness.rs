@@ -16,7 +16,7 @@ pub enum Readiness {
     Tried(TrialRun),
     /// It holds the speed.
     Holds(Pace),
-    /// No trial is to come.
+    /// No trial is to come, or somebody has tried the machine.
     NotNeeded,
     /// It does not hold the speed.
     TooSlow(Pace),

@@ -56,6 +56,12 @@ impl StudyStart {
         Self { study, earlier: Vec::new(), keeper: Keeper::Memory, readiness: Readiness::Untried }
     }
 
+    /// The same on a machine that somebody has tried: what it holds is kept with each trial as ever.
+    #[must_use]
+    pub fn on_tried_machine(self) -> Self {
+        Self { readiness: Readiness::NotNeeded, ..self }
+    }
+
     /// The same on a machine of which is known how it holds the speed: it is not tried.
     #[must_use]
     pub fn on_machine(self, pace: Pace) -> Self {
