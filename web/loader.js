@@ -1,5 +1,5 @@
 // Loads the kitchen and starts it. The address may say: ?lang=ja, ?backend=webgl2 (or webgpu), ?recipe=medium, ?embed, #cook=…,
-// ?study=2013&participant=P07, ?scenario=first-steak (&student=S1, &lock=1, &report=https://school.example).
+// ?study=2013&participant=P07 (&machine=tried), ?scenario=first-steak (&student=S1, &lock=1, &report=https://school.example).
 
 // Files of one build belong together; the version keeps a browser's cache from mixing two.
 const version = new URL(import.meta.url).search;
@@ -23,7 +23,7 @@ let giveProgram;
 const program = new Promise((resolve) => (giveProgram = resolve));
 const errands = new Errands(program, place("errand_worker.js"), () => page?.wake());
 const host = new Host(keptCook, controls, errands, asked.get("report") ?? "");
-const led = Object.fromEntries(["study", "participant", "scenario", "student"].map((key) => [key, asked.get(key) ?? ""]));
+const led = Object.fromEntries(["study", "participant", "machine", "scenario", "student"].map((key) => [key, asked.get(key) ?? ""]));
 const options = { lang, recipe, ...led, lock: asked.get("lock") === "1", link: location.hash, embed: isEmbedded, host };
 const language = lang || navigator.language;
 const cover = new Cover(words(language));

@@ -34,7 +34,7 @@ test("a lesson opens by the address, and locked it is not left", { timeout: STUC
 });
 
 test("a shipped study opens by the address", { timeout: STUCK_MS }, async () => {
-  const { page, seen, close } = await opened(`${there.host.address}?study=2013&participant=P07`);
+  const { page, seen, close } = await opened(`${there.host.address}?study=2013&participant=P07&machine=tried`);
   await page.waitForFunction(() => document.querySelector("#controls")?.textContent.includes("agree"));
   await page.screenshot({ path: join(PICTURES, "study.png") });
   assert.deepEqual(trouble(seen), []);
@@ -42,7 +42,7 @@ test("a shipped study opens by the address", { timeout: STUCK_MS }, async () => 
 });
 
 test("a study goes on after a reload where it was, and in one tab only", { timeout: STUCK_MS }, async () => {
-  const address = `${there.host.address}?study=2013&participant=P08`;
+  const address = `${there.host.address}?study=2013&participant=P08&machine=tried`;
   const { page, seen, close } = await opened(address);
   await clickLabel(page, "I agree and begin");
   await shows(page, "Trial 1 of 4");

@@ -36,8 +36,10 @@ pub enum Permit {
     Speed,
     /// Time is stopped.
     Pause,
-    /// More is shown than can be perceived in a kitchen.
+    /// More is read than can be perceived in a kitchen: temperatures, doneness, curves, advice.
     ReadOuts,
+    /// Other views than the look, and the cut.
+    Views,
     /// Time is turned.
     Rewind,
     /// The cook is begun again.
@@ -54,7 +56,7 @@ pub enum Permit {
 
 impl Permit {
     /// All of them.
-    pub const ALL: [Self; 17] = [
+    pub const ALL: [Self; 18] = [
         Self::Hands,
         Self::Eye,
         Self::Comfort,
@@ -66,6 +68,7 @@ impl Permit {
         Self::Speed,
         Self::Pause,
         Self::ReadOuts,
+        Self::Views,
         Self::Rewind,
         Self::Restart,
         Self::Leaving,

@@ -32,7 +32,7 @@ const fn number(
 const DAY_S: f64 = 86_400.0;
 
 /// All columns, in the order of a log.
-pub const COLUMNS: [Column; 32] = [
+pub const COLUMNS: [Column; 35] = [
     text("study", "id", "all", "id of the protocol"),
     text(
         "protocol",
@@ -109,6 +109,24 @@ pub const COLUMNS: [Column; 32] = [
         ("points", 0.0, 100.0),
         "trial",
         "mark of the cook (docs/learning.md); empty in logs of before it was kept",
+    ),
+    number(
+        "speed_set",
+        ("1", 1.0, 20.0),
+        "trial",
+        "simulated time over wall time that the protocol sets; empty for simulated participants and in logs of before it was kept",
+    ),
+    number(
+        "speed_held_median",
+        ("1", 0.0, 20.0),
+        "trial",
+        "median over the seconds of the trial of the speed that the machine held; empty as speed_set",
+    ),
+    number(
+        "behind_s",
+        ("simulated s", 0.0, DAY_S),
+        "trial",
+        "simulated time by which the trial ended behind speed_set times its wall time; empty as speed_set",
     ),
 ];
 

@@ -14,6 +14,7 @@ mod csv_rows;
 pub mod dictionary;
 mod log_row;
 mod measures;
+mod pace;
 mod participant;
 mod protocol;
 pub mod protocol_file;
@@ -26,6 +27,7 @@ mod state;
 pub use self::analysis::Analysis;
 pub use self::log_row::{LogError, LogRow, RowKind, from_csv, to_csv, with_all_columns};
 pub use self::measures::{Measures, Times};
+pub use self::pace::{Pace, PaceMeter};
 pub use self::participant::{NoCode, Participant};
 pub use self::protocol::{
     Answering, Condition, CookForReal, Item, LIKERT_STEPS, Phase, Protocol, Questionnaire, Simulate, Task,

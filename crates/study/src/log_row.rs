@@ -89,6 +89,15 @@ pub struct LogRow {
     /// Mark [points]; logs of before it was kept have none.
     #[serde(default)]
     pub mark: Option<f64>,
+    /// Speed that was set: simulated time over wall time [-]; logs of before it was kept have none of these three.
+    #[serde(default)]
+    pub speed_set: Option<f64>,
+    /// Median of the speed that was held [-].
+    #[serde(default)]
+    pub speed_held_median: Option<f64>,
+    /// Simulated time that is missing at the end of the trial [s].
+    #[serde(default)]
+    pub behind_s: Option<f64>,
 }
 
 /// A log that cannot be read.
@@ -135,7 +144,7 @@ pub fn from_csv(file: &str, text: &str) -> Result<Vec<LogRow>, LogError> {
         what: "row of a study's log",
         remedy: "name files that `saute study` has written",
         columns: &columns,
-        new: 1,
+        new: 4,
         ids: &IDS,
         most: MOST_ROWS,
     };

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use super::log_row::{LogRow, RowKind};
 use super::measures::Measures;
+use super::pace::Pace;
 use super::participant::Participant;
 use super::protocol::{Answering, CookForReal, LIKERT_STEPS, Phase, Protocol, Questionnaire, Simulate, Task};
 use super::protocol_file::{Entered, Information};
@@ -57,6 +58,8 @@ pub enum Event {
         measures: Box<Measures>,
         /// Wall time that it took; none for a simulated participant [s].
         wall_s: Option<f64>,
+        /// How the locked speed was held; none for a simulated participant.
+        pace: Option<Pace>,
         /// File of its session.
         session: Option<String>,
     },
@@ -227,12 +230,13 @@ impl Study {
     pub fn take(&mut self, event: Event, elapsed_s: f64) -> Result<Vec<LogRow>, StudyError> {
         let rows = match (event, self.stage) {
             (Event::Agreed, Stage::Consent) => vec![self.row(RowKind::Consent, elapsed_s)],
-            (Event::TrialEnded { measures, wall_s, session }, Stage::Trial { trial, .. }) => {
+            (Event::TrialEnded { measures, wall_s, pace, session }, Stage::Trial { trial, .. }) => {
                 let row = self.row(RowKind::Trial, elapsed_s);
                 let information = Some(self.information());
                 let goal = self.simulate().map(|simulate| simulate.goal.goal.id.clone());
                 let trial_wall_s = wall_s.map(tenth);
-                vec![LogRow { trial: Some(trial), information, goal, session, trial_wall_s, ..measures.written(row) }]
+                let row = LogRow { trial: Some(trial), information, goal, session, trial_wall_s, ..row };
+                vec![with_pace(measures.written(row), pace)]
             }
             (Event::Answered(answers), Stage::CookForReal { .. }) => self.entries(&answers, elapsed_s)?,
             (Event::Answered(answers), Stage::Questionnaire { .. }) => self.answers(&answers, elapsed_s)?,
@@ -333,6 +337,9 @@ impl Study {
             value: None,
             text: None,
             mark: None,
+            speed_set: None,
+            speed_held_median: None,
+            behind_s: None,
         }
     }
 }
@@ -346,6 +353,12 @@ impl Protocol {
 
 fn is_of(row: &LogRow, kind: RowKind, phase: usize) -> bool {
     row.kind == kind && row.phase == phase as u32 + 1
+}
+
+fn with_pace(row: LogRow, pace: Option<Pace>) -> LogRow {
+    let pace = pace.map(Pace::to_two_places);
+    let (speed_set, speed_held_median) = (pace.map(|p| p.set), pace.map(|p| p.held_median));
+    LogRow { speed_set, speed_held_median, behind_s: pace.map(|p| p.behind_s), ..row }
 }
 
 /// An answer as number and text of a row; none if it is not one of its item.

@@ -16,6 +16,8 @@ pub(crate) struct Options {
     pub recipe: Option<String>,
     /// Id of a shipped study, and the code of its participant.
     pub study: Option<(String, String)>,
+    /// True if somebody has tried whether this machine holds the speed of the study.
+    pub machine_is_tried: bool,
     /// Id of a shipped scenario, the code of its student, and true if it cannot be left.
     pub lesson: Option<(String, String, bool)>,
     /// The page's script.
@@ -29,7 +31,7 @@ pub(crate) struct Options {
 }
 
 impl Options {
-    /// Reads `{ backend, lang, recipe, study, participant, scenario, student, lock, link, embed, host, kept }`; absent and empty values leave the choice to the program.
+    /// Reads `{ backend, lang, recipe, study, participant, machine, scenario, student, lock, link, embed, host, kept }`; absent and empty values leave the choice to the program.
     ///
     /// # Errors
     ///
@@ -46,12 +48,18 @@ impl Options {
         let named = |key, with| Some((text(object, key), text(object, with))).filter(|(name, _)| !name.is_empty());
         let is_locked = value(object, "lock").is_some_and(|lock| lock.is_truthy());
         let study = named("study", "participant");
+        let machine_is_tried = match text(object, "machine").as_str() {
+            "" => false,
+            "tried" => true,
+            other => return Err(format!("machine: \"{other}\" is not known; write machine=tried, or leave it out")),
+        };
         let lesson = named("scenario", "student").map(|(scenario, student)| (scenario, student, is_locked));
         let host = value(object, "host").map(JsCast::unchecked_into);
         let is_embedded = value(object, "embed").is_some_and(|embed| embed.is_truthy());
         let kept =
             value(object, "kept").and_then(|kept| kept.dyn_into::<js_sys::Uint8Array>().ok()).map(|kept| kept.to_vec());
-        Ok(Self { backend: Choice::read(&backend)?, language, recipe, study, lesson, host, kept, link, is_embedded })
+        let backend = Choice::read(&backend)?;
+        Ok(Self { backend, language, recipe, study, machine_is_tried, lesson, host, kept, link, is_embedded })
     }
 }
 

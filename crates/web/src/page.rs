@@ -40,7 +40,7 @@ impl Page {
         Self { runner: WebRunner::new(), app: SharedApp::default(), backend: Rc::default() }
     }
 
-    /// Starts on a canvas with `{ backend: "auto" | "webgpu" | "webgl2", lang: "en" | "ja" | "", recipe, study, participant, scenario, student, lock, link, embed, host, kept }`. A
+    /// Starts on a canvas with `{ backend: "auto" | "webgpu" | "webgl2", lang: "en" | "ja" | "", recipe, study, participant, machine, scenario, student, lock, link, embed, host, kept }`. A
     /// page that was started goes on with its cook on the new canvas.
     ///
     /// # Errors
@@ -167,6 +167,7 @@ fn start(options: Options) -> Result<Start, String> {
     let recipe = options.recipe.map(|name| shipped(&library, &name)).transpose()?;
     let study =
         options.study.as_ref().map(|(id, code)| led::study(&library, (id, code), options.host.as_ref())).transpose()?;
+    let study = study.map(|start| if options.machine_is_tried { start.on_tried_machine() } else { start });
     let page =
         PageStart { host: options.host, kept: options.kept, link: options.link, is_embedded: options.is_embedded };
     let lesson = options.lesson.map(|lesson| led::lesson(&library, lesson)).transpose()?;

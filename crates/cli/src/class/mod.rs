@@ -5,7 +5,7 @@ use std::process::ExitCode;
 
 use clap::Subcommand;
 use saute_study::LogError;
-use saute_study::class::{ClassSummary, ResultRow, from_csv, to_csv};
+use saute_study::class::{Bar, ClassSummary, ResultRow, from_csv, to_csv};
 
 use crate::error::CliError;
 use crate::input::text_file;
@@ -35,6 +35,9 @@ pub struct CollectArgs {
 
 /// Largest file that is read [MiB] (chosen: a class has a few kilobytes).
 const LARGEST_MIB: u64 = 8;
+
+/// Widest bar [marks] (chosen: a line of a terminal).
+const WIDEST: usize = 40;
 
 /// Runs the command.
 pub fn run(command: &ClassCommand) -> Result<ExitCode, CliError> {
@@ -81,10 +84,27 @@ fn text(summary: &ClassSummary, twice: usize) -> String {
         for q in &s.questions {
             let error = q.median_error.map_or_else(|| "not compared".to_owned(), |e| format!("median error {e:.1}"));
             lines.push(format!("  question {}: {} answers, {error}", q.question, q.answers));
+            if q.early_truths > 0 {
+                lines.push(format!(
+                    "    {} truths left out: an earlier version noted them before the food had rested, and score and peak with them",
+                    q.early_truths
+                ));
+            }
+            lines.extend(histogram(&q.bars));
         }
     }
     if twice > 0 {
         lines.push(format!("{twice} results were there twice and count once"));
     }
     lines.iter().map(|line| format!("{line}\n")).collect()
+}
+
+/// A line for each bar: `#` is an answer, `o` a truth.
+fn histogram(bars: &[Bar]) -> Vec<String> {
+    let line = |bar: &Bar| {
+        let range = if bar.to - bar.from > 1.0 { format!("{} to {}", bar.from, bar.to) } else { bar.from.to_string() };
+        let marks = format!("{}{}", "#".repeat(bar.answers.min(WIDEST)), "o".repeat(bar.truths.min(WIDEST)));
+        format!("    {range:>9} |{marks:<12} {} answers, {} truths", bar.answers, bar.truths)
+    };
+    bars.iter().map(line).collect()
 }

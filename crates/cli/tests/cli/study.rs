@@ -121,6 +121,20 @@ fn the_results_of_a_class_become_one_file_with_a_summary() {
     let again = run(&["class", "collect", &out, "--json"]);
     let json: Value = serde_json::from_str(&again.out).unwrap();
     assert_eq!(json["scenarios"][0]["results"], 3);
+    let bar = |answers, truths| format!("30 to 40 |{}{} {answers} answers", "#".repeat(answers), "o".repeat(truths));
+    assert!(ran.out.replace("      ", "").contains(&bar(3, 3)), "{}", ran.out);
+}
+
+/// The peak that a file of before noted may be that of the instant at which the lesson was ended.
+#[test]
+fn a_truth_that_was_noted_before_the_food_had_rested_is_said_to_be_left_out() {
+    let folder = tempfile::tempdir().unwrap();
+    let (path, out) = (text(&folder.path().join("S01.csv")), text(&folder.path().join("class.csv")));
+    fs::write(&path, result("S01", 40.0).replace(",30,34,,", ",30,62,,")).unwrap();
+    let ran = run(&["class", "collect", &path, "--out", &out]);
+    assert!(ran.out.contains("question 1: 1 answers, not compared\n    1 truths left out"), "{}", ran.out);
+    let merged = fs::read_to_string(&out).unwrap();
+    assert!(merged.lines().nth(1).unwrap().contains(",30.0,,"), "{merged}");
 }
 
 #[test]

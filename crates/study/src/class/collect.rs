@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use serde::Serialize;
 
+use super::histogram::{Bar, bars};
 use super::result_row::{MOST_QUESTIONS, ResultRow};
 
 /// What a class did.
@@ -45,12 +46,17 @@ pub struct QuestionSummary {
     pub answers: usize,
     /// Answers whose truth is known.
     pub compared: usize,
+    /// Truths that were left out: files of before note the present where the end was asked about, and the food had not rested.
+    pub early_truths: usize,
     /// Median of the distance from the truth, in the unit of the question.
     pub median_error: Option<f64>,
+    /// How answers and truths spread.
+    pub bars: Vec<Bar>,
 }
 
 impl ClassSummary {
-    /// Merges results: rows in the order of scenario and student, each once, and what the class did.
+    /// Merges results: rows in the order of scenario and student, each once and without truths that were noted too early, and what the
+    /// class did.
     pub fn of(rows: &[ResultRow]) -> (Vec<ResultRow>, Self) {
         let mut merged: Vec<ResultRow> = Vec::new();
         for row in rows {
@@ -64,7 +70,8 @@ impl ClassSummary {
             groups.entry((&row.scenario, &row.checksum)).or_default().push(row);
         }
         let scenarios = groups.values().filter_map(|rows| ScenarioSummary::of(rows)).collect();
-        (merged, Self { scenarios })
+        let believed = merged.iter().map(ResultRow::without_early_truths).collect();
+        (believed, Self { scenarios })
     }
 }
 
@@ -88,14 +95,18 @@ impl ScenarioSummary {
 }
 
 fn question(rows: &[&ResultRow], place: usize) -> Option<QuestionSummary> {
-    let pairs: Vec<[Option<f64>; 2]> = rows.iter().map(|row| row.questions()[place]).collect();
-    let answers = pairs.iter().filter(|[answer, _]| answer.is_some()).count();
+    let early_truths = rows.iter().filter(|row| row.early_truths().contains(&place)).count();
+    let pairs: Vec<[Option<f64>; 2]> = rows.iter().map(|row| row.without_early_truths().questions()[place]).collect();
+    let answers: Vec<f64> = pairs.iter().filter_map(|[answer, _]| *answer).collect();
+    let truths: Vec<f64> = pairs.iter().filter_map(|[_, truth]| *truth).collect();
     let errors: Vec<f64> = pairs.iter().filter_map(|[answer, truth]| Some(((*answer)? - (*truth)?).abs())).collect();
-    (answers > 0).then(|| QuestionSummary {
+    (!answers.is_empty()).then(|| QuestionSummary {
         question: place + 1,
-        answers,
+        answers: answers.len(),
         compared: errors.len(),
+        early_truths,
         median_error: median(errors),
+        bars: bars(&answers, &truths),
     })
 }
 

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use saute_kitchen::{Kitchen, Piece, celsius};
 
-use super::result_row::ResultRow;
+use super::result_row::{RestKind, ResultRow};
 use super::scenario::{Ask, Scenario, When};
 use super::scenario_file::Deed;
 use crate::measures::Measures;
@@ -66,6 +66,26 @@ impl Lesson {
         self.ask_next(piece, now)
     }
 
+    /// Notes what was asked about an instant that has come, and asks nothing.
+    pub(super) fn learn(&mut self, kitchen: &Kitchen) {
+        if let Some(piece) = kitchen.pieces().first() {
+            self.learn_truths(piece, kitchen.time_s());
+        }
+    }
+
+    /// True if the food was in the pan and was taken out.
+    pub(super) fn was_cooked(&self) -> bool {
+        self.put_s.is_some() && self.out_s.is_some()
+    }
+
+    /// True if an instant that was asked about is still to come.
+    pub(super) fn awaits(&self, now: f64) -> bool {
+        self.asked.iter().zip(&self.scenario.predictions).any(|(asked, predict)| match (predict.ask, asked.at_s) {
+            (Ask::CoreIn(in_s), Some(at_s)) => asked.truth.is_none() && now < at_s + in_s,
+            _ => false,
+        })
+    }
+
     /// Asks the first question that is due, if none waits.
     fn ask_next(&mut self, piece: &Piece, now: f64) -> bool {
         if self.waiting().is_some() {
@@ -118,8 +138,8 @@ impl Lesson {
         Some(place)
     }
 
-    /// Ends the lesson: what was asked about the end is known now. Returns the row to hand in.
-    pub fn end(&mut self, measures: &Measures) -> ResultRow {
+    /// Ends the lesson. What was asked about the end is known if the food has rested; else it stays empty. Returns the row to hand in.
+    pub fn end(&mut self, measures: &Measures, rest: RestKind) -> ResultRow {
         let scale = &self.scenario.goal.scale;
         for (asked, predict) in self.asked.iter_mut().zip(&self.scenario.predictions) {
             let truth = match predict.ask {
@@ -127,8 +147,10 @@ impl Lesson {
                 Ask::ClassInTheEnd => Some(scale.class_of(scale.of_nodes(measures.at_core)) as f64),
                 _ => None,
             };
-            asked.truth = asked.truth.or(truth.filter(|_| asked.at_s.is_some()));
+            let is_known = rest != RestKind::None && asked.at_s.is_some();
+            asked.truth = asked.truth.or(truth.filter(|_| is_known));
         }
-        ResultRow::of(&self.scenario, self.student.as_ref(), measures, &self.asked)
+        let row = ResultRow::of(&self.scenario, self.student.as_ref(), measures, &self.asked);
+        ResultRow { rest: Some(rest), ..row }
     }
 }

@@ -6,14 +6,19 @@
 
 mod check;
 mod collect;
+mod early_truth;
+mod histogram;
 mod lesson;
+mod rest;
 mod result_row;
 mod scenario;
 pub mod scenario_file;
 pub mod shipped;
 
 pub use self::collect::{ClassSummary, QuestionSummary, ScenarioSummary};
+pub use self::histogram::Bar;
 pub use self::lesson::{Asked, Lesson};
-pub use self::result_row::{MOST_QUESTIONS, ResultRow, from_csv, to_csv};
+pub use self::rest::{Rest, has_rested, is_out};
+pub use self::result_row::{MOST_QUESTIONS, RestKind, ResultRow, from_csv, to_csv};
 pub use self::scenario::{Ask, Predict, Scenario, When, Words};
 pub use self::scenario_file::{Deed, Locked};

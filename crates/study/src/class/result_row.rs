@@ -71,6 +71,21 @@ pub struct ResultRow {
     /// Mark [points]; results of before it was kept have none.
     #[serde(default)]
     pub mark: Option<f64>,
+    /// Whether the food had rested; results of before it was kept do not say so.
+    #[serde(default)]
+    pub rest: Option<RestKind>,
+}
+
+/// Whether the food of a lesson had rested when its result was read.
+#[derive(Clone, Copy, Debug, Deserialize, Eq, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum RestKind {
+    /// It rested before the student's eyes.
+    Seen,
+    /// The student ended the lesson while it rested; it was cooked on in a copy until it had rested.
+    CookedOn,
+    /// It had not: what was asked about the end has no truth.
+    None,
 }
 
 impl ResultRow {
@@ -106,6 +121,7 @@ impl ResultRow {
             q4_answer: answer(3),
             q4_truth: truth(3),
             mark: Some(m.mark),
+            rest: None,
         }
     }
 
@@ -117,6 +133,13 @@ impl ResultRow {
             [self.q3_answer, self.q3_truth],
             [self.q4_answer, self.q4_truth],
         ]
+    }
+
+    pub(super) fn forget_truth(&mut self, place: usize) {
+        let truths = [&mut self.q1_truth, &mut self.q2_truth, &mut self.q3_truth, &mut self.q4_truth];
+        if let Some(truth) = truths.into_iter().nth(place) {
+            *truth = None;
+        }
     }
 
     /// The row as one line to paste into a sheet: values between tabs, in the order of the columns.
@@ -151,7 +174,7 @@ pub fn from_csv(file: &str, text: &str) -> Result<Vec<ResultRow>, LogError> {
         what: "result of a lesson",
         remedy: "name files that a lesson has given",
         columns: &columns,
-        new: 1,
+        new: 2,
         ids: &IDS,
         most: MOST_ROWS,
     };

@@ -2,9 +2,10 @@
 
 use std::sync::Arc;
 
-use saute_kitchen::{Command, Kitchen, Library, Piece, celsius};
+use saute_kitchen::{Command, Kitchen, Library, Piece, RestOn, celsius};
 use saute_study::Measures;
-use saute_study::class::{ClassSummary, Lesson, ResultRow, Scenario, from_csv, to_csv};
+use saute_study::class::{ClassSummary, Lesson, Rest, RestKind, ResultRow, Scenario, from_csv, shipped, to_csv};
+use saute_study::class::{has_rested, is_out};
 
 const TEXT: &str = r#"id = "quick"
 title = "Quick"
@@ -68,9 +69,106 @@ fn questions_come_when_they_are_due_one_by_one_and_the_truth_is_that_of_the_cook
     }
     let core = celsius(kitchen.piece("steak").map(Piece::core).expect("is there"));
     assert!((lesson.asked()[1].truth.expect("has come") - core).abs() < 0.3);
-    let row = lesson.end(&Measures { score: -3.0, at_core: 20.0, core_peak_c: 20.0, ..Measures::default() });
+    let measures = Measures { score: -3.0, at_core: 20.0, core_peak_c: 20.0, ..Measures::default() };
+    assert!(Rest::of(&lesson, &kitchen).is_none(), "it is in the pan: what comes depends on what is done");
+    let row = lesson.clone().end(&measures, RestKind::None);
+    assert_eq!((row.q3_answer, row.q3_truth), (Some(1.0), None), "the end has not come");
+    let row = lesson.end(&measures, RestKind::Seen);
     assert_eq!((row.q3_answer, row.q3_truth), (Some(1.0), Some(0.0)), "raw in the end");
     assert_eq!((row.scenario.as_str(), row.student.as_deref(), row.q4_answer), ("quick", Some("S01"), None));
+}
+
+/// A lesson whose questions are all answered, with its steak on the board after some time in the pan [s]; the hob is off.
+fn on_the_board(in_pan_s: f64) -> (Lesson, Kitchen) {
+    let (mut lesson, mut kitchen) = lesson();
+    let give = |kitchen: &mut Kitchen, command: &Command| kitchen.apply(command).expect("is done");
+    give(&mut kitchen, &Command::Hob(1100.0));
+    until_asked(&mut lesson, &mut kitchen);
+    lesson.answer(7.0);
+    give(&mut kitchen, &Command::Put { food: "steak".into(), at: [0.0, 0.0], heap: false });
+    let put_s = kitchen.time_s();
+    for answer in [6.0, 1.0] {
+        until_asked(&mut lesson, &mut kitchen);
+        assert!(lesson.answer(answer).is_some());
+    }
+    until(&mut lesson, &mut kitchen, |kitchen| kitchen.time_s() >= put_s + in_pan_s);
+    give(&mut kitchen, &Command::Rest { food: "steak".into(), on: RestOn::Board });
+    until(&mut lesson, &mut kitchen, is_out);
+    give(&mut kitchen, &Command::Hob(0.0));
+    (lesson, kitchen)
+}
+
+/// Cooks on until something is so.
+fn until(lesson: &mut Lesson, kitchen: &mut Kitchen, is_so: impl Fn(&Kitchen) -> bool) {
+    while !is_so(kitchen) {
+        kitchen.step();
+        lesson.observe(kitchen);
+        assert!(kitchen.time_s() < 1200.0, "it does not come");
+    }
+}
+
+/// A steak that is taken out while it still warms, and a lesson that is ended at once: the rest is cooked on in a copy, and the truth is that
+/// which a student would have seen who waited.
+#[test]
+fn what_time_has_not_shown_yet_is_cooked_on_in_a_copy_and_is_what_waiting_would_have_shown() {
+    let (mut lesson, mut kitchen) = on_the_board(90.0);
+    assert!(!has_rested(&kitchen));
+    let mut ended = lesson.clone();
+    let mut rest = Rest::of(&ended, &kitchen).expect("it rests");
+    while !rest.tick(&mut ended) {}
+    assert_eq!(rest.kind(), RestKind::CookedOn);
+    until(&mut lesson, &mut kitchen, has_rested);
+    assert!(ended.asked()[1].truth.is_some() && ended.asked() == lesson.asked(), "{:?}", ended.asked());
+    assert_eq!(rest.kitchen().state_hash(), kitchen.state_hash());
+}
+
+/// A steak that is nearly raw warms on the board until it is as warm as the room: its end does not come, and is left empty.
+#[test]
+fn an_end_that_does_not_come_within_an_hour_stays_empty() {
+    let (mut lesson, kitchen) = on_the_board(6.0);
+    let mut rest = Rest::of(&lesson, &kitchen).expect("it rests");
+    while !rest.tick(&mut lesson) {}
+    assert_eq!((rest.kind(), (rest.lasted_s() - 3600.0).abs() < 0.2), (RestKind::None, true));
+    let row = lesson.end(&Measures::default(), rest.kind());
+    assert_eq!((row.q3_answer, row.q3_truth), (Some(1.0), None));
+}
+
+/// A result of before the rest was cooked on: the core "at most" is that of the instant at which *Finish* was pressed.
+fn of_before(rest_s: f64) -> ResultRow {
+    let text = shipped::text("first-steak").expect("is shipped");
+    ResultRow {
+        scenario: "first-steak".into(),
+        checksum: format!("{:08x}", crc32fast::hash(text.as_bytes())),
+        student: Some("S09".into()),
+        core_peak_c: 5.42,
+        out_s: Some(200.0),
+        end_s: 200.0 + rest_s,
+        q1_answer: Some(20.0),
+        q1_truth: Some(18.0),
+        q2_answer: Some(17.0),
+        q2_truth: Some(5.42),
+        ..ResultRow::default()
+    }
+}
+
+#[test]
+fn a_truth_of_before_that_was_noted_too_early_is_recognised_counted_and_left_out() {
+    let early = of_before(2.0);
+    assert_eq!(early.early_truths(), [1]);
+    let text = to_csv(&[early.clone()]);
+    let without_column: String =
+        text.lines().map(|line| format!("{}\n", line.rsplit_once(',').expect("columns").0)).collect();
+    let rows = from_csv("s.csv", &without_column).expect("a file of before");
+    let (merged, summary) = ClassSummary::of(&rows);
+    assert_eq!((merged[0].q1_truth, merged[0].q2_truth), (Some(18.0), None), "what had come is kept");
+    let q = &summary.scenarios[0].questions;
+    assert_eq!((q[0].compared, q[0].early_truths), (1, 0));
+    assert_eq!((q[1].answers, q[1].compared, q[1].early_truths, q[1].median_error), (1, 0, 1, None));
+    assert!(of_before(900.0).early_truths().is_empty(), "it had rested");
+    let today = ResultRow { rest: Some(RestKind::CookedOn), ..early.clone() };
+    assert!(today.early_truths().is_empty());
+    let own = ResultRow { scenario: "own".into(), q3_truth: Some(2.0), ..early };
+    assert_eq!(own.early_truths(), [1, 2], "5.42 is its peak, and 2 may be a class");
 }
 
 fn row(student: &str, score: f64, answer: f64) -> ResultRow {
@@ -95,6 +193,8 @@ fn a_class_is_summed_up_and_each_result_counts_once() {
     let [of_quick] = &summary.scenarios[..] else { panic!("one scenario") };
     assert_eq!((of_quick.results, of_quick.students, of_quick.met, of_quick.median_score), (3, 3, 2, 50.0));
     assert_eq!((of_quick.questions[0].answers, of_quick.questions[0].median_error), (3, Some(5.0)));
+    let bars: Vec<_> = of_quick.questions[0].bars.iter().map(|bar| (bar.from, bar.answers, bar.truths)).collect();
+    assert_eq!(bars, [(40.0, 1, 0), (50.0, 2, 3)]);
 }
 
 #[test]
@@ -120,7 +220,7 @@ fn a_result_that_a_spreadsheet_has_saved_again_or_without_headers_is_not_lost() 
     let own = from_csv("s.csv", &text).expect("a result");
     let (_, line) = text.split_once('\n').expect("a header");
     assert_eq!(from_csv("s.csv", line).expect("without headers"), own);
-    let before = line.rsplit_once(',').expect("columns").0;
+    let before = line.trim_end().rsplitn(3, ',').last().expect("columns");
     assert_eq!(from_csv("s.csv", before).expect("without headers, before the mark")[0].score, own[0].score);
     let german = text.replace(',', ";").replace('.', ",");
     assert_eq!(from_csv("s.csv", &german).expect("semicolons"), own);

@@ -5,5 +5,6 @@
 
 mod analysis;
 mod lessons;
+mod pace;
 mod protocols;
 mod way;

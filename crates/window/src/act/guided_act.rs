@@ -9,6 +9,8 @@ pub enum GuidedAct {
     Agree,
     /// Does not take part.
     Decline,
+    /// Tries once more whether the machine holds the speed.
+    TryMachine,
     /// Begins the trial that is next.
     BeginTrial,
     /// Ends the trial that runs.

@@ -36,6 +36,7 @@ fn guided(act: &GuidedAct) -> Traits {
         GuidedAct::Lesson(_) => asks(&[Permit::Leaving]),
         GuidedAct::Agree
         | GuidedAct::Decline
+        | GuidedAct::TryMachine
         | GuidedAct::BeginTrial
         | GuidedAct::EndTrial
         | GuidedAct::Answer(_)

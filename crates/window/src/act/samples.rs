@@ -135,6 +135,7 @@ fn learn() -> Vec<LearnAct> {
     let guided = samples! { GuidedAct:
         GuidedAct::Agree => GuidedAct::Agree,
         GuidedAct::Decline => GuidedAct::Decline,
+        GuidedAct::TryMachine => GuidedAct::TryMachine,
         GuidedAct::BeginTrial => GuidedAct::BeginTrial,
         GuidedAct::EndTrial => GuidedAct::EndTrial,
         GuidedAct::Answer(_) => GuidedAct::Answer(BTreeMap::new()),

@@ -69,7 +69,7 @@ impl ViewAct {
         match self {
             Self::NextPiece => Traits { subject: Subject::Food, ..eye("key.next_piece") },
             Self::Select(_) => Traits { subject: Subject::Food, ..eye(Traits::NO_WORDS) },
-            Self::Pieces => Traits { subject: Subject::Window, ..reading("key.pieces") },
+            Self::Pieces => Traits { subject: Subject::Window, needs: &[Permit::ReadOuts], ..reading("key.pieces") },
             Self::SideBySide => Traits { needs: &[Permit::Rewind], ..reading("key.side_by_side") },
             Self::View(view) => shows(*view),
             Self::Split => reading("key.split"),
@@ -97,8 +97,8 @@ impl ViewAct {
                 let words = words.into_iter().find(|(_, holds)| *holds).map_or(Traits::NO_WORDS, |(words, _)| words);
                 Traits { frames_photo: true, ..eye(words) }
             }
-            Self::Pantry => Traits { subject: Subject::Window, ..eye("key.pantry") },
-            Self::Curves => Traits { subject: Subject::Window, ..reading("key.curves") },
+            Self::Pantry => Traits { subject: Subject::Window, needs: &[Permit::Foods], ..eye("key.pantry") },
+            Self::Curves => Traits { subject: Subject::Window, needs: &[Permit::ReadOuts], ..reading("key.curves") },
             Self::Panels => Traits { subject: Subject::Window, ..eye("key.panels") },
             Self::More => Traits { subject: Subject::Window, needs: &[Permit::Comfort], ..eye("key.more") },
             Self::Strings => Traits { subject: Subject::Window, needs: &[Permit::Devices], ..eye("key.strings") },
@@ -121,7 +121,7 @@ fn shows(view: View) -> Traits {
 
 /// What shows more than can be seen in a kitchen.
 fn reading(words: &'static str) -> Traits {
-    Traits { subject: Subject::Views, needs: &[Permit::ReadOuts], reads: true, ..eye(words) }
+    Traits { subject: Subject::Views, needs: &[Permit::Views], reads: true, ..eye(words) }
 }
 
 /// What a person looks at in a kitchen too.

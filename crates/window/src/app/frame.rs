@@ -22,7 +22,7 @@ use saute_session::forecasts::Shown;
 
 /// Longest that one frame may spend on stepping the world [ms] (chosen: half a frame at 25 frames a second).
 const STEP_BUDGET_MS: u64 = 20;
-/// In a browser another process draws: stepping may take this share of a slow frame [-], up to this long [s] (chosen: five
+/// In a browser another process draws, and a study's speed is held: stepping may take this share of a slow frame [-], up to this long [s] (chosen: five
 /// times real time is held at a few frames a second, and the page still answers).
 const STEP_SHARE: f64 = 0.5;
 const LONGEST_STEPPING_S: f64 = 0.15;
@@ -47,7 +47,7 @@ impl SauteApp {
         #[cfg(target_arch = "wasm32")]
         self.take_inbox(&ctx);
         self.let_time_pass(&ctx);
-        self.guide();
+        self.guide(&ctx);
         self.follow_plan(&ctx);
         self.follow_fit(&ctx);
         self.keep_cook(false);
@@ -65,6 +65,7 @@ impl SauteApp {
         #[cfg(not(target_arch = "wasm32"))]
         let layout = crate::hand::make_room(layout, &self.session.hands);
         let layout = if self.photo_is_open() { layout.bare() } else { layout };
+        let layout = if self.reads_out() { layout } else { layout.without_inside() };
         self.session.probes.forget_gone(&self.session.kitchen);
         let layout = self.lay_out_ways(layout);
         self.show_scene(ui, &layout);
@@ -92,7 +93,7 @@ impl SauteApp {
         let ways = if self.shows_ways() { self.session.ways() } else { Vec::new() };
         let way_names = if ways.is_empty() { BTreeMap::new() } else { self.session.way_names() };
         let l = self.settings.language;
-        let coach = self.settings.coach && !self.settings.skill_mode;
+        let coach = self.settings.coach && !self.settings.skill_mode && self.reads_out();
         let piece = self.session.steak().filter(|_| coach);
         let coaching = piece.and_then(|piece| Coaching::of(&self.session.kitchen, piece, &advised));
         let alarm = coach && advice.iter().any(|one| one.is_goal());
@@ -177,14 +178,20 @@ impl SauteApp {
     fn let_time_pass(&mut self, ctx: &egui::Context) {
         let now = ctx.input(|i| i.time);
         // A longer gap is a tab that was hidden, or a machine that slept: nobody saw it.
-        let wall = (now - self.pace.last_time.unwrap_or(now)).clamp(0.0, MOST_OWED_S);
+        let since = now - self.pace.last_time.unwrap_or(now);
+        let wall = since.clamp(0.0, MOST_OWED_S);
         self.pace.last_time = Some(now);
         self.take_hands(ctx, wall.min(LONGEST_FRAME_S));
         let begun = Instant::now();
         self.session.permits = self.permits();
         let waits = self.time_waits();
         let passes = if waits { 0.0 } else { wall };
-        let passed = self.session.advance(Duration::from_secs_f64(passes), step_budget(wall));
+        let holds_speed = self.leads.guided.as_ref().is_some_and(Guided::holds_speed);
+        let before_s = self.session.kitchen.time_s();
+        let passed = self.session.advance(Duration::from_secs_f64(passes), step_budget(wall, holds_speed));
+        if !self.session.paused && !waits {
+            self.note_pace(since, self.session.kitchen.time_s() - before_s);
+        }
         self.pace.meter.frame(now, self.session.kitchen.time_s());
         // While time stands still frames come when there is something to see.
         if !self.session.paused && !waits {
@@ -227,9 +234,10 @@ fn is_table(name: &str) -> bool {
     [".csv", ".tsv", ".txt", ".log", ".json", ".xlsx", ".xls", ".ods"].iter().any(|ending| name.ends_with(ending))
 }
 
-/// How long a frame may spend on stepping the world, when the last one took `wall_s`.
-pub(crate) fn step_budget(wall_s: f64) -> Duration {
+/// How long a frame may spend on stepping the world, when the last one took `wall_s`. A speed that is to be held goes before smooth
+/// frames.
+pub(crate) fn step_budget(wall_s: f64, holds_speed: bool) -> Duration {
     let least = Duration::from_millis(STEP_BUDGET_MS);
     let share = Duration::from_secs_f64((STEP_SHARE * wall_s).clamp(0.0, LONGEST_STEPPING_S));
-    if cfg!(target_arch = "wasm32") { least.max(share) } else { least }
+    if cfg!(target_arch = "wasm32") || holds_speed { least.max(share) } else { least }
 }

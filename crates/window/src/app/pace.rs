@@ -3,6 +3,7 @@
 use super::SauteApp;
 use crate::app::apply::waiting::Waiting;
 use crate::frame_meter::FrameMeter;
+use crate::guided::Guided;
 use saute_kitchen::advice::Advice;
 use saute_session::SPEEDS;
 use saute_session::easing::Easing;
@@ -47,10 +48,12 @@ impl SauteApp {
         }
     }
 
-    /// Watches the clock through `wall` seconds. The chosen speed stays in the settings, beside the one that the machine holds.
+    /// Watches the clock through `wall` seconds. The chosen speed stays in the settings, beside the one that the machine holds; a
+    /// speed that is locked stays, and what is missing is noted.
     pub(super) fn keep_up(&mut self, wall: f64) {
         let (now, time_s) = (self.session.speed, self.session.kitchen.time_s());
-        if self.session.behind_s().is_none() || now <= SPEEDS[0] {
+        let is_locked = self.leads.guided.as_ref().is_some_and(Guided::holds_speed);
+        if is_locked || self.session.behind_s().is_none() || now <= SPEEDS[0] {
             self.pace.lag = None;
             return;
         }

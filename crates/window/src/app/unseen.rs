@@ -14,6 +14,8 @@ impl SauteApp {
         } else if std::mem::take(&mut self.pace.stopped_unseen) {
             let is_locked = !self.permits().allow(&[Permit::Pause]);
             self.session.set_paused(!is_locked);
+            // What passed meanwhile is no slowness of the machine.
+            self.pace.last_time = None;
             self.say(if is_locked { "notice.was_hidden" } else { "notice.hidden" });
         }
     }

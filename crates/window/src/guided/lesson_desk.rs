@@ -2,11 +2,11 @@
 
 use std::sync::Arc;
 
-use saute_study::class::{Lesson, ResultRow, Scenario};
+use saute_study::class::{Lesson, Rest, RestKind, ResultRow, Scenario, has_rested};
 use saute_study::protocol_file::Information;
 use saute_study::{Measures, Participant, Times};
+use web_time::{Duration, Instant};
 
-use super::study_desk::has_rested;
 use crate::session::Session;
 
 /// A lesson to begin with.
@@ -29,12 +29,14 @@ pub struct LessonDesk {
     shown: Option<usize>,
     /// Questions whose truth was told.
     told: Vec<usize>,
+    /// The rest that is cooked on in a copy, after the lesson was ended.
+    rest: Option<Rest>,
     result: Option<(ResultRow, Measures)>,
 }
 
 impl LessonDesk {
     pub(crate) fn begin(start: LessonStart) -> Self {
-        Self { start, masses: Vec::new(), has_begun: false, shown: None, told: Vec::new(), result: None }
+        Self { start, masses: Vec::new(), has_begun: false, shown: None, told: Vec::new(), rest: None, result: None }
     }
 
     /// The scenario.
@@ -62,6 +64,11 @@ impl LessonDesk {
         self.shown
     }
 
+    /// The rest that is cooked on before there is a result.
+    pub fn rest(&self) -> Option<&Rest> {
+        self.rest.as_ref()
+    }
+
     /// What came of it, once it is over.
     pub fn result(&self) -> Option<&(ResultRow, Measures)> {
         self.result.as_ref()
@@ -69,7 +76,7 @@ impl LessonDesk {
 
     /// True while a card asks. That a question waits is known by the session's pause.
     pub(crate) fn asks(&self) -> bool {
-        !self.has_begun || self.shown.is_some() || self.result.is_some()
+        !self.has_begun || self.shown.is_some() || self.rest.is_some() || self.result.is_some()
     }
 
     pub(crate) fn hides_read_outs(&self) -> bool {
@@ -79,7 +86,7 @@ impl LessonDesk {
     /// The lesson that watches the cook.
     pub(crate) fn watch(&mut self, session: &Session) -> Lesson {
         self.masses = session.kitchen.pieces().iter().map(saute_kitchen::Piece::mass).collect();
-        (self.has_begun, self.shown, self.result) = (false, None, None);
+        (self.has_begun, self.shown, self.rest, self.result) = (false, None, None, None);
         self.told.clear();
         Lesson::begin(Arc::clone(&self.start.scenario), self.start.student.clone())
     }
@@ -113,16 +120,37 @@ impl LessonDesk {
 
     /// True if it has come to its end.
     pub(crate) fn is_over(&self, session: &Session) -> bool {
-        let runs = self.has_begun && self.result.is_none();
-        runs && (session.kitchen.time_s() >= self.start.scenario.max_s || has_rested(session))
+        let runs = self.has_begun && self.rest.is_none() && self.result.is_none();
+        runs && (session.kitchen.time_s() >= self.start.scenario.max_s || has_rested(&session.kitchen))
     }
 
-    /// Ends it.
+    /// Ends it. What time has not yet shown is cooked on first, if the food is out of the pan ([`Self::cook_on`]).
     pub(crate) fn end(&mut self, session: &mut Session) {
+        self.rest = session.lesson.as_ref().and_then(|lesson| Rest::of(lesson, &session.kitchen));
+        if self.rest.is_none() {
+            let kitchen = session.kitchen.clone();
+            self.finish(session, &kitchen, RestKind::None);
+        }
+    }
+
+    /// Cooks on what the lesson waits for, for no longer than `budget`; returns true once there is a result.
+    pub(crate) fn cook_on(&mut self, session: &mut Session, budget: Duration) -> bool {
+        let (Some(rest), Some(lesson)) = (&mut self.rest, &mut session.lesson) else { return false };
+        let begun = Instant::now();
+        let mut is_over = rest.tick(lesson);
+        while !is_over && begun.elapsed() < budget {
+            is_over = rest.tick(lesson);
+        }
+        let Some(rest) = self.rest.take_if(|_| is_over) else { return false };
+        self.finish(session, rest.kitchen(), rest.kind());
+        true
+    }
+
+    fn finish(&mut self, session: &mut Session, kitchen: &saute_kitchen::Kitchen, rest: RestKind) {
         let times = Times::of(session.recording(), &session.recorder);
-        let measures = Measures::read(&session.kitchen, &self.masses, &self.start.scenario.goal, &times);
+        let measures = Measures::read(kitchen, &self.masses, &self.start.scenario.goal, &times);
         if let Some(lesson) = &mut session.lesson {
-            self.result = Some((lesson.end(&measures), measures));
+            self.result = Some((lesson.end(&measures, rest), measures));
         }
     }
 }

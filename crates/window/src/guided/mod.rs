@@ -4,12 +4,13 @@ mod lesson_desk;
 #[cfg(not(target_arch = "wasm32"))]
 mod log_file;
 mod permits;
+mod readiness;
 mod study_desk;
 #[cfg(test)]
 mod walk;
 
 pub use self::lesson_desk::{LessonDesk, LessonStart};
-pub(crate) use self::study_desk::is_out;
+pub use self::readiness::{Readiness, TrialRun};
 pub use self::study_desk::{StudyDesk, StudyStart};
 use saute_session::permits::{Permit, Permits};
 
@@ -30,14 +31,6 @@ impl Guided {
         }
     }
 
-    /// Returns true if what cannot be seen in a kitchen is hidden.
-    pub fn hides_read_outs(&self) -> bool {
-        match self {
-            Self::Study(desk) => desk.hides_read_outs(),
-            Self::Lesson(desk) => desk.hides_read_outs(),
-        }
-    }
-
     /// What is allowed.
     pub fn permits(&self) -> Permits {
         match self {
@@ -48,6 +41,14 @@ impl Guided {
 
     /// Returns true if time waits while something is read or chosen over the scene.
     pub fn time_waits(&self) -> bool {
-        self.asks() || self.permits().allow(&[Permit::Pause])
+        match self {
+            Self::Study(desk) if matches!(desk.readiness(), Readiness::Tried(_)) => false,
+            _ => self.asks() || self.permits().allow(&[Permit::Pause]),
+        }
+    }
+
+    /// Returns true if the speed of time is to be held: nobody may set it.
+    pub fn holds_speed(&self) -> bool {
+        !self.permits().allow(&[Permit::Speed])
     }
 }

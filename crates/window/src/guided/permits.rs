@@ -8,7 +8,10 @@ use saute_session::permits::{Permit, Permits};
 
 /// Those of a study: to cook, to look, what the study itself asks for, and to hear where its protocol says so.
 pub(crate) fn of_study(hidden: bool, sounds: bool) -> Permits {
-    Permits::only(&Permit::ALWAYS).with(Permit::ReadOuts, !hidden).with(Permit::Sound, sounds)
+    Permits::only(&Permit::ALWAYS)
+        .with(Permit::ReadOuts, !hidden)
+        .with(Permit::Views, !hidden)
+        .with(Permit::Sound, sounds)
 }
 
 /// Those of a lesson, less what its scenario locks, or the link by which it came.
@@ -19,7 +22,8 @@ pub(crate) fn of_lesson(locked: &BTreeSet<Locked>, leaving: bool, hidden: bool) 
         .with(Permit::Pan, !has(Locked::Pan) && !leaving)
         .with(Permit::Speed, !has(Locked::Speed))
         .with(Permit::Pause, true)
-        .with(Permit::ReadOuts, !has(Locked::Views) && !hidden)
+        .with(Permit::ReadOuts, !hidden)
+        .with(Permit::Views, !has(Locked::Views) && !hidden)
         .with(Permit::Rewind, !has(Locked::Rewind))
         .with(Permit::Restart, true)
         .with(Permit::Leaving, !leaving)

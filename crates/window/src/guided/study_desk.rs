@@ -3,13 +3,13 @@
 use std::sync::Arc;
 
 use saute_study::protocol_file::Information;
-use saute_study::{Event, LogRow, Measures, Participant, Protocol, Stage, Study, StudyError, Times, to_csv};
+use saute_study::{
+    Event, LogRow, Measures, Pace, PaceMeter, Participant, Protocol, Simulate, Stage, Study, StudyError, Times, to_csv,
+};
 use web_time::Instant;
 
+use super::readiness::{Readiness, TrialRun};
 use crate::session::Session;
-
-/// How far the core cools below its peak before a trial ends by itself [K] (chosen: as the advice that the food has rested).
-const RESTED_K: f64 = 0.3;
 
 /// Where rows go.
 enum Keeper {
@@ -28,12 +28,18 @@ pub struct StudyStart {
     study: Study,
     earlier: Vec<LogRow>,
     keeper: Keeper,
+    readiness: Readiness,
 }
 
 impl Clone for StudyStart {
     /// A clone keeps its rows in memory: a log has one writer.
     fn clone(&self) -> Self {
-        Self { study: self.study.clone(), earlier: self.earlier.clone(), keeper: Keeper::Memory }
+        Self {
+            study: self.study.clone(),
+            earlier: self.earlier.clone(),
+            keeper: Keeper::Memory,
+            readiness: self.readiness.clone(),
+        }
     }
 }
 
@@ -47,7 +53,19 @@ impl StudyStart {
     /// A study whose rows are kept in memory, as in a page without storage.
     pub fn in_memory(protocol: Arc<Protocol>, participant: Participant) -> Self {
         let study = Study::begin(protocol, participant).started_at(outside::time_of_day());
-        Self { study, earlier: Vec::new(), keeper: Keeper::Memory }
+        Self { study, earlier: Vec::new(), keeper: Keeper::Memory, readiness: Readiness::Untried }
+    }
+
+    /// The same on a machine that somebody has tried: what it holds is kept with each trial as ever.
+    #[must_use]
+    pub fn on_tried_machine(self) -> Self {
+        Self { readiness: Readiness::NotNeeded, ..self }
+    }
+
+    /// The same on a machine of which is known how it holds the speed: it is not tried.
+    #[must_use]
+    pub fn on_machine(self, pace: Pace) -> Self {
+        Self { readiness: Readiness::known(pace), ..self }
     }
 
     /// Goes on after the rows that a log holds.
@@ -58,7 +76,7 @@ impl StudyStart {
     ) -> Result<Self, String> {
         let study = Self::in_memory(protocol, participant).study;
         let study = study.resume(&earlier).map_err(|error| error.to_string())?;
-        Ok(Self { study, earlier, keeper })
+        Ok(Self { study, earlier, keeper, readiness: Readiness::Untried })
     }
 
     /// A study whose log is a file in a folder; one that is there is gone on with.
@@ -109,12 +127,14 @@ pub struct StudyDesk {
     has_declined: bool,
     begun: Instant,
     trouble: Option<String>,
+    readiness: Readiness,
 }
 
 /// A trial that runs.
 struct Trial {
     masses: Vec<f64>,
     begun: Instant,
+    meter: PaceMeter,
 }
 
 impl StudyDesk {
@@ -130,12 +150,46 @@ impl StudyDesk {
             has_declined: false,
             begun: Instant::now(),
             trouble: None,
+            readiness: start.readiness,
         }
     }
 
     /// The participant's way.
     pub fn study(&self) -> &Study {
         &self.study
+    }
+
+    /// What is known of the machine.
+    pub fn readiness(&self) -> &Readiness {
+        &self.readiness
+    }
+
+    /// The trials at whose speed the machine is to be tried now; none where that is known.
+    pub(crate) fn to_try(&self) -> Option<&Simulate> {
+        matches!(self.readiness, Readiness::Untried).then(|| self.study.fastest_to_come()).flatten()
+    }
+
+    /// Tries the machine with what is set out now, at a speed; without one there is no need.
+    pub(crate) fn try_machine(&mut self, speed: Option<f64>) {
+        self.readiness = speed.map_or(Readiness::NotNeeded, |speed| Readiness::Tried(TrialRun::at(speed)));
+    }
+
+    /// Forgets what is known of the machine.
+    pub(crate) fn try_again(&mut self) {
+        if matches!(self.readiness, Readiness::TooSlow(_)) {
+            self.readiness = Readiness::Untried;
+        }
+    }
+
+    /// So much wall time and simulated time has passed [s]; returns true if the machine was tried and it is known now.
+    pub(crate) fn pass(&mut self, wall_s: f64, simulated_s: f64) -> bool {
+        if let Some(trial) = &mut self.trial {
+            trial.meter.pass(wall_s, simulated_s);
+        }
+        let Readiness::Tried(run) = &mut self.readiness else { return false };
+        let Some(found) = run.pass(wall_s, simulated_s) else { return false };
+        self.readiness = found;
+        true
     }
 
     /// True while a trial runs.
@@ -188,13 +242,14 @@ impl StudyDesk {
     /// A trial begins with what is set out now.
     pub(crate) fn begin_trial(&mut self, session: &Session) {
         let masses = session.kitchen.pieces().iter().map(saute_kitchen::Piece::mass).collect();
-        self.trial = Some(Trial { masses, begun: Instant::now() });
+        let meter = PaceMeter::at(session.speed);
+        self.trial = Some(Trial { masses, begun: Instant::now(), meter });
     }
 
     /// Returns true if the trial has come to its end: its time is over, or the food has rested.
     pub(crate) fn is_over(&self, session: &Session) -> bool {
         let Some(simulate) = self.study.simulate().filter(|_| self.is_running()) else { return false };
-        session.kitchen.time_s() >= simulate.max_s || has_rested(session)
+        session.kitchen.time_s() >= simulate.max_s || saute_study::class::has_rested(&session.kitchen)
     }
 
     /// Ends the trial, and keeps its row.
@@ -210,7 +265,8 @@ impl StudyDesk {
         let session_name = self.keep_session(session);
         let wall_s = Some(trial.begun.elapsed().as_secs_f64());
         // A trial that runs belongs to the stage.
-        let _ = self.take(Event::TrialEnded { measures: Box::new(measures), wall_s, session: session_name });
+        let pace = trial.meter.pace();
+        let _ = self.take(Event::TrialEnded { measures: Box::new(measures), wall_s, pace, session: session_name });
         self.last = told;
     }
 
@@ -264,19 +320,4 @@ impl StudyDesk {
     fn keep_session(&mut self, _: &Session) -> Option<String> {
         None
     }
-}
-
-/// Returns true if the food was taken out and its core has begun to cool.
-pub(crate) fn has_rested(session: &Session) -> bool {
-    let pieces = session.kitchen.pieces();
-    let rested = |piece: &saute_kitchen::Piece| {
-        piece.lies_on_board() && piece.core_peak.1 > 0.0 && piece.core() < piece.core_peak.0 - RESTED_K
-    };
-    is_out(session) && pieces.iter().all(rested)
-}
-
-/// Returns true if food was taken out, and none is left in the pan.
-pub(crate) fn is_out(session: &Session) -> bool {
-    let pieces = session.kitchen.pieces();
-    !pieces.is_empty() && pieces.iter().all(saute_kitchen::Piece::lies_on_board)
 }

@@ -23,6 +23,7 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts, rect: Rect) {
         // A page takes the picture at once: it has no photo mode.
         let photo = if cfg!(target_arch = "wasm32") { Act::App(AppAct::Picture) } else { Act::App(AppAct::Photo) };
         all.push(("photo.open", hint(&photo, l), photo));
+        all.retain(|(_, _, act)| !state.hides(act));
         let width = (rect.width() - (all.len() - 1) as f32 * 3.0) / all.len() as f32;
         for (name, explained, act) in all {
             let text = RichText::new(l.text(name)).size(13.0);

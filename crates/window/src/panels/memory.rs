@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use crate::act::{Act, ViewAct};
 use crate::panels::cards::result::CutOfResult;
 use crate::panels::guided::Entries;
 use crate::panels::now::time_left::TimeLeft;
@@ -26,6 +27,15 @@ pub enum Drawer {
 
 impl Drawer {
     pub(super) const ALL: [Self; 4] = [Self::Cook, Self::Inside, Self::Food, Self::Pieces];
+
+    /// True unless a study or a lesson hides what it shows.
+    pub(super) fn is_offered(self, state: &WindowState) -> bool {
+        match self {
+            Self::Cook => true,
+            Self::Inside | Self::Pieces => !state.is_blind(),
+            Self::Food => !state.hides(&Act::View(ViewAct::Pantry)),
+        }
+    }
 
     pub(super) fn name(self, state: &WindowState) -> &'static str {
         match self {

@@ -115,13 +115,11 @@ fn show(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut A
     if state.settings.few {
         return floating(ui, layout.bottom, (3, WIDE_MARGIN), "cook", |ui| few_controls::row(state, ui, acts));
     }
-    floating(ui, layout.right, (2, 10), "inside", |ui| {
-        scrolled(ui, |ui| {
-            if !guided::hides_panel(state, ui) {
-                inside::show(state, &mut memory.inside, ui, acts);
-            }
-        })
-    });
+    if layout.right.is_positive() {
+        floating(ui, layout.right, (2, 10), "inside", |ui| {
+            scrolled(ui, |ui| inside::show(state, &mut memory.inside, ui, acts))
+        });
+    }
     floating(ui, layout.bottom, (3, MARGIN), "cook", |ui| hob_bar::show(state, ui, acts, false));
     turner_strip(state, ui, acts, layout);
     let Some(left) = layout.left else { return };
@@ -159,7 +157,7 @@ fn drawer(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut
     ui.horizontal(|ui| {
         // Narrow enough for all of them and what there is to learn, in one row of a phone.
         (ui.spacing_mut().item_spacing.x, ui.spacing_mut().button_padding.x) = (4.0, 5.0);
-        for part in Drawer::ALL {
+        for part in Drawer::ALL.into_iter().filter(|part| part.is_offered(state)) {
             if ui.add(theme::of(ui).button(part.name(state), memory.drawer == part)).clicked() {
                 memory.drawer = part;
             }
@@ -177,9 +175,9 @@ fn drawer(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut
     });
     now::in_drawer(state, &mut memory.now, ui, acts);
     ui.add_space(6.0);
-    scrolled(ui, |ui| match memory.drawer {
+    let part = if memory.drawer.is_offered(state) { memory.drawer } else { Drawer::Cook };
+    scrolled(ui, |ui| match part {
         Drawer::Cook => hob_bar::show(state, ui, acts, true),
-        Drawer::Inside | Drawer::Pieces if guided::hides_panel(state, ui) => {}
         Drawer::Inside => {
             ways::curves_in_drawer(state, &mut memory.ways, ui);
             inside::show(state, &mut memory.inside, ui, acts);

@@ -73,6 +73,11 @@ fn views(state: &WindowState, ui: &mut Ui, acts: &mut Acts, padding: f32) {
     ui.spacing_mut().item_spacing = egui::vec2(4.0, 5.0);
     ui.spacing_mut().button_padding.x = padding;
     let l = state.settings.language;
+    let temperature = Act::View(ViewAct::View(View::Temperature));
+    if state.hides(&temperature) {
+        // One view is no choice.
+        return;
+    }
     for view in View::ALL {
         chip(state, ui, acts, view.name(l), state.settings.view == view, Act::View(ViewAct::View(view)));
     }
@@ -170,6 +175,9 @@ fn paint_gear(painter: &egui::Painter, at: egui::Pos2, ink: egui::Color32) {
 }
 
 fn chip(state: &WindowState, ui: &mut Ui, acts: &mut Acts, text: &str, on: bool, act: Act) {
+    if state.hides(&act) {
+        return;
+    }
     let size = egui::vec2(38.0, fingers::height(ui, HEIGHT));
     let palette = theme::of(ui);
     let words = egui::RichText::new(text).size(15.0).strikethrough().color(palette.quiet);

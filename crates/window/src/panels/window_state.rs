@@ -22,7 +22,7 @@ use crate::ui::notice::{Notice, Said};
 use crate::ui::scene_view::SceneView;
 use saute_session::Forecast;
 use saute_session::at_home::fitting::AtHome;
-use saute_session::permits::Permits;
+use saute_session::permits::{Permit, Permits};
 use saute_session::plan::live::Live;
 use saute_session::plan::planning::Planning;
 use saute_session::timeline::WayBeside;
@@ -125,7 +125,14 @@ impl WindowState<'_> {
 
     /// Returns true if a study or a lesson hides what cannot be seen in a kitchen.
     pub fn is_blind(&self) -> bool {
-        self.guided.is_some_and(Guided::hides_read_outs)
+        !self.permits().allow(&[Permit::ReadOuts])
+    }
+
+    /// Returns true if a control is not shown at all: what a study does not let anybody do, and what reads out where read-outs are
+    /// hidden. What else a lesson locks is shown as locked: its card names it.
+    pub fn hides(&self, act: &Act) -> bool {
+        let is_study = matches!(self.guided, Some(Guided::Study(_)));
+        self.forbids(act) && (is_study || (self.is_blind() && act.traits().reads))
     }
 
     /// What a study or a lesson lets a person do.

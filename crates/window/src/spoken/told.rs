@@ -7,6 +7,7 @@ use saute_kitchen::{Piece, celsius};
 use crate::input::pouring::in_the_pan;
 use crate::session::Session;
 use crate::settings::Settings;
+use saute_session::permits::Permit;
 use saute_words::clock::clock;
 use saute_words::piece_words::{doneness, name, place};
 
@@ -19,7 +20,11 @@ pub fn told(session: &Session, settings: &Settings) -> String {
     let pan = settings.temperature(celsius(kitchen.pan_temperature()));
     let (hob, liquids) = (format!("{:.0}", kitchen.hob_w()), in_the_pan(kitchen, l));
     let parts: [(&str, &dyn Display); 3] = [("pan", &pan), ("hob", &hob), ("liquids", &liquids)];
-    let pan = if settings.skill_mode { "told.hob" } else { "told.pan" };
+    let pan = match (session.permits.allow(&[Permit::ReadOuts]), settings.skill_mode) {
+        (false, _) => "told.hob_alone",
+        (true, true) => "told.hob",
+        (true, false) => "told.pan",
+    };
     let mut sentences = vec![l.fill(pan, &parts)];
     sentences.extend(kitchen.pieces().iter().take(MOST).map(|piece| one(piece, session, settings)));
     let further = kitchen.pieces().len().saturating_sub(MOST);
@@ -34,9 +39,14 @@ pub fn told(session: &Session, settings: &Settings) -> String {
     sentences.join(l.text("told.joint"))
 }
 
+/// True if what is measured is not told: in skill mode, and where a study or a lesson does not allow it.
+fn is_hidden(session: &Session, settings: &Settings) -> bool {
+    settings.skill_mode || !session.permits.allow(&[Permit::ReadOuts])
+}
+
 fn one(piece: &Piece, session: &Session, settings: &Settings) -> String {
     let l = settings.language;
-    if settings.skill_mode {
+    if is_hidden(session, settings) {
         let parts: [(&str, &dyn Display); 2] = [("name", &name(&piece.id, l)), ("place", &place(piece, l))];
         return l.fill("told.place", &parts);
     }
@@ -62,6 +72,7 @@ mod tests {
     use saute_kitchen::{Command, Library};
 
     use super::*;
+    use saute_session::permits::Permits;
     use saute_words::language::Language;
 
     #[test]
@@ -76,6 +87,9 @@ mod tests {
         assert!(expected.iter().all(|part| english.replace('\u{a0}', " ").contains(part)), "{english}");
         let japanese = told(&session, &Settings { language: Language::Japanese, ..Settings::default() });
         assert!(japanese.contains("フライパン") && !japanese.contains('{'), "{japanese}");
+        session.permits = Permits::only(&Permit::ALWAYS);
+        let hidden = told(&session, &Settings::default());
+        assert!(!hidden.contains("°C") && !hidden.contains(" g ") && hidden.contains("in the pan"), "{hidden}");
         session.set_paused(true);
         assert!(told(&session, &Settings::default()).contains("stands still"));
     }

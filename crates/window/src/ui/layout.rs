@@ -126,6 +126,17 @@ impl Layout {
         self
     }
 
+    /// The same window without the panel of what is inside; its room goes to its neighbours. A drawer keeps its own.
+    pub fn without_inside(mut self) -> Self {
+        if self.narrow || !self.right.is_positive() {
+            return self;
+        }
+        let (edge, more) = (self.right.right(), vec2(self.right.width() + GAP, 0.0));
+        (self.top.max.x, self.bottom.max.x, self.free.max.x) = (edge, edge, edge + GAP);
+        (self.right, self.eye) = (Rect::NOTHING, self.eye.translate(more));
+        self
+    }
+
     /// The same window without panels.
     pub fn bare(self) -> Self {
         Self { free: self.whole, ..self }

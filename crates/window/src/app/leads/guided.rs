@@ -10,6 +10,10 @@ use saute_study::class::{Scenario, shipped, to_csv};
 use saute_study::{Event, Stage};
 use saute_words::guided_words;
 use std::sync::Arc;
+use web_time::Duration;
+
+/// How long a frame cooks on behind a card (chosen: the card's time runs smoothly, and little is lost to drawing).
+const COOKING_ON: Duration = Duration::from_millis(80);
 
 impl SauteApp {
     /// The study or the lesson that leads the cook.
@@ -42,6 +46,11 @@ impl SauteApp {
         self.leads.guided.as_ref().map(Guided::permits).unwrap_or_default()
     }
 
+    /// Returns true if read-outs are allowed: what is measured, foreseen or advised.
+    pub(crate) fn reads_out(&self) -> bool {
+        self.permits().allow(&[Permit::ReadOuts])
+    }
+
     /// Returns true if an act is locked, and says so.
     pub(crate) fn refuses(&self, act: &Act) -> bool {
         let refused = !self.permits().allow(act.traits().needs);
@@ -52,7 +61,8 @@ impl SauteApp {
     }
 
     /// Leads the study or the lesson: ends what is over, and tells what has become known.
-    pub(crate) fn guide(&mut self) {
+    pub(crate) fn guide(&mut self, ctx: &egui::Context) {
+        self.try_machine();
         match &mut self.leads.guided {
             Some(Guided::Study(desk)) if desk.is_over(&self.session) => self.end_trial(),
             Some(Guided::Lesson(desk)) => {
@@ -65,6 +75,7 @@ impl SauteApp {
                 if is_over {
                     self.end_lesson();
                 }
+                self.cook_on(ctx);
             }
             _ => {}
         }
@@ -74,6 +85,7 @@ impl SauteApp {
     pub(crate) fn guided_act(&mut self, act: GuidedAct, ctx: &egui::Context) {
         match act {
             GuidedAct::Agree => self.study_event(Event::Agreed),
+            GuidedAct::TryMachine => self.with_study(StudyDesk::try_again),
             GuidedAct::Decline => self.with_study(|desk| desk.decline()),
             GuidedAct::BeginTrial => self.begin_trial(),
             GuidedAct::EndTrial => self.end_trial(),
@@ -137,15 +149,19 @@ impl SauteApp {
         }
     }
 
-    /// Where read-outs are hidden the window shows the look, without cut and curves.
+    /// Closes what the list of what is allowed has not: other views, the cut, curves, the list of the pieces, the food.
     fn show_only_what_is_allowed(&mut self) {
         (self.sights.glance, self.desk.card) = (None, None);
-        if self.permits().allow(&[Permit::ReadOuts]) {
-            return;
+        let permits = self.permits();
+        if !permits.allow(&[Permit::Foods]) {
+            self.settings.pantry_open = false;
         }
-        (self.settings.view, self.settings.split) = (View::Look, false);
-        (self.settings.curves_open, self.settings.pieces_open) = (false, false);
-        self.sights.slice = None;
+        if !permits.allow(&[Permit::Views]) {
+            (self.settings.view, self.settings.split, self.sights.slice) = (View::Look, false, None);
+        }
+        if !permits.allow(&[Permit::ReadOuts]) {
+            (self.settings.curves_open, self.settings.pieces_open) = (false, false);
+        }
     }
 
     fn open_shipped_lesson(&mut self, id: &str) {
@@ -177,6 +193,17 @@ impl SauteApp {
     fn end_lesson(&mut self) {
         if let Some(Guided::Lesson(desk)) = &mut self.leads.guided {
             desk.end(&mut self.session);
+        }
+    }
+
+    /// Cooks on what the lesson waits for, behind its card.
+    fn cook_on(&mut self, ctx: &egui::Context) {
+        if matches!(&self.leads.guided, Some(Guided::Lesson(desk)) if desk.rest().is_some()) {
+            ctx.request_repaint();
+        }
+        if let Some(Guided::Lesson(desk)) = &mut self.leads.guided
+            && desk.cook_on(&mut self.session, COOKING_ON)
+        {
             #[cfg(target_arch = "wasm32")]
             if let (Some((row, _)), Some(host)) = (desk.result(), &self.page.host) {
                 host.report(row);

@@ -5,6 +5,7 @@ mod goal_choice;
 mod guided;
 mod plan;
 mod result;
+mod trial_run;
 mod tutorial;
 
 use saute_session::at_home::fitting::AtHome;

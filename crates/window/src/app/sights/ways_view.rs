@@ -43,7 +43,7 @@ impl SauteApp {
             return;
         }
         let is_idle = self.session.paused && !self.session.is_travelling();
-        let budget = if is_idle { step_budget(wall_s) } else { Duration::from_millis(BESIDE_MS) };
+        let budget = if is_idle { step_budget(wall_s, false) } else { Duration::from_millis(BESIDE_MS) };
         self.sights.ways.catch_up = self.session.keep_beside(budget);
     }
 

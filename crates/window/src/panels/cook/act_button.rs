@@ -7,6 +7,9 @@ use crate::ui::theme;
 use egui::Ui;
 
 pub(crate) fn button(state: &WindowState, ui: &mut Ui, acts: &mut Acts, text: &str, on: bool, enabled: bool, act: Act) {
+    if state.hides(&act) {
+        return;
+    }
     let enabled = enabled && !state.forbids(&act);
     let response = pressed(ui, text, on, enabled, &hint(&act, state.settings.language));
     let response = why_off(state, response, &act);

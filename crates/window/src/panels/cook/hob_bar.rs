@@ -216,6 +216,9 @@ fn speed_button(state: &WindowState, ui: &mut Ui, acts: &mut Acts, speed: Option
         }
     };
     let act = Act::Time(act);
+    if state.hides(&act) {
+        return;
+    }
     let response = pressed(ui, &words, is_on, !state.forbids(&act), l.text(hint));
     // What was chosen and cannot be held stays marked.
     if speed.is_some_and(|speed| !settings.eases && speed == settings.speed && speed != now) {

@@ -19,6 +19,10 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     if let Some(key) = no_power(kitchen) {
         said(ui, RichText::new(l.text(key)).color(theme::of(ui).accent).strong());
     }
+    // What is measured or advised is a read-out like any other.
+    if state.is_blind() {
+        return;
+    }
     if kitchen.holding() == Some(Holding::Boils) {
         let text = EventKind::BoilsBelowDial.advice().unwrap_or_default();
         said(ui, RichText::new(l.called("event", text)).color(theme::of(ui).accent).strong());

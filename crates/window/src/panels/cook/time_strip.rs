@@ -27,6 +27,9 @@ const END_SIZE: f32 = 12.0;
 
 /// Shows the strip with a size.
 pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts, size: egui::Vec2) {
+    if state.hides(&Act::Time(TimeAct::Scrub(0.0))) {
+        return;
+    }
     let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
     let strip = Strip::new(state, rect);
     let l = state.settings.language;
@@ -65,6 +68,9 @@ pub fn undo(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
 fn step_button(state: &WindowState, ui: &mut Ui, acts: &mut Acts, keys: [&'static str; 2], can: bool, act: TimeAct) {
     let [name, hint] = keys.map(|key| state.settings.language.text(key));
     let (height, act) = (ui.spacing().interact_size.y, Act::Time(act));
+    if state.hides(&act) {
+        return;
+    }
     let button = theme::of(ui).button(name, false).min_size(vec2(height, height));
     if ui.add_enabled(can && !state.forbids(&act), button).on_hover_text(hint).clicked() {
         acts.push(act);

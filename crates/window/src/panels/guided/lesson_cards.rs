@@ -2,7 +2,7 @@
 
 use egui::{Grid, Rect, RichText, Slider, Ui};
 use saute_study::Measures;
-use saute_study::class::{Ask, Lesson, ResultRow};
+use saute_study::class::{Ask, Lesson, Rest, ResultRow};
 
 use super::{Entries, button, card};
 use crate::act::GuidedAct;
@@ -25,6 +25,8 @@ pub(super) fn show(
     let Some(lesson) = &state.session.lesson else { return false };
     if let Some((row, measures)) = desk.result() {
         result(state, desk, lesson, (row, measures), ui, acts, whole);
+    } else if let Some(rest) = desk.rest() {
+        cooked_on(state, desk, rest, ui, whole);
     } else if !desk.has_begun() {
         intro(state, desk, ui, acts, whole);
     } else if let Some(place) = desk.shown() {
@@ -139,6 +141,17 @@ fn truth(state: &WindowState, lesson: &Lesson, place: usize, ui: &Ui, acts: &mut
             acts.push(Act::Learn(LearnAct::Guided(GuidedAct::GoOn)));
         }
     });
+}
+
+/// The food rests, and nobody need wait for it.
+fn cooked_on(state: &WindowState, desk: &LessonDesk, rest: &Rest, ui: &Ui, whole: Rect) {
+    let l = state.settings.language;
+    let content = |ui: &mut Ui| {
+        ui.label(l.text("lesson.cooked_on"));
+        let passed = saute_words::clock::clock(rest.lasted_s());
+        ui.label(RichText::new(l.fill("lesson.cooked_on_s", &[("time", &passed)])).size(17.0).strong());
+    };
+    card(ui, ("cooked-on", desk.scenario().title.of(l == Language::Japanese)), whole, content, |_| {});
 }
 
 fn result(

@@ -48,14 +48,6 @@ pub fn show(state: &WindowState, entries: &mut Entries, ui: &Ui, acts: &mut Acts
     }
 }
 
-/// Says in the place of a panel of read-outs that they are hidden; returns false if they are not.
-pub fn hides_panel(state: &WindowState, ui: &mut Ui) -> bool {
-    if state.is_blind() {
-        ui.label(state.settings.language.text("guided.hidden"));
-    }
-    state.is_blind()
-}
-
 /// A card over everything that only its buttons close.
 fn card(
     ui: &Ui,

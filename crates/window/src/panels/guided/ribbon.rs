@@ -5,7 +5,7 @@ use saute_study::Stage;
 
 use crate::act::GuidedAct;
 use crate::act::{Act, Acts, LearnAct};
-use crate::guided::{LessonDesk, StudyDesk, is_out};
+use crate::guided::{LessonDesk, StudyDesk};
 use crate::panels::window_state::WindowState;
 use crate::ui::layout::{GAP, Layout};
 use crate::ui::{fingers, theme};
@@ -26,7 +26,7 @@ pub(super) fn of_study(state: &WindowState, desk: &StudyDesk, ui: &Ui, acts: &mu
 
 /// Names the lesson and its goal, ends it, and leaves it where that is allowed.
 pub(super) fn of_lesson(state: &WindowState, desk: &LessonDesk, ui: &Ui, acts: &mut Acts, layout: &Layout) {
-    if !desk.has_begun() || desk.result().is_some() {
+    if !desk.has_begun() || desk.rest().is_some() || desk.result().is_some() {
         return;
     }
     let l = state.settings.language;
@@ -44,7 +44,7 @@ pub(super) fn of_lesson(state: &WindowState, desk: &LessonDesk, ui: &Ui, acts: &
 /// A button that ends a cook once the food is out.
 fn end_button(state: &WindowState, ui: &mut Ui, acts: &mut Acts, key: &'static str, act: GuidedAct) {
     let l = state.settings.language;
-    let can = is_out(state.session);
+    let can = saute_study::class::is_out(&state.session.kitchen);
     let end = theme::of(ui).button(l.text(key), can).min_size(vec2(84.0, fingers::height(ui, 32.0)));
     let response = ui.add_enabled(can, end).on_disabled_hover_text(l.text("guided.take_out_first"));
     if response.clicked() {

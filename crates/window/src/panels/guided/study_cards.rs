@@ -2,12 +2,12 @@
 
 use egui::{Rect, RichText, Ui};
 use saute_study::protocol_file::Entered;
-use saute_study::{Answering, Answers, CookForReal, Measures, Questionnaire, Simulate, Stage};
+use saute_study::{Answering, Answers, CookForReal, Measures, Pace, Questionnaire, Simulate, Stage};
 
 use super::{Entries, answers, button, card};
 use crate::act::GuidedAct;
 use crate::act::{Act, Acts, LearnAct};
-use crate::guided::StudyDesk;
+use crate::guided::{Readiness, StudyDesk, TrialRun};
 use crate::panels::window_state::WindowState;
 use crate::ui::theme;
 use saute_words::guided_words;
@@ -24,6 +24,11 @@ pub(super) fn show(
     let study = desk.study();
     if desk.has_declined() {
         return the_end(state, desk, "study.declined", ui, acts, whole);
+    }
+    match desk.readiness() {
+        Readiness::Untried | Readiness::NotNeeded | Readiness::Holds(_) => {}
+        Readiness::Tried(run) => return tried(state, desk, run, ui, whole),
+        Readiness::TooSlow(pace) => return too_slow(state, desk, *pace, ui, acts, whole),
     }
     match study.stage() {
         Stage::Consent => consent(state, desk, ui, acts, whole),
@@ -48,6 +53,31 @@ pub(super) fn show(
 
 fn title(desk: &StudyDesk) -> &str {
     desk.study().phase().map_or(desk.study().protocol().title.as_str(), |phase| phase.title.as_str())
+}
+
+/// The machine is tried, before anything is agreed to.
+fn tried(state: &WindowState, desk: &StudyDesk, run: &TrialRun, ui: &Ui, whole: Rect) {
+    let content = |ui: &mut Ui| {
+        ui.label(state.settings.language.fill("study.tried", &[("speed", &run.speed())]));
+    };
+    card(ui, ("tried", &desk.study().protocol().title), whole, content, |_| {});
+}
+
+fn too_slow(state: &WindowState, desk: &StudyDesk, pace: Pace, ui: &Ui, acts: &mut Acts, whole: Rect) {
+    let l = state.settings.language;
+    let held = format!("{:.1}", pace.held_median);
+    let content = |ui: &mut Ui| {
+        ui.label(l.fill("study.too_slow", &[("speed", &pace.set), ("held", &held)]));
+        ui.label(l.text("study.too_slow_remedy"));
+    };
+    card(ui, ("too-slow", &desk.study().protocol().title), whole, content, |ui| {
+        if button(ui, l.text("study.try_again"), true) {
+            acts.push(Act::Learn(LearnAct::Guided(GuidedAct::TryMachine)));
+        }
+        if cfg!(not(target_arch = "wasm32")) && button(ui, l.text("study.close"), false) {
+            acts.push(Act::Learn(LearnAct::Guided(GuidedAct::CloseWindow)));
+        }
+    });
 }
 
 fn consent(state: &WindowState, desk: &StudyDesk, ui: &Ui, acts: &mut Acts, whole: Rect) {
@@ -83,6 +113,10 @@ fn next_trial(
         let goal = l.called("goal", &simulate.goal.goal.name);
         ui.label(l.fill("study.goal", &[("goal", &goal)]));
         ui.label(l.fill("study.speed", &[("speed", &simulate.speed)]));
+        if let Readiness::Holds(pace) = desk.readiness() {
+            let held = format!("{:.1}", pace.held_median);
+            ui.label(quiet(ui, &l.fill("study.holds", &[("held", &held)])));
+        }
         ui.label(quiet(ui, l.text("study.how_it_ends")));
     };
     card(ui, ("trial", title(desk)), whole, content, |ui| {

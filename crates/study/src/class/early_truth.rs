@@ -1,0 +1,40 @@
+//! Truths that were noted too early: before the rest was cooked on, a lesson that ended while its food rested took the present for the end.
+
+use super::histogram::may_be_class;
+use super::result_row::{MOST_QUESTIONS, ResultRow};
+use super::scenario_file::AskKind;
+use super::shipped;
+use crate::measures::Measures;
+
+/// A rest after which such a truth is believed [simulated s] (chosen: the steaks of the shipped lessons, of 25 mm, have their peak within
+/// five minutes; twice that).
+const BELIEVED_AFTER_S: f64 = 600.0;
+
+impl ResultRow {
+    /// The places of questions about the end whose truth may have been noted before the end; none in results of today, which say whether the
+    /// food had rested.
+    pub fn early_truths(&self) -> Vec<usize> {
+        let rested_s = self.out_s.map_or(0.0, |out_s| self.end_s - out_s);
+        if self.rest.is_some() || rested_s >= BELIEVED_AFTER_S {
+            return Vec::new();
+        }
+        let asks = shipped::asks(&self.scenario, &self.checksum);
+        let is_early = |place: &usize| {
+            let Some(truth) = self.questions()[*place][1] else { return false };
+            match &asks {
+                Some(asks) => matches!(asks.get(*place), Some(AskKind::CorePeak | AskKind::ClassInTheEnd)),
+                // Of another scenario the row itself tells: its peak, or the place of a class.
+                None => truth == Measures::rounded(self.core_peak_c) || may_be_class(truth),
+            }
+        };
+        (0..MOST_QUESTIONS).filter(is_early).collect()
+    }
+
+    /// The same without such truths.
+    #[must_use]
+    pub fn without_early_truths(&self) -> Self {
+        let mut row = self.clone();
+        self.early_truths().into_iter().for_each(|place| row.forget_truth(place));
+        row
+    }
+}
