@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use saute_kitchen::{Command, Kitchen, Library, Piece, RestOn, celsius};
 use saute_study::Measures;
-use saute_study::class::{ClassSummary, Lesson, Rest, RestKind, ResultRow, Scenario, from_csv, shipped, to_csv};
-use saute_study::class::{has_rested, is_out};
+use saute_study::class::rest::{Rest, has_rested, is_out};
+use saute_study::class::{ClassSummary, Lesson, RestKind, ResultRow, Scenario, from_csv, shipped, to_csv};
 
 const TEXT: &str = r#"id = "quick"
 title = "Quick"
@@ -155,7 +155,7 @@ fn of_before(rest_s: f64) -> ResultRow {
 fn a_truth_of_before_that_was_noted_too_early_is_recognised_counted_and_left_out() {
     let early = of_before(2.0);
     assert_eq!(early.early_truths(), [1]);
-    let text = to_csv(&[early.clone()]);
+    let text = to_csv(std::slice::from_ref(&early));
     let without_column: String =
         text.lines().map(|line| format!("{}\n", line.rsplit_once(',').expect("columns").0)).collect();
     let rows = from_csv("s.csv", &without_column).expect("a file of before");

@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-use saute_study::class::{Lesson, Rest, RestKind, ResultRow, Scenario, has_rested};
+use saute_study::class::rest::{Rest, has_rested};
+use saute_study::class::{Lesson, RestKind, ResultRow, Scenario};
 use saute_study::protocol_file::Information;
 use saute_study::{Measures, Participant, Times};
 use web_time::{Duration, Instant};

@@ -249,7 +249,7 @@ impl StudyDesk {
     /// Returns true if the trial has come to its end: its time is over, or the food has rested.
     pub(crate) fn is_over(&self, session: &Session) -> bool {
         let Some(simulate) = self.study.simulate().filter(|_| self.is_running()) else { return false };
-        session.kitchen.time_s() >= simulate.max_s || saute_study::class::has_rested(&session.kitchen)
+        session.kitchen.time_s() >= simulate.max_s || saute_study::class::rest::has_rested(&session.kitchen)
     }
 
     /// Ends the trial, and keeps its row.

@@ -2,7 +2,8 @@
 
 use egui::{Grid, Rect, RichText, Slider, Ui};
 use saute_study::Measures;
-use saute_study::class::{Ask, Lesson, Rest, ResultRow};
+use saute_study::class::rest::Rest;
+use saute_study::class::{Ask, Lesson, ResultRow};
 
 use super::{Entries, button, card};
 use crate::act::GuidedAct;

@@ -44,7 +44,7 @@ pub(super) fn of_lesson(state: &WindowState, desk: &LessonDesk, ui: &Ui, acts: &
 /// A button that ends a cook once the food is out.
 fn end_button(state: &WindowState, ui: &mut Ui, acts: &mut Acts, key: &'static str, act: GuidedAct) {
     let l = state.settings.language;
-    let can = saute_study::class::is_out(&state.session.kitchen);
+    let can = saute_study::class::rest::is_out(&state.session.kitchen);
     let end = theme::of(ui).button(l.text(key), can).min_size(vec2(84.0, fingers::height(ui, 32.0)));
     let response = ui.add_enabled(can, end).on_disabled_hover_text(l.text("guided.take_out_first"));
     if response.clicked() {
