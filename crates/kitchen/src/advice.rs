@@ -25,6 +25,9 @@ pub const TOO_COLD_C: f64 = 120.0;
 /// Flow of smoke from which it is spoken of [mg/s] (chosen: ten times the least visible amount, a few milligrams a
 /// minute).
 pub const SMOKE_SEEN_MG_S: f64 = 0.5;
+/// How far the core cools below its peak before the food counts as rested [K] (chosen: far above rounding, soon after the
+/// peak).
+pub const RESTED_K: f64 = 0.3;
 /// Mean temperature below which a face still boils its water off [°C] (chosen: a little above the boiling point, where
 /// a face stays as long as water reaches it).
 pub const WET_BELOW_C: f64 = 106.0;

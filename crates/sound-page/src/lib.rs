@@ -10,8 +10,10 @@ use saute_sound::{Event, Player, letter};
 
 /// Largest block that is rendered at once [samples]: a worklet asks for 128.
 const MOST_BLOCK: usize = 1024;
-/// Longest letter [numbers] (chosen: 64 events with what goes on).
-const MOST_LETTER: usize = 15 + 4 * 64;
+/// Most events of a letter [-] (chosen: as the queue of a sound card).
+const MOST_EVENTS: usize = 64;
+/// Longest letter [numbers].
+const MOST_LETTER: usize = letter::length(MOST_EVENTS);
 
 /// A player with the places for what comes in and goes out.
 struct Desk {
@@ -40,7 +42,7 @@ fn desk() -> MutexGuard<'static, Desk> {
 pub extern "C" fn begin(rate: u32) {
     let mut desk = desk();
     desk.player = Some(Player::new(rate));
-    desk.events = Vec::with_capacity(MOST_LETTER);
+    desk.events = Vec::with_capacity(MOST_EVENTS);
 }
 
 /// Address of the place for a letter [byte].

@@ -11,11 +11,16 @@ use crate::struck::plate::{Metal, Plate};
 const HEAD: usize = Steam::ALL.len() + 9;
 const EVENT: usize = 4;
 
+/// Length of a letter with so many events [numbers].
+pub const fn length(events: usize) -> usize {
+    HEAD + EVENT * events
+}
+
 /// Writes what a player is told, and the events, as numbers.
 pub fn written(told: &Told, events: &[Event]) -> Vec<f32> {
     let Told { snapshot, pan, is_paused, volume } = told;
     let flag = |on: bool| f32::from(u8::from(on));
-    let mut letter = Vec::with_capacity(HEAD + EVENT * events.len());
+    let mut letter = Vec::with_capacity(length(events.len()));
     letter.extend(snapshot.steam);
     letter.extend([snapshot.floor_c, snapshot.oil_c, flag(snapshot.lid), snapshot.covered]);
     letter.extend([f32::from(pan.metal as u8), pan.radius_m, pan.thickness_m, flag(*is_paused), *volume]);

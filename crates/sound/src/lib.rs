@@ -50,4 +50,4 @@ pub use loudness::SILENCE_DB;
 pub use player::{Player, Told};
 pub use snapshot::{Snapshot, Steam};
 pub use struck::plate::{Metal, Plate};
-pub use synth::{RATES, Synth};
+pub use synth::{RATES, SEED, Synth};

@@ -4,7 +4,7 @@ use crate::event::Event;
 use crate::glide::Smooth;
 use crate::snapshot::Snapshot;
 use crate::struck::plate::{Metal, Plate};
-use crate::synth::{RATES, Synth};
+use crate::synth::{RATES, SEED, Synth};
 
 /// What a player is told of a kitchen, and of who listens.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,8 +33,6 @@ const VOLUME_S: f32 = 0.02;
 const FADE_S: f32 = 0.02;
 /// Time without a word after which it counts as a pause [s] (chosen: a picture that takes longer than that shows no kitchen).
 const PATIENCE_S: f32 = 1.0;
-/// Seed of the noise [-] (chosen).
-const SEED: u64 = 0x5a07e;
 
 /// Plays the sound of a kitchen for as long as it is told of it. It makes samples whenever a device asks, at the device's pace: the
 /// sound is that of the present moment, however fast simulated time runs.

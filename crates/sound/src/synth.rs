@@ -18,6 +18,9 @@ use crate::struck::plate::Plate;
 /// Sample rates that can be asked for [Hz].
 pub const RATES: core::ops::RangeInclusive<u32> = 8_000..=192_000;
 
+/// Seed of the noise [-] (chosen: the same cook gives the same samples).
+pub const SEED: u64 = 0x5a07e;
+
 /// Control steps in a second [1/s] (chosen: a millisecond is shorter than any change that is heard).
 const CONTROLS: u32 = 1000;
 /// Time in which a pause falls silent, and ends [s]; with rounding below the 20 ms that are promised.

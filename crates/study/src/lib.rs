@@ -14,6 +14,7 @@ mod csv_rows;
 pub mod dictionary;
 mod log_row;
 mod measures;
+mod median;
 mod pace;
 mod participant;
 mod protocol;

@@ -1,6 +1,7 @@
 //! How a locked speed is held: the machine computes as much simulated time as wall time asks for, or falls behind.
 
 use super::measures::Measures;
+use super::median::median;
 use super::protocol::{Simulate, Task};
 use super::state::{Stage, Study};
 
@@ -71,12 +72,8 @@ impl PaceMeter {
     /// The pace so far; none before any time has passed.
     pub fn pace(&self) -> Option<Pace> {
         let [wall_s, simulated_s] = self.whole;
-        let mut samples = self.samples.clone();
-        if samples.is_empty() && wall_s > 0.0 {
-            samples.push(simulated_s / wall_s);
-        }
-        samples.sort_by(f64::total_cmp);
-        let held_median = *samples.get(samples.len() / 2)?;
+        let of_all = (wall_s > 0.0).then(|| simulated_s / wall_s);
+        let held_median = median(&self.samples).or(of_all)?;
         Some(Pace { set: self.set, held_median, behind_s: (self.set * wall_s - simulated_s).max(0.0) })
     }
 }

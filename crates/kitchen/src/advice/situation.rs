@@ -2,7 +2,7 @@
 
 use super::{
     Advice, BROWN, BROWN_BOTH, BROWNS_AT_C, FORECAST_HIGH_K, FRYING_W, GENTLE_W, Goal, HALF_WAY, HOT_C, HOT_TO_FRY_C,
-    SMOKE_SEEN_MG_S, TOO_COLD_C, TOO_HOT_C, TURNS_S, WARM_ENOUGH_C, WET_BELOW_C,
+    RESTED_K, SMOKE_SEEN_MG_S, TOO_COLD_C, TOO_HOT_C, TURNS_S, WARM_ENOUGH_C, WET_BELOW_C,
 };
 use crate::pan::heater::HeaterKind;
 use crate::pan::hob::HobDescription;
@@ -48,10 +48,6 @@ const KELVIN_PER_W: f64 = 0.45;
 const COOLER_K: f64 = 30.0;
 /// Step in which powers are named [W] (chosen: easily set with a slider).
 const STEP_W: f64 = 100.0;
-
-/// How far the core cools below its peak before the food counts as rested [K] (chosen: far above rounding, soon after the
-/// peak).
-const RESTED_K: f64 = 0.3;
 
 impl Situation {
     /// Reads the situation of a piece.

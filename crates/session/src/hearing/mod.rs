@@ -8,13 +8,10 @@ mod happenings;
 mod steam_heard;
 
 use saute_kitchen::{Kitchen, TICKS_PER_S, celsius};
-use saute_sound::{Event, Metal, Plate, Snapshot, Steam, Synth};
+use saute_sound::{Event, Metal, Plate, SEED, Snapshot, Steam, Synth};
 
 use self::happenings::Happenings;
 use self::steam_heard::SteamHeard;
-
-/// Seed of the noise [-] (chosen: the same cook gives the same samples).
-const SEED: u64 = 0x5a07e;
 
 /// Ticks between two looks from which the kitchen counts as another one [-] (chosen: a slow picture at twenty times real time has 20).
 const LEAP: u64 = 50;

@@ -3,7 +3,7 @@
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 
 use saute_sound::{Metal, Plate, Snapshot, Steam, Told};
-use saute_speaker::{Device, Trouble};
+use saute_speaker::{Device, Speaker, Trouble};
 
 /// A block that was played.
 pub type Block = Vec<[f32; 2]>;
@@ -30,6 +30,14 @@ impl Device for Tape {
 /// Both ends of a tape with the buffer of a device: a few blocks.
 pub fn tape() -> (SyncSender<Block>, Receiver<Block>) {
     sync_channel(2)
+}
+
+/// A speaker on a tape of a rate, with what it plays.
+pub fn speaker_at(rate: u32) -> (Speaker, Receiver<Block>) {
+    let (blocks, played) = tape();
+    let mut tapes = Some(Tape { rate, blocks, left: usize::MAX });
+    let open = move || tapes.take().map(|tape| Box::new(tape) as _).ok_or(Trouble::NoLibrary);
+    (Speaker::new(Box::new(open)).expect("a thread"), played)
 }
 
 /// A pan in which food fries.

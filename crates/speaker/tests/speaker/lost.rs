@@ -2,7 +2,7 @@
 
 use saute_speaker::{Device, Speaker, Trouble};
 
-use crate::device::{Tape, frying, silent_blocks, tape};
+use crate::device::{Tape, frying, silent_blocks, speaker_at, tape};
 
 /// Waits for the speaker's next trouble, telling it on and on what to hear.
 fn trouble(speaker: &mut Speaker) -> Trouble {
@@ -57,10 +57,7 @@ fn an_unplugged_device_is_said_once_and_taken_again() {
 /// A window closes although its sound card hangs.
 #[test]
 fn a_device_that_hangs_does_not_keep_the_speaker() {
-    let (blocks, played) = tape();
-    let mut tapes = Some(Tape { rate: 48_000, blocks, left: usize::MAX });
-    let open = move || tapes.take().map(|tape| Box::new(tape) as _).ok_or(Trouble::NoLibrary);
-    let mut speaker = Speaker::new(Box::new(open)).expect("a thread");
+    let (mut speaker, played) = speaker_at(48_000);
     speaker.hear(frying(), &[]);
     assert!(silent_blocks(&played) < 100);
     // Nobody takes blocks: the device waits for ever.

@@ -1,18 +1,15 @@
 //! What is told is heard, soon and in full; what is too much is counted.
 
 use saute_sound::{Event, EventKind, Snapshot, Told};
-use saute_speaker::{BLOCK, QUEUED, Speaker, Trouble};
+use saute_speaker::{BLOCK, QUEUED};
 
-use crate::device::{Tape, frying, silent_blocks, tape};
+use crate::device::{frying, silent_blocks, speaker_at};
 
 /// Act to first sample: within two blocks of those that the device holds, 11 ms at 48 kHz; with a picture of a window, 17 ms more.
 /// The device's own buffer comes on top.
 #[test]
 fn what_is_told_is_in_the_next_blocks() {
-    let (blocks, played) = tape();
-    let mut tapes = Some(Tape { rate: 48_000, blocks, left: usize::MAX });
-    let open = move || tapes.take().map(|tape| Box::new(tape) as _).ok_or(Trouble::NoLibrary);
-    let mut speaker = Speaker::new(Box::new(open)).expect("a thread");
+    let (mut speaker, played) = speaker_at(48_000);
     let quiet = Told { snapshot: Snapshot::default(), ..frying() };
     speaker.hear(quiet, &[]);
     (0..200).for_each(|_| drop(played.recv().expect("a block")));
@@ -26,10 +23,7 @@ fn what_is_told_is_in_the_next_blocks() {
 /// More events than a picture can have: the strongest are played, the others counted, and whoever tells them never waits.
 #[test]
 fn of_too_many_events_the_weakest_are_dropped_and_counted() {
-    let (blocks, played) = tape();
-    let mut tapes = Some(Tape { rate: 48_000, blocks, left: usize::MAX });
-    let open = move || tapes.take().map(|tape| Box::new(tape) as _).ok_or(Trouble::NoLibrary);
-    let mut speaker = Speaker::new(Box::new(open)).expect("a thread");
+    let (mut speaker, played) = speaker_at(48_000);
     // The device is full and takes nothing: the queue fills, then what waits for it.
     let quiet = Told { snapshot: Snapshot::default(), ..frying() };
     let weak = Event::now(EventKind::Spatter, 0.01);
@@ -46,10 +40,7 @@ fn of_too_many_events_the_weakest_are_dropped_and_counted() {
 #[test]
 fn odd_rates_are_played() {
     for rate in [0, 8_000, 11_025, 44_100, 192_000, 384_000] {
-        let (blocks, played) = tape();
-        let mut tapes = Some(Tape { rate, blocks, left: usize::MAX });
-        let open = move || tapes.take().map(|tape| Box::new(tape) as _).ok_or(Trouble::NoLibrary);
-        let mut speaker = Speaker::new(Box::new(open)).expect("a thread");
+        let (mut speaker, played) = speaker_at(rate);
         speaker.hear(frying(), &[]);
         assert!(silent_blocks(&played) < 100, "{rate} Hz");
     }

@@ -4,8 +4,9 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use serde::Serialize;
 
-use super::bootstrap::{Interval, median};
+use super::bootstrap::Interval;
 use super::{Quantity, Trial};
+use crate::median::median;
 
 /// Which trials are compared.
 #[derive(Clone, Copy, Debug, Eq, Ord, PartialEq, PartialOrd, Serialize)]

@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use crate::median::median;
 use crate::random::Random;
 
 /// Share of the draws that an interval holds [-].
@@ -28,21 +29,13 @@ impl Interval {
         let mut medians: Vec<f64> = (0..DRAWS)
             .filter_map(|_| {
                 let drawn: Vec<f64> = values.iter().map(|_| values[random.place(values.len())]).collect();
-                self::median(&drawn)
+                crate::median::median(&drawn)
             })
             .collect();
         medians.sort_by(f64::total_cmp);
         let tail = (1.0 - INTERVAL) / 2.0;
         Some(Self { median, low: quantile(&medians, tail), high: quantile(&medians, 1.0 - tail) })
     }
-}
-
-/// The median of values: of an even number the mean of the two in the middle.
-pub(super) fn median(values: &[f64]) -> Option<f64> {
-    let mut sorted = values.to_vec();
-    sorted.sort_by(f64::total_cmp);
-    let (upper, lower) = (sorted.get(sorted.len() / 2)?, sorted.get((sorted.len() - 1) / 2)?);
-    Some(0.5 * (upper + lower))
 }
 
 /// A quantile of sorted values, linear between them.

@@ -6,6 +6,7 @@ use serde::Serialize;
 
 use super::histogram::{Bar, bars};
 use super::result_row::{MOST_QUESTIONS, ResultRow};
+use crate::median::median;
 
 /// What a class did.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -65,21 +66,37 @@ impl ClassSummary {
             }
         }
         merged.sort_by(|a, b| (&a.scenario, &a.checksum, &a.student).cmp(&(&b.scenario, &b.checksum, &b.student)));
-        let mut groups: BTreeMap<(&str, &str), Vec<&ResultRow>> = BTreeMap::new();
-        for row in &merged {
-            groups.entry((&row.scenario, &row.checksum)).or_default().push(row);
+        let merged: Vec<Believed> = merged.into_iter().map(Believed::of).collect();
+        let mut groups: BTreeMap<(&str, &str), Vec<&Believed>> = BTreeMap::new();
+        for one in &merged {
+            groups.entry((&one.row.scenario, &one.row.checksum)).or_default().push(one);
         }
         let scenarios = groups.values().filter_map(|rows| ScenarioSummary::of(rows)).collect();
-        let believed = merged.iter().map(ResultRow::without_early_truths).collect();
-        (believed, Self { scenarios })
+        (merged.into_iter().map(|one| one.row).collect(), Self { scenarios })
+    }
+}
+
+/// A result without the truths that were noted too early.
+struct Believed {
+    row: ResultRow,
+    /// The places of the questions that lost one.
+    early: Vec<usize>,
+}
+
+impl Believed {
+    fn of(mut row: ResultRow) -> Self {
+        let early = row.early_truths();
+        early.iter().for_each(|place| row.forget_truth(*place));
+        Self { row, early }
     }
 }
 
 impl ScenarioSummary {
-    fn of(rows: &[&ResultRow]) -> Option<Self> {
+    fn of(believed: &[&Believed]) -> Option<Self> {
+        let rows: Vec<&ResultRow> = believed.iter().map(|one| &one.row).collect();
         let first = rows.first()?;
         let codes: BTreeSet<&String> = rows.iter().filter_map(|row| row.student.as_ref()).collect();
-        let of = |value: &dyn Fn(&ResultRow) -> f64| median(rows.iter().map(|row| value(row)).collect());
+        let of = |value: &dyn Fn(&ResultRow) -> f64| median(&rows.iter().map(|row| value(row)).collect::<Vec<_>>());
         Some(Self {
             scenario: first.scenario.clone(),
             checksum: first.checksum.clone(),
@@ -89,14 +106,14 @@ impl ScenarioSummary {
             met: rows.iter().filter(|row| row.is_met).count(),
             median_score: of(&|row| row.score)?,
             median_target_share_pct: of(&|row| row.target_share_pct)?,
-            questions: (0..MOST_QUESTIONS).filter_map(|place| question(rows, place)).collect(),
+            questions: (0..MOST_QUESTIONS).filter_map(|place| question(believed, place)).collect(),
         })
     }
 }
 
-fn question(rows: &[&ResultRow], place: usize) -> Option<QuestionSummary> {
-    let early_truths = rows.iter().filter(|row| row.early_truths().contains(&place)).count();
-    let pairs: Vec<[Option<f64>; 2]> = rows.iter().map(|row| row.without_early_truths().questions()[place]).collect();
+fn question(rows: &[&Believed], place: usize) -> Option<QuestionSummary> {
+    let early_truths = rows.iter().filter(|one| one.early.contains(&place)).count();
+    let pairs: Vec<[Option<f64>; 2]> = rows.iter().map(|one| one.row.questions()[place]).collect();
     let answers: Vec<f64> = pairs.iter().filter_map(|[answer, _]| *answer).collect();
     let truths: Vec<f64> = pairs.iter().filter_map(|[_, truth]| *truth).collect();
     let errors: Vec<f64> = pairs.iter().filter_map(|[answer, truth]| Some(((*answer)? - (*truth)?).abs())).collect();
@@ -105,14 +122,7 @@ fn question(rows: &[&ResultRow], place: usize) -> Option<QuestionSummary> {
         answers: answers.len(),
         compared: errors.len(),
         early_truths,
-        median_error: median(errors),
+        median_error: median(&errors),
         bars: bars(&answers, &truths),
     })
-}
-
-/// The median of values: of an even number the mean of the two in the middle.
-fn median(mut values: Vec<f64>) -> Option<f64> {
-    values.sort_by(f64::total_cmp);
-    let (upper, lower) = (values.get(values.len() / 2)?, values.get((values.len() - 1) / 2)?);
-    Some(0.5 * (upper + lower))
 }

@@ -6,6 +6,8 @@ use serde::Serialize;
 const WIDTH: f64 = 10.0;
 /// Classes of doneness at most: whole numbers below are counted one by one (chosen: no scale has so many).
 const CLASSES: f64 = 10.0;
+/// Bars beyond the first at most [-]: answers lie within 0 to 100; a file that says otherwise gets no more.
+const MOST_MORE: f64 = 10.0;
 
 /// Answers and truths from one value up to another one, in the unit of the question.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -35,8 +37,7 @@ pub(super) fn bars(answers: &[f64], truths: &[f64]) -> Vec<Bar> {
     if low > high {
         return Vec::new();
     }
-    // Answers lie within 0 to 100; a file that says otherwise gets no more bars than that.
-    (0..=(high - low).min(WIDTH) as usize)
+    (0..=(high - low).min(MOST_MORE) as usize)
         .map(|step| {
             let at = low + step as f64;
             let count = |values: &[f64]| values.iter().filter(|value| place(**value) == at).count();

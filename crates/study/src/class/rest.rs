@@ -1,13 +1,13 @@
 //! A rest that time has not yet shown: it is cooked on in a copy of the kitchen, on its own meshes.
 
+use saute_kitchen::advice::RESTED_K;
 use saute_kitchen::{Command, Kitchen, Piece, TICK_S};
 
 use super::lesson::Lesson;
 use super::result_row::RestKind;
 
-/// How far the core cools below its peak before food counts as rested [K] (chosen: as the advice that the food has rested).
-pub const RESTED_K: f64 = 0.3;
-/// Longest rest that is cooked on [simulated s] (chosen: a steak of 60 mm has its peak within half of it).
+/// Longest rest that is cooked on [simulated s] (chosen: a steak of 35 mm that was fried for 300 s has its peak after
+/// 1470 s; one that is nearly raw warms towards the room for longer).
 const LONGEST_S: f64 = 3600.0;
 
 /// Returns true if food was taken out and its core has begun to cool.

@@ -22,8 +22,8 @@ use saute_session::forecasts::Shown;
 
 /// Longest that one frame may spend on stepping the world [ms] (chosen: half a frame at 25 frames a second).
 const STEP_BUDGET_MS: u64 = 20;
-/// In a browser another process draws, and a study's speed is held: stepping may take this share of a slow frame [-], up to this long [s] (chosen: five
-/// times real time is held at a few frames a second, and the page still answers).
+/// In a browser, where another process draws, and where a study's speed is held, stepping may take this share of a slow frame [-], up
+/// to this long [s] (chosen: five times real time is held at a few frames a second, and the page still answers).
 const STEP_SHARE: f64 = 0.5;
 const LONGEST_STEPPING_S: f64 = 0.15;
 /// Held keys move the pan no further at once than in this time [s] (chosen: a slow frame makes no leap).

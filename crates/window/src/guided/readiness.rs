@@ -48,8 +48,11 @@ impl TrialRun {
             return None;
         }
         self.meter.pass(wall_s, simulated_s);
-        let is_over = self.meter.wall_s() >= MEASURED_S;
-        self.meter.pace().filter(|_| is_over).map(|pace| Readiness::of(pace, self.meter.wall_s()))
+        let wall_s = self.meter.wall_s();
+        if wall_s < MEASURED_S {
+            return None;
+        }
+        self.meter.pace().map(|pace| Readiness::of(pace, wall_s))
     }
 }
 
