@@ -55,7 +55,11 @@ random_sessions() {
     SAUTE_RANDOM_SESSIONS="$CAMPAIGN_RANDOM_SESSIONS" cargo test --release --workspace --test recipe sessions::
 }
 
-random_kills() { SAUTE_RANDOM_KILLS="$CAMPAIGN_RANDOM_KILLS" cargo test --release --workspace --test cli killed; }
+# Also of a window on a virtual screen.
+random_kills() {
+    install xvfb xdotool || say "could not install xvfb and xdotool: the window that is killed needs them"
+    SAUTE_RANDOM_KILLS="$CAMPAIGN_RANDOM_KILLS" cargo test --release --workspace --test cli killed -- --include-ignored
+}
 
 lit_button() { SAUTE_NOW=all cargo test --release --workspace --test window now:: -- --nocapture; }
 

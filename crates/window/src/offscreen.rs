@@ -14,6 +14,7 @@ pub struct Offscreen {
     state: RenderState,
     target: wgpu::Texture,
     size: [u32; 2],
+    pixels_per_point: f32,
 }
 
 /// Errors of drawing the window off-screen.
@@ -30,8 +31,13 @@ pub enum OffscreenError {
 }
 
 impl Offscreen {
-    /// Opens the program at a size in pixels.
+    /// Opens the program at a size in pixels, one for each point of its layout.
     pub fn open(start: Start, size: [u32; 2]) -> Result<Self, OffscreenError> {
+        Self::open_scaled(start, size, 1.0)
+    }
+
+    /// Opens the program at a size in pixels, with so many of them for a point of its layout along an edge.
+    pub fn open_scaled(start: Start, size: [u32; 2], pixels_per_point: f32) -> Result<Self, OffscreenError> {
         let mut config = WgpuConfiguration::default();
         if let WgpuSetup::CreateNew(setup) = &mut config.wgpu_setup {
             setup.instance_descriptor.backends = wgpu::Backends::PRIMARY;
@@ -55,7 +61,7 @@ impl Offscreen {
             usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
             view_formats: &[],
         });
-        Ok(Self { app, context, state, target, size })
+        Ok(Self { app, context, state, target, size, pixels_per_point })
     }
 
     /// Name of the adapter.
@@ -66,12 +72,13 @@ impl Offscreen {
 
     /// Runs and draws one frame at wall time `time_s`, and waits until it is drawn.
     pub fn frame(&mut self, time_s: f64) {
-        let size = vec2(self.size[0] as f32, self.size[1] as f32);
-        let input = RawInput {
+        let size = vec2(self.size[0] as f32, self.size[1] as f32) / self.pixels_per_point;
+        let mut input = RawInput {
             screen_rect: Some(Rect::from_min_size(pos2(0.0, 0.0), size)),
             time: Some(time_s),
             ..Default::default()
         };
+        input.viewports.entry(input.viewport_id).or_default().native_pixels_per_point = Some(self.pixels_per_point);
         let app = &mut self.app;
         let output = self.context.run_ui(input, |ui| app.frame(ui));
         self.draw(output);

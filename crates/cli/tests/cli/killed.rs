@@ -1,6 +1,8 @@
 //! Promise: a window that is killed loses at most the last second of its cook.
 //!
-//! The real window is opened on a virtual screen. Where `Xvfb` or `xdotool` is not installed, the test says so and ends.
+//! The real window is opened on a virtual screen and watched by the clock, so this belongs to the campaign, which needs `Xvfb` and
+//! `xdotool`. `./test.sh` asks the same of a window without a screen (`time::a_window_that_was_killed_goes_on_with_its_cook`) and of
+//! a recorded cook that is killed (`sessions::a_killed_cook_loses_at_most_a_second`).
 
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
@@ -29,9 +31,11 @@ impl Drop for Ending {
     }
 }
 
-/// Starts a program without input and output; none if it is not installed.
-fn started(command: &mut Command) -> Option<Ending> {
-    command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null()).spawn().ok().map(Ending)
+/// Starts a program without input and output.
+fn started(command: &mut Command) -> Ending {
+    let program = command.get_program().to_string_lossy().into_owned();
+    let child = command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null()).spawn();
+    Ending(child.unwrap_or_else(|error| panic!("{program} does not start ({error}): is it installed?")))
 }
 
 /// Waits until something is there.
@@ -58,12 +62,10 @@ fn cook_in(file: &Path) -> Option<Recording> {
 }
 
 #[test]
+#[ignore = "a real window on a virtual screen, by the clock: part of the campaign"]
 fn a_window_that_is_killed_loses_at_most_a_second() {
     let display = format!(":{}", 100 + std::process::id() % 900);
-    let screen = started(Command::new("Xvfb").args([&display, "-screen", "0", "1280x720x24", "-nolisten", "tcp"]));
-    let (Some(_screen), Ok(_)) = (screen, Command::new("xdotool").arg("version").output()) else {
-        return eprintln!("skipped: Xvfb and xdotool are not installed");
-    };
+    let _screen = started(Command::new("Xvfb").args([&display, "-screen", "0", "1280x720x24", "-nolisten", "tcp"]));
     awaited(|| xdotool(&display, &["getmouselocation"])).expect("the screen is there");
     let data = tempfile::tempdir().expect("folder");
     let folder = data.path().join("saute");
@@ -72,10 +74,9 @@ fn a_window_that_is_killed_loses_at_most_a_second() {
     std::fs::write(folder.join("app.ron"), r#"{"saute.settings": "{\"introduced\":true}"}"#).expect("settings");
     let mut command = Command::new(env!("CARGO_BIN_EXE_saute"));
     command.env("DISPLAY", &display).env("XDG_DATA_HOME", data.path()).env_remove("WAYLAND_DISPLAY");
-    let window = started(&mut command).expect("starts");
-    let Some(id) = awaited(|| xdotool(&display, &["search", "--name", "^saute$"]).filter(|id| !id.is_empty())) else {
-        return eprintln!("skipped: no window opens on the virtual screen, perhaps for want of graphics");
-    };
+    let window = started(&mut command);
+    let id = awaited(|| xdotool(&display, &["search", "--name", "^saute$"]).filter(|id| !id.is_empty()));
+    let id = id.expect("a window opens on the virtual screen");
     let file = folder.join("cook.saute");
     // The hob on; a window that has just opened may not hear the first key.
     let begun = awaited(|| {
