@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 use std::fmt::Display;
 
-use saute_kitchen::Piece;
 use saute_kitchen::advice::SMOKE_SEEN_MG_S;
+use saute_kitchen::{Piece, Place};
 use saute_session::permits::Permit;
 use saute_words::language::Language;
 use saute_words::piece_words::{group_of, name, place};
@@ -77,11 +77,16 @@ impl Announcer {
             self.pieces = None;
             return Vec::new();
         }
-        let now: BTreeMap<String, Lies> = session.kitchen.pieces().iter().map(|p| (p.id.clone(), lies(p, l))).collect();
+        let before = |id: &str| self.pieces.as_ref().and_then(|pieces| pieces.get(id));
+        // On its way in a hand it still counts as where it was: a flip is one sentence.
+        let of = |p: &Piece| match p.place {
+            Place::Held => before(&p.id).cloned().unwrap_or_else(|| lies(p, l)),
+            _ => lies(p, l),
+        };
+        let now: BTreeMap<String, Lies> = session.kitchen.pieces().iter().map(|p| (p.id.clone(), of(p))).collect();
         let mut said: Vec<String> = Vec::new();
         for (id, lies) in &now {
-            let Some(before) = self.pieces.as_ref().and_then(|pieces| pieces.get(id)) else { continue };
-            let Some(key) = changed(before, lies) else { continue };
+            let Some(key) = before(id).and_then(|before| changed(before, lies)) else { continue };
             let parts: [(&str, &dyn Display); 2] = [("name", &name(group_of(id), l)), ("place", &lies.place)];
             let sentence = l.fill(key, &parts);
             if !said.contains(&sentence) {
@@ -129,6 +134,34 @@ mod tests {
     use saute_kitchen::{Command, Library};
 
     use super::*;
+    use saute_session::permits::Permits;
+
+    /// Promise: smoke is announced once when it begins and once when it ends, and not where readings are hidden.
+    #[test]
+    fn smoke_is_said_once() {
+        let library = Arc::new(Library::embedded().expect("embedded data"));
+        let mut session = Session::new(library, &Default::default()).expect("sets out");
+        session.command(&Command::Hob(2000.0)).expect("hob");
+        let (mut announcer, mut blind, notice) = (Announcer::default(), Announcer::default(), Notice::default());
+        let hidden = Permits::only(&Permit::ALWAYS);
+        let mut said = Vec::new();
+        for k in 0..30_000 {
+            session.tick().expect("ticks");
+            if k % 20 > 0 {
+                continue;
+            }
+            said.extend(announcer.news(&session, None, &notice, Language::English));
+            let seen = std::mem::replace(&mut session.permits, hidden.clone());
+            assert!(blind.news(&session, None, &notice, Language::English).is_empty(), "where readings are hidden");
+            session.permits = seen;
+            match said.len() {
+                0 => {}
+                1 => session.command(&Command::Hob(0.0)).expect("off"),
+                _ => break,
+            }
+        }
+        assert_eq!(said, ["The oil smokes.", "The smoke has stopped."]);
+    }
 
     /// Promise: what happens is said once, in the order in which it happens, and nothing is said of what stays as it is.
     #[test]

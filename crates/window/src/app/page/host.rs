@@ -33,8 +33,10 @@ impl SauteApp {
         if let Some(kind) = opening.food {
             let size_mm = self.session.library.foods.get(&kind).map(|food| food.size.default_mm.clone());
             let choice = SteakChoice { kind, size_mm: size_mm.unwrap_or_default(), ..SteakChoice::default() };
-            self.settings.choice = choice;
-            self.set_out();
+            if self.settings.choice != choice {
+                self.settings.choice = choice;
+                self.set_out();
+            }
         }
         if opening.is_cut {
             self.toggle_slice();
