@@ -40,7 +40,7 @@ site() { "${CARGO_TARGET_DIR:-target}/release/saute-site" "$@"; }
 # module PROFILE CRATE: where cargo put the module of a crate.
 module() { echo "$(wasm_folder)/$WASM_TARGET/$1/saute_$2.wasm"; }
 
-# build_page: the whole site in PAGE_DIR; seconds where nothing has changed.
+# build_page [--address URL]: the whole site in PAGE_DIR; seconds where nothing has changed.
 build_page() {
     local optimise=()
     cargo_wasm build web -p saute-web -p saute-sound-page
@@ -49,7 +49,7 @@ build_page() {
     else
         say "the page is made without wasm-opt and is larger for it"
     fi
-    site build --wasm "$(module web web)" --sound "$(module web sound_page)" --out "$PAGE_DIR" ${optimise[@]+"${optimise[@]}"}
+    site build --wasm "$(module web web)" --sound "$(module web sound_page)" --out "$PAGE_DIR" "$@" ${optimise[@]+"${optimise[@]}"}
 }
 
 # compile_page: the module of the page for tests, and crates that must work in a browser and are not in the page.
@@ -89,14 +89,14 @@ need_page_packages() {
     install "${WEB_PACKAGES[@]}" || say "could not install packages; the page needs: ${WEB_PACKAGES[*]}"
 }
 
-# make_page: builds the page and the program that serves it.
+# make_page [--address URL]: builds the page and the program that serves it.
 make_page() {
     need_page_packages
     cargo build --release --workspace --bin saute-site
-    build_page
+    build_page "$@"
 }
 
-# web [--port N] | --build DIR: serves the page here, or writes it.
+# web [--port N] | --build DIR [--address URL]: serves the page here, or writes it.
 web() {
     case "${1:-} ${2:+value}" in
         " " | "--port value")
@@ -104,13 +104,17 @@ web() {
             site serve "$PAGE_DIR" "$@"
             ;;
         "--build value")
-            make_page
+            if [ $# -gt 2 ] && { [ "$3" != --address ] || [ $# != 4 ]; }; then
+                say "usage: ./run.sh web --build DIR [--address URL]"
+                exit 2
+            fi
+            make_page "${@:3}"
             mkdir -p "$2"
             cp -R "$PAGE_DIR/." "$2/"
             say "the site is in $2; what hosts should send: docs/hosting.md"
             ;;
         *)
-            say "usage: ./run.sh web [--port N] | ./run.sh web --build DIR"
+            say "usage: ./run.sh web [--port N] | ./run.sh web --build DIR [--address URL]"
             exit 2
             ;;
     esac

@@ -10,6 +10,7 @@ const MAKERS = {
   slider: () => input("range"),
   text: () => input("text"),
   label: () => document.createElement("p"),
+  heading: () => document.createElement("h2"),
 };
 
 function button(attributes = {}) {
@@ -68,17 +69,19 @@ export class Controls {
 }
 
 function update(element, { kind, name, on, range, text, off }) {
-  if (kind === "label" || element instanceof HTMLButtonElement) {
+  const isRead = kind === "label" || kind === "heading";
+  if (isRead || element instanceof HTMLButtonElement) {
     if (element.textContent !== name) element.textContent = name;
   } else {
     set(element, "aria-label", name);
   }
-  if (kind !== "label") element.disabled = off === true;
+  if (!isRead) element.disabled = off === true;
   const state = { check: "aria-checked", radio: "aria-checked", button: "aria-pressed" }[kind];
   if (state) set(element, state, on === undefined ? null : String(on));
+  if (kind === "slider") set(element, "aria-valuetext", text);
   if (element === document.activeElement) return;
   if (range) fillRange(element, range);
-  if (text !== undefined && element.value !== text) element.value = text;
+  else if (text !== undefined && element.value !== text) element.value = text;
 }
 
 function fillRange(element, [least, most, now]) {

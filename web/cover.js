@@ -3,26 +3,69 @@
 const part = (id) => document.getElementById(id);
 const megabytes = (bytes) => (bytes / 1e6).toFixed(1);
 
+/** After so long without a byte the page says that something holds it up [ms] (chosen: a slow line sends some in this time). */
+const SILENT_MS = 20_000;
+/** Texts of the page by the ids of their elements. */
+const TEXTS = ["about", "guides", "teach", "report", "private", "again", "tilt", "describe", "choose"];
+
 /** The cover over the stage, in the language of its texts. */
 export class Cover {
-  constructor(words) {
-    this.words = words;
-    for (const id of ["about", "guides", "again", "tilt"]) part(id).textContent = words[id];
-    part("status").textContent = words.loading;
+  constructor(words, version) {
+    Object.assign(this, { words, version });
+    for (const id of TEXTS) part(id).textContent = words[id];
+    document.title = words.title;
+    document.querySelector("meta[name=description]").content = words.about;
+    part("version").textContent = words.version(version);
     part("progress").setAttribute("aria-label", words.loading);
+    part("progress").hidden = part("report").hidden = false;
     part("again").addEventListener("click", () => location.reload());
+    part("report").addEventListener("click", () => this.report(part("detail").textContent));
+    this.say(words.loading);
+    this.awaitBytes();
+  }
+
+  /** Writes what goes on, if that is new: it is read aloud. */
+  say(text) {
+    if (part("status").textContent !== text) part("status").textContent = text;
+  }
+
+  /** Says after a while without a byte that something holds them up. */
+  awaitBytes() {
+    clearTimeout(this.waiting);
+    this.waiting = setTimeout(() => {
+      this.say(this.words.held_up);
+      part("again").hidden = false;
+    }, SILENT_MS);
   }
 
   /** Shows how far the download is. */
   downloaded(bytes, all) {
+    this.awaitBytes();
+    part("again").hidden = true;
     part("progress").value = Math.min(bytes / all, 1);
-    part("status").textContent = this.words.loaded(megabytes(Math.min(bytes, all)), megabytes(all));
+    this.say(this.words.loaded(megabytes(Math.min(bytes, all)), megabytes(all)));
   }
 
-  /** The download is over, the kitchen is not there yet. */
-  preparing() {
-    part("progress").value = 1;
-    part("status").textContent = this.words.preparing;
+  /** The program is there. */
+  loaded() {
+    clearTimeout(this.waiting);
+    part("progress").hidden = true;
+    this.say("");
+  }
+
+  /** It was chosen what to cook, and the kitchen is not there yet. */
+  async preparing() {
+    this.say(this.words.preparing);
+    for (const tile of part("starts").children) tile.disabled = true;
+    // To build the kitchen keeps the page busy; this is seen before.
+    await new Promise((resolve) => setTimeout(resolve, 50));
+  }
+
+  /** Copies what a report of a problem needs: version, browser, and what was said. */
+  report(said) {
+    const report = `saute ${this.version}\n${navigator.userAgent}\n${location.href}\n${said}`;
+    this.say(this.words.report_copied);
+    return report;
   }
 
   /** Lets the stage be seen. */
@@ -33,9 +76,10 @@ export class Cover {
 
   /** Shows what went wrong: a text by its key, and what the browser says. */
   fail(key, error) {
+    clearTimeout(this.waiting);
     part("cover").hidden = false;
-    part("progress").hidden = true;
-    part("status").textContent = this.words[key];
+    part("progress").hidden = part("starts").hidden = part("choose").hidden = true;
+    this.say(this.words[key]);
     part("detail").hidden = error == null;
     part("detail").textContent = String(error?.message ?? error ?? "");
     part("again").hidden = false;

@@ -4,6 +4,9 @@ const version = new URL(import.meta.url).search;
 const part = (name) => import(new URL(`./${name}.js${version}`, import.meta.url).href);
 const [{ readPad, shakePad }, { canTilt, Tilt }, { Sound }] = await Promise.all([part("gamepad"), part("tilt"), part("sound")]);
 
+/** Sentences that stay in the log (chosen: those of some minutes, for whoever reads back). */
+const MOST_LINES = 50;
+
 /** The page's side of the module. */
 export class Host {
   constructor(keptCook, controls, errands, reportTo = "") {
@@ -62,10 +65,23 @@ export class Host {
     this.controls.show(JSON.parse(text));
   }
 
-  /** Tells how the cook stands, and what was said last. */
-  tell(cook, said) {
-    write("told", cook);
-    write("said", said);
+  /** Describes how the cook stands, for those who ask. */
+  describe(cook) {
+    document.getElementById("told").textContent = cook;
+  }
+
+  /** Lets a sentence be heard once: what is added to a log is read aloud, what was there before is not. */
+  announce(sentence) {
+    const log = document.getElementById("said");
+    const line = document.createElement("p");
+    line.textContent = sentence;
+    log.append(line);
+    while (log.childElementCount > MOST_LINES) log.firstChild.remove();
+  }
+
+  /** Copies what a report of a problem needs. */
+  copyReport(said) {
+    this.copyText(this.report(said));
   }
 
   /** Keeps a part of the cook; returns why an earlier part could not be kept. */
@@ -104,12 +120,6 @@ function origin(text) {
   } catch {
     return "";
   }
-}
-
-/** Writes a text if it is new: a live region speaks of what changes. */
-function write(id, text) {
-  const place = document.getElementById(id);
-  if (place.textContent !== text) place.textContent = text;
 }
 
 function copyByField(text) {

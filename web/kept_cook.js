@@ -35,10 +35,16 @@ async function idsInUse() {
   return new Set(held.map((lock) => lock.name));
 }
 
+/** Why a browser stores nothing, in words where they are known, with the browser's own name for it. */
+function why(error, words) {
+  const known = { QuotaExceededError: words.storage_full, SecurityError: words.storage_refused, InvalidStateError: words.storage_refused };
+  return `${known[error?.name] ?? error?.message ?? ""} (${error?.name ?? "AbortError"})`;
+}
+
 /** The storage of this tab's cook. `place` tells addresses apart that begin with different cooks. */
 export class KeptCook {
-  constructor(place) {
-    this.place = place;
+  constructor(place, words) {
+    Object.assign(this, { place, words });
     this.id = crypto.randomUUID?.() ?? `${Date.now()}-${Math.random()}`;
     this.failure = null;
     this.earlier = null;
@@ -56,7 +62,7 @@ export class KeptCook {
       this.earlier = free.find(({ place }) => place === this.place)?.id ?? null;
       return this.earlier && (await this.read(this.earlier));
     } catch (error) {
-      this.failure = `${error?.name}: ${error?.message}`;
+      this.failure = why(error, this.words);
       return null;
     }
   }
@@ -88,7 +94,7 @@ export class KeptCook {
     try {
       this.write(begins, bytes);
     } catch (error) {
-      this.failure = `${error.name}: ${error.message}`;
+      this.failure = why(error, this.words);
     }
     return this.failure ?? undefined;
   }
@@ -96,7 +102,7 @@ export class KeptCook {
   write(begins, bytes) {
     const change = this.database.transaction([COOKS, PARTS], "readwrite");
     change.onabort = () => {
-      this.failure ??= `${change.error?.name ?? "AbortError"}: ${change.error?.message ?? ""}`;
+      this.failure ??= why(change.error, this.words);
     };
     if (begins) {
       // In one transaction: the cook before is there until this one is.

@@ -4,9 +4,9 @@
 // Files of one build belong together; the version keeps a browser's cache from mixing two.
 const version = new URL(import.meta.url).search;
 const place = (file) => new URL(`./${file}${version}`, import.meta.url).href;
-const FILES = ["download", "graphics", "cover", "words", "host", "kept_cook", "kept_study", "controls", "offline", "errands", "entered"];
+const FILES = ["download", "graphics", "cover", "words", "start_tiles", "host", "kept_cook", "kept_study", "controls", "offline", "errands", "entered"];
 const parts = await Promise.all(FILES.map((file) => import(place(`${file}.js`))));
-const { fetchFile, withProgress, backends, prepare, agreeOnPixels, Cover, words, Host, KeptCook, KeptStudy, Controls, Errands, takeNewVersion, keepForOffline, waitToBeEntered, letTabLeave } = Object.assign({}, ...parts);
+const { fetchFile, withProgress, backends, prepare, agreeOnPixels, Cover, words, StartTiles, Host, KeptCook, KeptStudy, Controls, Errands, takeNewVersion, keepForOffline, waitToBeEntered, letTabLeave } = Object.assign({}, ...parts);
 
 const asked = new URLSearchParams(location.search);
 // Without a language in the address the kitchen takes the remembered one, else the browser's.
@@ -16,7 +16,11 @@ const recipe = asked.get("recipe") ?? "";
 const isEmbedded = asked.has("embed");
 /** Of a study its rows are kept, of a lesson what is saved; the cooks of both begin anew. */
 const isLed = asked.has("study") || asked.has("scenario");
-const keptCook = isEmbedded || isLed ? null : new KeptCook(`${recipe}${location.hash}`);
+const language = lang || navigator.language;
+const spoken = words(language);
+const keptCook = isEmbedded || isLed ? null : new KeptCook(`${recipe}${location.hash}`, spoken);
+/** Where the address says what to cook, nobody is asked. */
+const asksWhat = keptCook && !recipe && !location.hash;
 const controls = new Controls(document.getElementById("controls"), () => page);
 /** The compiled module and the address of its script, for the workers. */
 let giveProgram;
@@ -24,9 +28,9 @@ const program = new Promise((resolve) => (giveProgram = resolve));
 const errands = new Errands(program, place("errand_worker.js"), () => page?.wake());
 const host = new Host(keptCook, controls, errands, asked.get("report") ?? "");
 const led = Object.fromEntries(["study", "participant", "machine", "scenario", "student"].map((key) => [key, asked.get(key) ?? ""]));
-const options = { lang, recipe, ...led, lock: asked.get("lock") === "1", link: location.hash, embed: isEmbedded, host };
-const language = lang || navigator.language;
-const cover = new Cover(words(language));
+const cover = new Cover(spoken, version.replace("?v=", ""));
+host.report = (said) => cover.report(said);
+const options = { lang, recipe, ...led, lock: asked.get("lock") === "1", link: location.hash, embed: isEmbedded, host, version: cover.version };
 document.documentElement.lang = language;
 
 let bindings = null;
@@ -40,10 +44,20 @@ async function load() {
   const [loaded, response] = await Promise.all([import(place("saute_web.js")), fetchFile(place("saute_web_bg.wasm"))]);
   const counted = withProgress(response, (done) => cover.downloaded(done, bytes));
   const module = await WebAssembly.compileStreaming(counted);
+  performance.mark("saute compiled");
   await loaded.default({ module_or_path: module });
   giveProgram({ module, script: place("saute_web.js") });
-  cover.preparing();
+  cover.loaded();
   return loaded;
+}
+
+/** What is kept of the last cook, or what was chosen to begin instead; in the meantime the program comes. */
+async function choose() {
+  const kept = await keptCook?.open();
+  if (!asksWhat) return { kept };
+  document.documentElement.dataset.state = "offering";
+  const [heading, list] = ["choose", "starts"].map((id) => document.getElementById(id));
+  return new StartTiles(heading, list, spoken, place).choose(kept);
 }
 
 /** A canvas can serve one kind of context only, so each start gets a fresh one. */
@@ -66,6 +80,7 @@ async function start(candidates) {
     page ??= new bindings.Page();
     started = page.start(freshCanvas(backend), { ...options, backend });
     await started;
+    performance.mark("saute started");
     nameTextFields();
     // Tests read `saute.stats()`.
     window.saute = page;
@@ -124,10 +139,15 @@ async function main() {
   const candidates = await backends(asked.get("backend") ?? "auto");
   if (!candidates.length) return cover.fail("no_graphics");
   try {
-    [bindings, options.kept] = await Promise.all([load(), keptCook?.open()]);
+    const [loaded, chosen] = await Promise.all([load(), choose()]);
+    bindings = loaded;
+    Object.assign(options, chosen);
   } catch (error) {
     return cover.fail("not_loaded", error);
   }
+  document.documentElement.dataset.state = "loading";
+  performance.mark("saute chosen");
+  await cover.preparing();
   await agreeOnPixels(document.getElementById("stage"));
   try {
     host.keptStudy = await openStudy();
@@ -140,6 +160,7 @@ async function main() {
 
 window.addEventListener("hashchange", () => page?.open_link(location.hash));
 window.addEventListener("pagehide", () => page?.keep_now());
+document.getElementById("describe").addEventListener("click", () => host.announce(document.getElementById("told").textContent));
 document.addEventListener("visibilitychange", () => {
   page?.be_seen(!document.hidden);
   if (document.hidden) page?.keep_now();

@@ -7,8 +7,8 @@ import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { test } from "node:test";
 
-import { STUCK_MS, trouble } from "./browser.mjs";
-import { draws, kitchen, press, stats, until, visit } from "./cooking.mjs";
+import { STUCK_MS, reaches, trouble, watch } from "./browser.mjs";
+import { begins, draws, kitchen, press, stats, until, visit } from "./cooking.mjs";
 import { clickLabel } from "./labels.mjs";
 
 const AXE = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
@@ -43,11 +43,26 @@ async function leavesByTab(page) {
   return left;
 }
 
-const CASES = [["en", "dark", "reduce", "Movement: Reduced"], ["ja", "light", "no-preference", "動き: なめらか"]];
+/** Goes by Tab to the first picture of the first sight, and chooses it. */
+async function choosesByKeys(page) {
+  const isThere = () => document.activeElement.dataset.start === "steak";
+  for (let presses = 0; presses < 10 && !(await page.evaluate(isThere)); presses++) await page.keyboard.press("Tab");
+  assert.ok(await page.evaluate(isThere), "the keyboard reaches the pictures");
+  await page.keyboard.press("Enter");
+}
 
-for (const [lang, colorScheme, reducedMotion, motion] of CASES) {
+/** What was announced, the first first. */
+const announced = (page) => page.evaluate(() => [...document.querySelectorAll("#said > p")].map((line) => line.textContent.replaceAll("\u00a0", " ")));
+
+const CASES = [["en", "dark", "reduce", "Movement: Reduced", "Settings"], ["ja", "light", "no-preference", "動き: なめらか", "設定"]];
+
+for (const [lang, colorScheme, reducedMotion, motion, settings] of CASES) {
   test(`axe finds no violation, and motion is as the browser says (${lang}, ${colorScheme})`, { timeout: STUCK_MS }, async () => {
-    const { page, close } = await visit(there.browser, `${there.host.address}?lang=${lang}`, { colorScheme, reducedMotion });
+    const { page, close } = await watch(there.browser, `${there.host.address}?lang=${lang}`, { colorScheme, reducedMotion });
+    await reaches(page, "offering");
+    assert.deepEqual(await violations(page), []);
+    await choosesByKeys(page);
+    await begins(page);
     await page.waitForFunction(() => document.querySelectorAll("#controls button").length > 20);
     assert.deepEqual(await violations(page), []);
     assert.ok(await leavesByTab(page), "the keyboard can leave the picture");
@@ -59,6 +74,12 @@ for (const [lang, colorScheme, reducedMotion, motion] of CASES) {
     const chosen = page.locator("#controls").getByRole("radio", { name: motion });
     await chosen.waitFor({ state: "attached" });
     assert.equal(await chosen.getAttribute("aria-checked"), "true");
+    // Under the card nothing can be used.
+    const card = page.locator("#controls").getByRole("heading", { name: settings });
+    await card.waitFor({ state: "attached" });
+    const off = () => document.querySelector("#controls > input[type=range]").disabled;
+    await page.waitForFunction(off);
+    assert.ok(await chosen.isEnabled());
     await close();
   });
 }
@@ -67,6 +88,7 @@ test("a cook by the HTML controls alone, told in words", { timeout: STUCK_MS }, 
   const { page, seen, close } = await visit(there.browser, there.host.address);
   await setSlider(page, "Hob", 1400);
   await until(page, "the hob is on", (now) => Math.abs(now.hob_w - 1400) < 100);
+  await page.waitForFunction(() => document.querySelector("#controls > [aria-label='Hob power']").ariaValueText === "1400 W");
   await clickLabel(page, "5×");
   await until(page, "time runs faster", (now) => now.speed === 5);
   await clickLabel(page, "In the pan");
@@ -93,6 +115,18 @@ test("a cook by the HTML controls alone, told in words", { timeout: STUCK_MS }, 
   await setSlider(page, "Time of the cook", 2);
   const early = await until(page, "the beginning", (now) => now.time_s < 4 && !now.travels);
   assert.ok(!early.pieces[0].upside_down && early.pan_c < turned.pan_c, JSON.stringify(early));
+  // What was heard of it: each thing once, in its order, and the description only when it was asked for.
+  const heard = await announced(page);
+  const told = [/^Turn the hob on\. /, /^steak: in the pan\.$/, /^steak: turned over\.$/, /^steak: on the board\.$/, /^Undone: /];
+  const places = told.map((line) => heard.findIndex((text) => line.test(text)));
+  assert.deepEqual(places, places.toSorted((a, b) => a - b), JSON.stringify(heard));
+  // After it time was turned back, where the first order comes again.
+  const cook = heard.slice(0, places.at(-1) + 1);
+  assert.ok(places[0] >= 0 && new Set(cook).size === cook.length, JSON.stringify(heard));
+  assert.ok(!heard.some((text) => /Time \d/.test(text)), JSON.stringify(heard));
+  await page.getByRole("button", { name: "Describe the cook" }).evaluate((button) => button.click());
+  assert.match((await announced(page)).at(-1), /^Pan \d+ °C[^]*steak: [^]*Time \d/);
+  assert.equal(await page.locator("#told").getAttribute("aria-live"), null);
   assert.deepEqual(trouble(seen), []);
   await close();
 });

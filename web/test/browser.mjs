@@ -58,10 +58,16 @@ export async function watch(browser, address, { prepare = async () => {}, ...opt
   return { page, seen, close: () => context.close() };
 }
 
-/** Waits until the page is in a state: `cooking` or `failed`. */
+/** Waits until the page is in a state: `offering`, `cooking` or `failed`. Where it asks what to cook, the first is taken: the last cook where
+ * there is one, else the steak. */
 export async function reaches(page, state) {
-  const settled = () => ["cooking", "failed"].includes(document.documentElement.dataset.state);
-  await page.waitForFunction(settled);
+  const settled = (states) => states.includes(document.documentElement.dataset.state);
+  await page.waitForFunction(settled, ["offering", "cooking", "failed"]);
+  if (state !== "offering" && (await page.evaluate(settled, ["offering"]))) {
+    // The program may fail to come in the meantime.
+    await page.evaluate(() => document.querySelector("#starts button")?.click());
+    await page.waitForFunction(settled, ["cooking", "failed"]);
+  }
   const [found, cover] = await page.evaluate(() => [
     document.documentElement.dataset.state,
     document.getElementById("cover").innerText,

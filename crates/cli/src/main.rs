@@ -54,7 +54,7 @@ fn run(args: Args, process_start: Instant) -> Result<ExitCode, CliError> {
         None => open::run(library()?, None, args.hands),
         Some(Command::Open(open)) => open::run_named(&open, library()?, args.hands),
         Some(Command::Study(study)) => study::run(study, library()?, args.hands),
-        Some(Command::Class(command)) => class::run(&command),
+        Some(Command::Class(command)) => class::run(&command, &library()?),
         Some(Command::Cook(args)) => cook::run(&args, &library()?),
         Some(Command::Replay(args)) => replay::run(&args, &library()?),
         Some(Command::Fit(args)) => fit::run(&args, &library()?),

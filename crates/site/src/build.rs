@@ -27,6 +27,9 @@ pub struct Build {
     /// Quality of brotli, 0 to 11: less makes the site sooner and its files larger.
     #[arg(long, default_value_t = compress::BEST, value_parser = clap::value_parser!(i32).range(0..=11))]
     brotli: i32,
+    /// The address at which the site will be: where it is shared, it is shown with a picture.
+    #[arg(long, value_parser = page::address)]
+    address: Option<String>,
     /// Bytes that the page may send before the first interaction.
     #[arg(long, default_value_t = bytes_sent::BUDGET)]
     most: u64,
@@ -36,7 +39,7 @@ impl Build {
     /// Makes the site, unless it is made of the same parts already.
     pub fn run(&self) -> Result<(), SiteError> {
         let root = Path::new(".");
-        let stamp = stamp::of(&self.inputs(root)?, self.wasm_opt.is_some(), self.brotli)?;
+        let stamp = stamp::of(&self.inputs(root)?, self.wasm_opt.is_some(), self.brotli, self.address.as_deref())?;
         if self.quick || !stamp::is_on(&self.out, &stamp) {
             self.make(root)?;
         }
@@ -65,7 +68,7 @@ impl Build {
             bind::optimise(program, &self.out)?;
         }
         sound::add(&self.sound, &self.out)?;
-        page::add(root, &self.out)?;
+        page::add(root, &self.out, self.address.as_deref())?;
         docs::add(root, &self.out)?;
         if self.quick {
             return Ok(());

@@ -11,7 +11,7 @@ use crate::sound::AFTER_TOUCH;
 /// 4 MB with brotli: half a minute at 1 Mbit/s.
 pub const BUDGET: u64 = 4_000_000;
 /// What a first visit loads; guides, the Japanese font and what sounds after the first touch it does not.
-const ENDINGS: [&str; 5] = ["wasm", "js", "html", "css", "svg"];
+const ENDINGS: [&str; 6] = ["wasm", "js", "html", "css", "svg", "webp"];
 
 /// Sizes of one file: as it is, with gzip, with brotli.
 struct Sizes {
@@ -50,7 +50,10 @@ fn first(site: &Path) -> Result<Vec<PathBuf>, SiteError> {
 
 fn sizes(path: &Path) -> Result<Sizes, SiteError> {
     let size = |path: PathBuf| fs::metadata(&path).map(|data| data.len()).map_err(at(&path));
-    let bytes = [size(path.to_owned())?, size(name(path, "gz"))?, size(name(path, "br"))?];
+    // Pictures are compressed already.
+    let sent =
+        |ending: &str| Some(name(path, ending)).filter(|packed| packed.exists()).unwrap_or_else(|| path.to_owned());
+    let bytes = [size(path.to_owned())?, size(sent("gz"))?, size(sent("br"))?];
     Ok(Sizes { name: path.file_name().unwrap_or_default().to_string_lossy().into_owned(), bytes })
 }
 

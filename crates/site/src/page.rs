@@ -15,7 +15,9 @@ pub const INDEX: &str = "index.html";
 pub const SOURCES: &str = "web";
 /// Where the Japanese font and its licence are.
 const FONTS: &str = "crates/window/fonts";
-const ENDINGS: [&str; 5] = ["html", "css", "js", "svg", "webmanifest"];
+const ENDINGS: [&str; 7] = ["html", "css", "js", "svg", "webmanifest", "webp", "jpg"];
+/// The picture of the page where its address is shared; no visitor loads it.
+const PICTURE: &str = "social.jpg";
 /// Keeps the page for use without a network; it names the files of its version.
 const SERVICE_WORKER: &str = "service_worker.js";
 
@@ -36,7 +38,7 @@ pub fn files_of(folder: &Path) -> Result<Vec<PathBuf>, SiteError> {
 
 /// Adds the page to a site that has the module. The page names the module's size, for the progress bar, and a version, so
 /// that a browser never combines files of two versions from its cache.
-pub fn add(root: &Path, site: &Path) -> Result<(), SiteError> {
+pub fn add(root: &Path, site: &Path, address: Option<&str>) -> Result<(), SiteError> {
     for source in sources(root)? {
         copy_into(&source, site)?;
     }
@@ -45,7 +47,26 @@ pub fn add(root: &Path, site: &Path) -> Result<(), SiteError> {
     for font in files_of(&root.join(FONTS))? {
         copy_into(&font, &fonts)?;
     }
-    fill_in(site)
+    fill_in(site, address)
+}
+
+/// The address at which a site will be, with a slash at its end, from what was typed.
+pub fn address(typed: &str) -> Result<String, String> {
+    let is_plain = |rest: &str| !rest.is_empty() && !rest.contains(['"', '<', '>', '?', '#', ' ']);
+    let rest = ["https://", "http://"].iter().find_map(|scheme| typed.strip_prefix(scheme));
+    match rest {
+        Some(rest) if is_plain(rest) => Ok(format!("{}/", typed.trim_end_matches('/'))),
+        _ => Err("write the whole address of the page, such as https://example.org/pan/".to_owned()),
+    }
+}
+
+/// What shows the page with a picture where its address is shared. Only a whole address leads there.
+fn social(address: Option<&str>) -> String {
+    address.map_or_else(String::new, |address| {
+        let tag = |name: &str, value: &str| format!("<meta property=\"og:{name}\" content=\"{address}{value}\">");
+        let alt = "<meta property=\"og:image:alt\" content=\"A steak in a frying pan, simulated\">";
+        [tag("url", ""), tag("image", PICTURE), alt.to_owned()].join("\n")
+    })
 }
 
 fn copy_into(source: &Path, folder: &Path) -> Result<(), SiteError> {
@@ -53,7 +74,7 @@ fn copy_into(source: &Path, folder: &Path) -> Result<(), SiteError> {
     fs::copy(source, folder.join(name)).map_err(at(source)).map(|_| ())
 }
 
-fn fill_in(site: &Path) -> Result<(), SiteError> {
+fn fill_in(site: &Path, address: Option<&str>) -> Result<(), SiteError> {
     let (index, module) = (site.join(INDEX), site.join(MODULE));
     let bytes = fs::metadata(&module).map_err(at(&module))?.len();
     let mut hasher = crc32fast::Hasher::new();
@@ -61,12 +82,12 @@ fn fill_in(site: &Path) -> Result<(), SiteError> {
         hasher.update(&fs::read(&path).map_err(at(&path))?);
     }
     let version = format!("{:08x}", hasher.finalize());
-    let (bytes, files) = (bytes.to_string(), versioned_files(site)?);
+    let (bytes, files, social) = (bytes.to_string(), versioned_files(site)?, social(address));
     for file in [index, site.join(SERVICE_WORKER)] {
         let text = fs::read_to_string(&file).map_err(at(&file))?;
-        let filled = [("{{version}}", &version), ("{{module_bytes}}", &bytes), ("{{files}}", &files)]
-            .iter()
-            .fold(text, |text, (name, value)| text.replace(name, value));
+        let known =
+            [("{{version}}", &version), ("{{module_bytes}}", &bytes), ("{{files}}", &files), ("{{social}}", &social)];
+        let filled = known.iter().fold(text, |text, (name, value)| text.replace(name, value));
         fs::write(&file, filled).map_err(at(&file))?;
     }
     Ok(())
@@ -75,7 +96,7 @@ fn fill_in(site: &Path) -> Result<(), SiteError> {
 /// Names of the files that the page loads with its version, as JSON; their names hold no quotes.
 fn versioned_files(site: &Path) -> Result<String, SiteError> {
     let names = files_of(site)?.into_iter().filter_map(|path| Some(path.file_name()?.to_str()?.to_owned()));
-    let is_loaded = |name: &String| !name.ends_with(".html") && name != SERVICE_WORKER;
+    let is_loaded = |name: &String| !name.ends_with(".html") && name != SERVICE_WORKER && name != PICTURE;
     let quoted: Vec<String> = names.filter(is_loaded).map(|name| format!("\"{name}\"")).collect();
     Ok(format!("[{}]", quoted.join(",")))
 }
@@ -93,15 +114,34 @@ mod tests {
         let versions = [b"module 1", b"module 2"].map(|module| {
             fs::write(site.path().join(MODULE), module).unwrap();
             fs::write(site.path().join(SCRIPT), "export default 1;").unwrap();
-            add(&root, site.path()).unwrap();
+            add(&root, site.path(), None).unwrap();
             let worker = read(SERVICE_WORKER);
             assert!(!worker.contains("{{") && !read(INDEX).contains("{{"));
             for file in [MODULE, SCRIPT, "loader.js", "style.css", "icon.svg"] {
                 assert!(worker.contains(&format!("\"{file}\"")), "{file}");
             }
             assert!(!worker.contains("index.html\","), "the page itself carries no version");
+            assert!(!worker.contains(PICTURE), "no visitor needs it");
             worker.split("const VERSION = \"").nth(1).unwrap()[..8].to_owned()
         });
         assert_ne!(versions[0], versions[1], "another module is another version");
+    }
+    /// Promise: a shared address shows a picture that is in the site, by a whole address; without one no picture is promised.
+    #[test]
+    fn the_picture_of_a_shared_page_has_a_whole_address_and_is_there() {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+        let read = |address: Option<&str>| {
+            let site = tempfile::tempdir().unwrap();
+            fs::write(site.path().join(MODULE), b"module").unwrap();
+            add(&root, site.path(), address).unwrap();
+            assert!(site.path().join(PICTURE).exists());
+            fs::read_to_string(site.path().join(INDEX)).unwrap()
+        };
+        let given = address("https://example.org/pan").unwrap();
+        assert!(read(Some(&given)).contains("property=\"og:image\" content=\"https://example.org/pan/social.jpg\""));
+        assert!(!read(None).contains("og:image"));
+        for wrong in ["example.org", "https://", "https://example.org/\"><script>", "ftp://example.org/"] {
+            assert!(address(wrong).is_err(), "{wrong}");
+        }
     }
 }

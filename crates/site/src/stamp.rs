@@ -10,10 +10,11 @@ fn path(site: &Path) -> PathBuf {
     site.with_extension("stamp")
 }
 
-/// A number of everything that goes into the site: files, this program, whether wasm-opt is there, brotli's quality.
-pub fn of(inputs: &[PathBuf], optimised: bool, brotli: i32) -> Result<String, SiteError> {
+/// A number of everything that goes into the site: files, this program, whether wasm-opt is there, brotli's quality, its address.
+pub fn of(inputs: &[PathBuf], optimised: bool, brotli: i32, address: Option<&str>) -> Result<String, SiteError> {
     let mut hasher = crc32fast::Hasher::new();
     hasher.update(&[u8::from(optimised), brotli as u8]);
+    hasher.update(address.unwrap_or_default().as_bytes());
     let program = std::env::current_exe().map_err(at(Path::new("saute-site")))?;
     for input in inputs.iter().chain([&program]) {
         hasher.update(input.as_os_str().as_encoded_bytes());

@@ -1,6 +1,6 @@
 //! What a page's script asks for.
 
-use saute_window::browser::host::Host;
+use saute_window::browser::host::{Host, Opening};
 use saute_words::language::Language;
 use wasm_bindgen::{JsCast, JsValue};
 
@@ -28,10 +28,14 @@ pub(crate) struct Options {
     pub link: String,
     /// True if the page is a part of another one.
     pub is_embedded: bool,
+    /// What was chosen before the start.
+    pub opening: Opening,
+    /// The version of the page's build.
+    pub version: String,
 }
 
 impl Options {
-    /// Reads `{ backend, lang, recipe, study, participant, machine, scenario, student, lock, link, embed, host, kept }`; absent and empty values leave the choice to the program.
+    /// Reads `{ backend, lang, recipe, study, participant, machine, scenario, student, lock, link, embed, host, kept, chosen, food, cut, version }`; absent and empty values leave the choice to the program.
     ///
     /// # Errors
     ///
@@ -55,11 +59,28 @@ impl Options {
         };
         let lesson = named("scenario", "student").map(|(scenario, student)| (scenario, student, is_locked));
         let host = value(object, "host").map(JsCast::unchecked_into);
-        let is_embedded = value(object, "embed").is_some_and(|embed| embed.is_truthy());
+        let is_true = |key| value(object, key).is_some_and(|value| value.is_truthy());
+        let is_embedded = is_true("embed");
+        let food = Some(text(object, "food")).filter(|food| !food.is_empty());
+        let opening = Opening { is_chosen: is_true("chosen"), food, is_cut: is_true("cut") };
+        let version = text(object, "version");
         let kept =
             value(object, "kept").and_then(|kept| kept.dyn_into::<js_sys::Uint8Array>().ok()).map(|kept| kept.to_vec());
         let backend = Choice::read(&backend)?;
-        Ok(Self { backend, language, recipe, study, machine_is_tried, lesson, host, kept, link, is_embedded })
+        Ok(Self {
+            backend,
+            language,
+            recipe,
+            study,
+            machine_is_tried,
+            lesson,
+            host,
+            kept,
+            link,
+            is_embedded,
+            opening,
+            version,
+        })
     }
 }
 

@@ -40,7 +40,7 @@ impl Page {
         Self { runner: WebRunner::new(), app: SharedApp::default(), backend: Rc::default() }
     }
 
-    /// Starts on a canvas with `{ backend: "auto" | "webgpu" | "webgl2", lang: "en" | "ja" | "", recipe, study, participant, machine, scenario, student, lock, link, embed, host, kept }`. A
+    /// Starts on a canvas with `{ backend: "auto" | "webgpu" | "webgl2", lang: "en" | "ja" | "", recipe, study, participant, machine, scenario, student, lock, link, embed, host, kept, chosen, food, cut, version }`. A
     /// page that was started goes on with its cook on the new canvas.
     ///
     /// # Errors
@@ -168,8 +168,8 @@ fn start(options: Options) -> Result<Start, String> {
     let study =
         options.study.as_ref().map(|(id, code)| led::study(&library, (id, code), options.host.as_ref())).transpose()?;
     let study = study.map(|start| if options.machine_is_tried { start.on_tried_machine() } else { start });
-    let page =
-        PageStart { host: options.host, kept: options.kept, link: options.link, is_embedded: options.is_embedded };
+    let Options { host, kept, link, is_embedded, opening, version, .. } = options;
+    let page = PageStart { host, kept, link, is_embedded, opening, version };
     let lesson = options.lesson.map(|lesson| led::lesson(&library, lesson)).transpose()?;
     let (language, library) = (options.language, Some(library.into()));
     Ok(Start { library, recipe, recorded: None, study, lesson, language, frugal: true, page })

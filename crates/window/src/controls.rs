@@ -24,6 +24,8 @@ pub enum Kind {
     Text,
     /// Is only read.
     Label,
+    /// Names what follows: a part of a card, a card or a panel.
+    Heading,
 }
 
 /// One of them.
@@ -41,25 +43,36 @@ pub struct Control {
     /// Lowest and highest value, and the present one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub range: Option<[f64; 3]>,
-    /// The text that it holds.
+    /// The text that it holds; of a slider its value with the unit.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub text: Option<String>,
     /// True if it cannot be used now.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub off: bool,
+    /// True if it stands on a card or in a menu, over all else.
+    #[serde(skip)]
+    pub is_over: bool,
 }
 
 /// All controls and texts of a tree that have a name, in reading order.
 pub fn controls(update: &TreeUpdate) -> Vec<Control> {
     let nodes: BTreeMap<NodeId, &Node> = update.nodes.iter().map(|(id, node)| (*id, node)).collect();
     let mut found = Vec::new();
-    let mut waiting: Vec<NodeId> = update.tree.iter().map(|tree| tree.root).collect();
-    while let Some(id) = waiting.pop() {
+    let mut waiting: Vec<(NodeId, bool)> = update.tree.iter().map(|tree| (tree.root, false)).collect();
+    while let Some((id, is_over)) = waiting.pop() {
         let Some(node) = nodes.get(&id) else { continue };
-        waiting.extend(node.children().iter().rev());
-        found.extend(control(id, node));
+        let is_over = is_over || node.role() == Role::Dialog;
+        waiting.extend(node.children().iter().rev().map(|child| (*child, is_over)));
+        found.extend(control(id, node).map(|control| Control { is_over, ..control }));
     }
     found
+}
+
+/// Switches off what lies under an open card, as the mouse does not reach it either.
+pub fn under_card(controls: &mut [Control]) {
+    if controls.iter().any(|control| control.is_over) {
+        controls.iter_mut().filter(|control| !control.is_over).for_each(|control| control.off = true);
+    }
 }
 
 /// What a control is by, when the panels have numbered their controls anew: they do when what stands above them changes.
@@ -98,12 +111,16 @@ fn control(id: NodeId, node: &Node) -> Option<Control> {
     let range = (kind == Kind::Slider).then(|| range(node)).flatten();
     // What has no range is only read.
     let kind = if kind == Kind::Slider && range.is_none() { Kind::Label } else { kind };
-    let named = node.label().or_else(|| node.value().filter(|_| kind == Kind::Label));
+    let named = node.label().or_else(|| node.value().filter(|_| matches!(kind, Kind::Label | Kind::Heading)));
     let name = named.map(str::trim).filter(|name| !name.is_empty())?.to_owned();
     let on = node.toggled().map(|toggled| toggled == Toggled::True);
     let on = on.or_else(|| node.is_selected()).or((kind == Kind::Radio).then_some(false));
-    let text = (kind == Kind::Text).then(|| node.value().unwrap_or_default().to_owned());
-    Some(Control { id: id.0.to_string(), kind, name, on, range, text, off: node.is_disabled() })
+    let text = match kind {
+        Kind::Text => Some(node.value().unwrap_or_default().to_owned()),
+        Kind::Slider => node.value().map(str::to_owned),
+        _ => None,
+    };
+    Some(Control { id: id.0.to_string(), kind, name, on, range, text, off: node.is_disabled(), is_over: false })
 }
 
 fn kind(node: &Node) -> Option<Kind> {
@@ -114,7 +131,8 @@ fn kind(node: &Node) -> Option<Kind> {
         Role::ComboBox => Kind::Menu,
         Role::Slider | Role::SpinButton => Kind::Slider,
         Role::TextInput | Role::SearchInput | Role::MultilineTextInput => Kind::Text,
-        Role::Label | Role::Heading | Role::ProgressIndicator => Kind::Label,
+        Role::Label | Role::ProgressIndicator => Kind::Label,
+        Role::Heading | Role::Group => Kind::Heading,
         _ => return None,
     })
 }
@@ -154,6 +172,33 @@ mod tests {
         assert_eq!(found(&partly, "3").as_deref(), Some("3"), "what keeps its number is itself");
         assert_eq!(found(&partly, "2").as_deref(), Some("3"), "a number that another one has is not it");
         assert_eq!(found(&[(2, Role::Button, "Recent")], "2"), None, "it is gone");
+    }
+
+    /// Promise: under an open card nothing is on, and what stands on the card stays as it is.
+    #[test]
+    fn what_lies_under_a_card_is_off() {
+        let mut root = Node::new(Role::Window);
+        root.set_children(vec![NodeId(2), NodeId(3)]);
+        let mut card = Node::new(Role::Dialog);
+        card.set_children(vec![NodeId(4), NodeId(5)]);
+        let nodes = [
+            (1, root),
+            (2, node(Role::Button, "Flip")),
+            (3, card),
+            (4, node(Role::Heading, "Keys")),
+            (5, node(Role::Button, "Done")),
+        ];
+        let update = TreeUpdate {
+            nodes: nodes.map(|(id, node)| (NodeId(id), node)).into(),
+            tree: Some(TreeInfo::new(NodeId(1))),
+            tree_id: TreeId::ROOT,
+            focus: NodeId(1),
+        };
+        let mut found = controls(&update);
+        under_card(&mut found);
+        let states: Vec<_> = found.iter().map(|control| (control.name.as_str(), control.kind, control.off)).collect();
+        let heading = ("Keys", Kind::Heading, false);
+        assert_eq!(states, [("Flip", Kind::Button, true), heading, ("Done", Kind::Button, false)]);
     }
 
     #[test]

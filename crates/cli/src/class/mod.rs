@@ -1,5 +1,7 @@
 //! `saute class`: the results of a class.
 
+mod simulate;
+
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -7,7 +9,10 @@ use clap::Subcommand;
 use saute_study::LogError;
 use saute_study::class::{Bar, ClassSummary, ResultRow, from_csv, to_csv};
 
+pub use simulate::SimulateArgs;
+
 use crate::error::CliError;
+use crate::input::data_library::DataLibrary;
 use crate::input::text_file;
 use crate::output::out_file::OutFile;
 use crate::output::{json, stderr, stdout};
@@ -17,6 +22,9 @@ use crate::output::{json, stderr, stdout};
 pub enum ClassCommand {
     /// Merges the results of students, each a CSV file that a lesson has given, into one CSV file, and prints what the class did.
     Collect(CollectArgs),
+    /// Lets simulated students take a lesson: rule-based cooks who guess, for trying how results are collected. They prove nothing about
+    /// people.
+    Simulate(SimulateArgs),
 }
 
 /// `saute class collect`.
@@ -40,8 +48,9 @@ const LARGEST_MIB: u64 = 8;
 const WIDEST: usize = 40;
 
 /// Runs the command.
-pub fn run(command: &ClassCommand) -> Result<ExitCode, CliError> {
+pub fn run(command: &ClassCommand, data: &DataLibrary) -> Result<ExitCode, CliError> {
     match command {
+        ClassCommand::Simulate(args) => simulate::run(args, data),
         ClassCommand::Collect(args) => collect(args),
     }
 }

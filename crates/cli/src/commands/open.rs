@@ -61,6 +61,13 @@ fn open(data: DataLibrary, hands: HandArgs, start: Start) -> Result<ExitCode, Cl
 
 /// The lesson of a scenario's file or id.
 fn lesson(name: &str, args: &OpenArgs, data: &DataLibrary) -> Result<LessonStart, CliError> {
+    let scenario = scenario(name, data)?;
+    let student = args.student.as_deref().map(|code| participant("--student", code)).transpose()?;
+    Ok(LessonStart { scenario, student, is_locked: args.lock })
+}
+
+/// A scenario by its file or id.
+pub fn scenario(name: &str, data: &DataLibrary) -> Result<Arc<Scenario>, CliError> {
     let path = Path::new(name);
     let text = match shipped::text(name) {
         Some(text) if !path.is_file() => text.to_owned(),
@@ -70,9 +77,7 @@ fn lesson(name: &str, args: &OpenArgs, data: &DataLibrary) -> Result<LessonStart
             return Err(CliError::place(name, "there is no such file and no scenario with this id", remedy));
         }
     };
-    let scenario = Arc::new(Scenario::parse(&text, name, &data.library)?);
-    let student = args.student.as_deref().map(|code| participant("--student", code)).transpose()?;
-    Ok(LessonStart { scenario, student, is_locked: args.lock })
+    Ok(Arc::new(Scenario::parse(&text, name, &data.library)?))
 }
 
 /// The code that an option names.

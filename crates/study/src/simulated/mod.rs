@@ -10,9 +10,14 @@
 //! - A cook at a real stove is one more cook of the model with hidden read-outs, slips 1.5 times as large, and a thermometer that errs by 1 K.
 //!
 //! The cooks themselves are simulated as any other, on the coarse meshes of forecasts.
+//!
+//! [`SimulatedClass`] does the same for a lesson: students who guess and cook once, on the full meshes, so that a teacher can try how results
+//! are collected before the class comes.
 
 mod cook;
 mod person;
+mod student;
 
 pub use self::cook::CookError;
 pub use self::person::Simulation;
+pub use self::student::SimulatedClass;

@@ -1,11 +1,13 @@
 //! Promise: a lesson asks when it says, finds the truth in the cook, and its result is one row.
 
+use std::path::Path;
 use std::sync::Arc;
 
 use saute_kitchen::{Command, Kitchen, Library, Piece, RestOn, celsius};
 use saute_study::Measures;
 use saute_study::class::rest::{Rest, has_rested, is_out};
 use saute_study::class::{ClassSummary, Lesson, RestKind, ResultRow, Scenario, from_csv, shipped, to_csv};
+use saute_study::simulated::SimulatedClass;
 
 const TEXT: &str = r#"id = "quick"
 title = "Quick"
@@ -45,6 +47,30 @@ fn until_asked(lesson: &mut Lesson, kitchen: &mut Kitchen) -> f64 {
             return kitchen.time_s();
         }
         assert!(kitchen.time_s() < 60.0, "nothing is asked");
+    }
+}
+
+/// Promise: a simulated student cooks, guesses and hands in what a lesson gives; the same seed gives the same row, and the results that are
+/// shipped are of the shipped lesson.
+#[test]
+fn simulated_students_hand_in_what_is_collected() {
+    let library = Library::embedded().expect("embedded data");
+    let scenario = Arc::new(Scenario::parse(TEXT, "quick.toml", &library).expect("parses"));
+    let class = SimulatedClass { scenario, seed: 1 };
+    let rows: Vec<ResultRow> = [1, 2, 1].map(|number| class.row(number, &library).expect("cooks")).into();
+    assert_eq!(rows[0], rows[2]);
+    assert_ne!(rows[0].q1_answer, None);
+    let (merged, summary) = ClassSummary::of(&rows);
+    assert_eq!((merged.len(), summary.scenarios[0].students), (2, 2), "the third is the first");
+    assert!(rows.iter().all(|row| row.rest == Some(RestKind::Seen) && row.q3_truth.is_some()), "{rows:?}");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/class-results");
+    let shipped_text = shipped::text("first-steak").expect("is shipped");
+    let first = Scenario::parse(shipped_text, "first-steak.toml", &library).expect("parses");
+    for number in 1..=5 {
+        let file = folder.join(format!("first-steak-S{number:02}.csv"));
+        let text = std::fs::read_to_string(&file).expect("is shipped");
+        let [row] = &from_csv("shipped", &text).expect("is read")[..] else { panic!("{}: one row", file.display()) };
+        assert_eq!(row.checksum, format!("{:08x}", first.checksum), "make it anew: saute class simulate first-steak");
     }
 }
 

@@ -43,8 +43,11 @@ pub enum AppAct {
     Disconnect(crate::hand::Role),
     /// Saves a picture.
     Picture,
-    /// The photo mode.
+    /// The photo mode; in a page, which has none, a picture.
     Photo,
+    /// Copies what a report of a problem needs.
+    #[cfg(target_arch = "wasm32")]
+    Report,
     /// Sets exposure, blur and size of a photo.
     #[cfg(not(target_arch = "wasm32"))]
     SetPhoto(crate::photo::PhotoChoice),
@@ -96,6 +99,8 @@ impl AppAct {
             | Self::Connect { role: Role::Pan | Role::Turner, device: _, pairing: _ }
             | Self::Disconnect(Role::Pan | Role::Turner) => needing(&[Permit::Devices]),
             Self::Picture => Traits { words: "key.picture", over_cards: true, ..needing(&[Permit::Eye]) },
+            #[cfg(target_arch = "wasm32")]
+            Self::Report => needing(&[Permit::Help]),
             Self::Photo => Traits { words: "key.photo", frames_photo: true, ..needing(&[Permit::Pictures]) },
             #[cfg(not(target_arch = "wasm32"))]
             Self::SetPhoto(_) => needing(&[Permit::Pictures]),

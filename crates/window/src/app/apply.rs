@@ -156,7 +156,9 @@ impl SauteApp {
             AppAct::Picture if self.sights.photo.open => self.take_photo(ctx),
             AppAct::Picture => self.save_picture(ctx),
             #[cfg(target_arch = "wasm32")]
-            AppAct::Photo => self.say("settings.native_only"),
+            AppAct::Photo => self.save_picture(ctx),
+            #[cfg(target_arch = "wasm32")]
+            AppAct::Report => self.report_problem(),
             #[cfg(not(target_arch = "wasm32"))]
             AppAct::Photo => self.sights.photo.open = !self.sights.photo.open,
             #[cfg(not(target_arch = "wasm32"))]

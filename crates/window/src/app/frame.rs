@@ -108,6 +108,8 @@ impl SauteApp {
             turner_in_hand: self.inputs.tool_hand.turner.is_some(),
             #[cfg(target_arch = "wasm32")]
             phone_tilts: self.phone_tilts(),
+            #[cfg(target_arch = "wasm32")]
+            version: &self.page.version,
             portion: self.inputs.portion,
             planning: &self.leads.planning,
             at_home: &self.leads.at_home,

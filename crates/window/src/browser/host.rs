@@ -64,9 +64,17 @@ extern "C" {
     #[wasm_bindgen(method, js_name = showControls)]
     pub(crate) fn show_controls(this: &Host, controls: &str);
 
-    /// Tells how the cook stands, and what was said last.
+    /// Describes how the cook stands, for those who ask.
     #[wasm_bindgen(method)]
-    pub(crate) fn tell(this: &Host, cook: &str, said: &str);
+    pub(crate) fn describe(this: &Host, cook: &str);
+
+    /// Lets a sentence be heard once.
+    #[wasm_bindgen(method)]
+    pub(crate) fn announce(this: &Host, sentence: &str);
+
+    /// Copies what a report of a problem needs: version, browser, and what was said.
+    #[wasm_bindgen(method, js_name = copyReport)]
+    pub(crate) fn copy_report(this: &Host, said: &str);
 
     /// Hands a result to the page around this one, if the address says to whom.
     #[wasm_bindgen(method, js_name = reportResult)]
@@ -88,6 +96,21 @@ pub struct PageStart {
     pub link: String,
     /// True if the page is a part of another one: it begins with the cook itself.
     pub is_embedded: bool,
+    /// What was chosen among the pictures of the page's first sight.
+    pub opening: Opening,
+    /// The version of the page's build.
+    pub version: String,
+}
+
+/// What was chosen before the window was there.
+#[derive(Clone, Debug, Default)]
+pub struct Opening {
+    /// True if something was chosen: the card of the first steps is not needed.
+    pub is_chosen: bool,
+    /// Id of a food to set out.
+    pub food: Option<String>,
+    /// True if the food is shown cut.
+    pub is_cut: bool,
 }
 
 /// What a start says about the world around the window.

@@ -1,7 +1,8 @@
 //! The panels a second time, as HTML beside the canvas: what egui tells screen readers goes to the page's script, and what is done
 //! there comes back.
 
-use crate::controls::{Control, Identity, controls};
+use crate::controls::{Control, Identity, controls, under_card};
+use crate::spoken::announcer::Announcer;
 use egui::accesskit::{Action, ActionData, ActionRequest, NodeId, TreeId};
 use egui::{Context, Event, FullOutput, RawInput};
 use std::sync::{Arc, Mutex};
@@ -60,6 +61,7 @@ impl Passed {
 pub(crate) struct Mirrored {
     pub(crate) passed: Arc<Mutex<Passed>>,
     pub(crate) told: Option<Instant>,
+    pub(crate) announcer: Announcer,
 }
 
 impl Mirrored {
@@ -89,10 +91,14 @@ impl Mirrored {
         }
     }
 
-    /// What the page is to show, if that is new.
-    pub(crate) fn news(&self) -> Option<String> {
+    /// What the page is to show, if that is new; under a card nothing can be used.
+    pub(crate) fn news(&self, card_is_open: bool) -> Option<String> {
         let mut passed = self.passed.lock().ok()?;
-        let seen = passed.seen.take().filter(|seen| *seen != passed.shown)?;
+        let mut seen = passed.seen.take()?;
+        if card_is_open {
+            under_card(&mut seen);
+        }
+        let seen = Some(seen).filter(|seen| *seen != passed.shown)?;
         let text = serde_json::to_string(&seen).ok()?;
         passed.shown = seen;
         Some(text)

@@ -15,6 +15,7 @@ use crate::panels::section_read::Inside;
 use crate::panels::window_state::WindowState;
 use crate::panels::{ahead, curves, doneness_bar, probes};
 use crate::settings::Settings;
+use crate::ui::aloud::spoken_value;
 use crate::ui::{fingers, theme};
 use saute_words::clock::clock;
 
@@ -126,6 +127,7 @@ fn cut(state: &WindowState, inside: &Inside, ui: &mut Ui, acts: &mut Acts) {
         let response = ui.add(slider);
         let name = l.fill("inside.place_of_cut", &[("food", &food)]);
         response.widget_info(|| egui::WidgetInfo::slider(true, place, &name));
+        spoken_value(ui, &response, format!("{:.0} %", 50.0 + 50.0 * place));
         if response.changed() {
             acts.push(Act::View(ViewAct::SliceAt(place)));
         }

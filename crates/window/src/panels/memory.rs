@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use crate::act::{Act, ViewAct};
 use crate::panels::cards::result::CutOfResult;
 use crate::panels::guided::Entries;
-use crate::panels::now::time_left::TimeLeft;
+use crate::panels::now::NowMemory;
 use crate::panels::section_read::Inside;
 use crate::panels::still::Stills;
 use crate::panels::ways::memory::WaysMemory;
@@ -55,8 +55,8 @@ pub struct PanelMemory {
     pub drawer: Drawer,
     /// Groups of which the list shows every piece.
     pub unfolded: BTreeSet<String>,
-    /// How long what is waited for takes.
-    pub now: TimeLeft,
+    /// What the line keeps.
+    pub now: NowMemory,
     /// How many pieces the pantry adds at once.
     pub count: usize,
     /// What was typed into the search of the help.
@@ -80,7 +80,7 @@ impl Default for PanelMemory {
             inside: Inside::default(),
             drawer: Drawer::default(),
             unfolded: BTreeSet::new(),
-            now: TimeLeft::default(),
+            now: NowMemory::default(),
             count: 1,
             search: String::new(),
             stills: Stills::default(),

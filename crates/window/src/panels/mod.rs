@@ -38,6 +38,7 @@ use crate::panels::cards::{first_steps, goals, help, learn as learn_card, lesson
 use crate::panels::cook::{few_controls, hob_bar, pour, time_strip};
 use crate::panels::memory::{Drawer, PanelMemory};
 use crate::panels::window_state::WindowState;
+use crate::ui::aloud::name_panel;
 use crate::ui::layout::{GAP, Layout};
 use crate::ui::{fingers, theme};
 
@@ -100,30 +101,36 @@ fn show(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut A
     if layout.eye.is_positive() {
         eye_bar::show(state, ui, acts, layout.eye);
     }
-    let margin = if layout.narrow { WIDE_MARGIN } else { MARGIN };
-    floating(ui, layout.top, (0, margin), "views", |ui| match state.settings.few {
+    let (margin, l) = (if layout.narrow { WIDE_MARGIN } else { MARGIN }, state.settings.language);
+    floating(ui, layout.top, (0, margin), ("views", l.text("panel.views")), |ui| match state.settings.few {
         true => top::few(state, ui, acts),
         false => top::show(state, ui, acts, layout.narrow),
     });
     if layout.narrow {
-        floating(ui, layout.bottom, (1, WIDE_MARGIN), "drawer", |ui| match state.settings.few {
-            true => few_drawer(state, memory, ui, acts),
-            false => drawer(state, memory, ui, acts),
+        floating(ui, layout.bottom, (1, WIDE_MARGIN), ("drawer", l.text("panel.cook")), |ui| {
+            match state.settings.few {
+                true => few_drawer(state, memory, ui, acts),
+                false => drawer(state, memory, ui, acts),
+            }
         });
         return;
     }
     if state.settings.few {
-        return floating(ui, layout.bottom, (3, WIDE_MARGIN), "cook", |ui| few_controls::row(state, ui, acts));
+        return floating(ui, layout.bottom, (3, WIDE_MARGIN), ("cook", l.text("panel.cook")), |ui| {
+            few_controls::row(state, ui, acts)
+        });
     }
     if layout.right.is_positive() {
-        floating(ui, layout.right, (2, 10), "inside", |ui| {
+        floating(ui, layout.right, (2, 10), ("inside", l.text("panel.inside")), |ui| {
             scrolled(ui, |ui| inside::show(state, &mut memory.inside, ui, acts))
         });
     }
-    floating(ui, layout.bottom, (3, MARGIN), "cook", |ui| hob_bar::show(state, ui, acts, false));
+    floating(ui, layout.bottom, (3, MARGIN), ("cook", l.text("panel.cook")), |ui| {
+        hob_bar::show(state, ui, acts, false)
+    });
     turner_strip(state, ui, acts, layout);
     let Some(left) = layout.left else { return };
-    floating(ui, left, (4, WIDE_MARGIN), "left", |ui| {
+    floating(ui, left, (4, WIDE_MARGIN), ("left", l.text("panel.food")), |ui| {
         scrolled(ui, |ui| {
             if state.settings.pieces_open {
                 pieces::show(state, &mut memory.unfolded, ui, acts);
@@ -189,7 +196,13 @@ fn drawer(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut
 }
 
 /// A panel at a fixed place; it takes the mouse so that the scene below does not.
-fn floating(ui: &mut Ui, rect: Rect, (index, margin): (u32, i8), name: &str, content: impl FnOnce(&mut Ui)) {
+fn floating(
+    ui: &mut Ui,
+    rect: Rect,
+    (index, margin): (u32, i8),
+    (name, spoken): (&str, &str),
+    content: impl FnOnce(&mut Ui),
+) {
     ui.interact(rect, ui.scope_id().with(("ground", name)), egui::Sense::click_and_drag());
     let points = ui.ctx().pixels_per_point();
     let ground = GroundCallback {
@@ -207,6 +220,9 @@ fn floating(ui: &mut Ui, rect: Rect, (index, margin): (u32, i8), name: &str, con
         ui.set_clip_rect(rect);
         content(ui);
     });
+    if cfg!(target_arch = "wasm32") {
+        name_panel(&child, spoken);
+    }
 }
 
 fn scrolled(ui: &mut Ui, content: impl FnOnce(&mut Ui)) {

@@ -8,6 +8,8 @@ use crate::act::{Act, Acts, AppAct, Card, CookAct, Setting};
 use crate::panels::memory::PanelMemory;
 use crate::panels::still::Stills;
 use crate::panels::window_state::WindowState;
+use crate::ui::aloud::heading;
+use crate::ui::aloud::spoken_value;
 use crate::ui::theme;
 use saute_session::export::Export;
 use saute_session::{SteakChoice, noun};
@@ -25,7 +27,7 @@ pub fn show(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &m
     let l = state.settings.language;
     let noun = noun(library, &state.settings.choice.kind);
     let food = l.called("noun", &noun);
-    ui.heading(l.fill("pantry.mine", &[("food", &food)]));
+    heading(ui, l.fill("pantry.mine", &[("food", &food)]));
     let is_free = !state.forbids(&Act::Cook(CookAct::SetOut)) && !state.forbids(&Act::Cook(CookAct::Add(1)));
     free(state, is_free, ui, |ui| {
         set_out(state, memory.count, ui, acts);
@@ -62,9 +64,9 @@ fn food_and_pan(state: &WindowState, choice: &mut SteakChoice, stills: &mut Stil
     temperature(ui, l.text("pantry.start_temperature"), &mut choice.initial_c, coldest, 30.0, fahrenheit);
     plan_it(l.called("noun", &noun(library, &choice.kind)), ui, acts, l);
     ui.separator();
-    ui.heading(l.text("pantry.hob"));
+    heading(ui, l.text("pantry.hob"));
     hobs(ui, library, choice, l);
-    ui.heading(l.text("pantry.pan"));
+    heading(ui, l.text("pantry.pan"));
     pans(ui, library, choice, l);
     crate::panels::at_home::chip::show(state, ui, acts);
     temperature(ui, l.text("pantry.preheated"), &mut choice.preheat_c, 20.0, 260.0, fahrenheit);
@@ -190,7 +192,7 @@ fn how_many(count: &mut usize, ui: &mut Ui, l: Language) {
 
 fn recipes(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let l = state.settings.language;
-    ui.heading(l.text("pantry.play"));
+    heading(ui, l.text("pantry.play"));
     ui.label(RichText::new(l.text("pantry.drop")).size(12.5).color(theme::of(ui).quiet));
     if ui.add(theme::of(ui).button(l.text("pantry.choose_file"), false)).clicked() {
         acts.push(Act::App(AppAct::ChooseFile));
@@ -227,6 +229,7 @@ pub(super) fn slider(ui: &mut Ui, name: &str, value: &mut f64, low: f64, high: f
     let response = ui.add(egui::Slider::new(value, low..=high).fixed_decimals(0).suffix(suffix));
     let shown = *value;
     response.widget_info(|| egui::WidgetInfo::slider(true, shown, name));
+    spoken_value(ui, &response, format!("{shown:.0}{suffix}"));
 }
 
 /// Coldest start of a food [°C]: below 0 only where its file says how it freezes.

@@ -7,6 +7,7 @@ use saute_kitchen::{Piece, celsius};
 
 use crate::act::{Act, Acts, CookAct, ViewAct};
 use crate::panels::window_state::WindowState;
+use crate::ui::aloud::heading;
 use crate::ui::{fingers, theme};
 use saute_words::language::Language;
 use saute_words::piece_words::group_of;
@@ -29,7 +30,7 @@ const LINE: f32 = 42.0;
 pub fn show(state: &WindowState, unfolded: &mut BTreeSet<String>, ui: &mut Ui, acts: &mut Acts) {
     let count = state.session.kitchen.pieces().len();
     let l = state.settings.language;
-    ui.heading(if count == 1 { l.text("piece.one").to_owned() } else { l.fill("piece.many", &[("count", &count)]) });
+    heading(ui, if count == 1 { l.text("piece.one").to_owned() } else { l.fill("piece.many", &[("count", &count)]) });
     ui.label(RichText::new(l.text("piece.click")).size(12.5).color(theme::of(ui).quiet));
     all_at_once(state, ui, acts);
     ui.spacing_mut().item_spacing.y = 3.0;

@@ -55,6 +55,9 @@ pub struct WindowState<'a> {
     /// True while the phone holds the pan; none where it cannot.
     #[cfg(target_arch = "wasm32")]
     pub phone_tilts: Option<bool>,
+    /// The version of the page's build.
+    #[cfg(target_arch = "wasm32")]
+    pub version: &'a str,
     /// Portion that is poured at once.
     pub portion: Portion,
     /// Place of the cut (−1…1), or none.

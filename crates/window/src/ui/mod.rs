@@ -1,5 +1,6 @@
 //! Theme, layout and the scene's part of the window.
 
+pub(crate) mod aloud;
 pub mod bell;
 pub mod fingers;
 pub mod glance;
@@ -12,7 +13,6 @@ pub mod notice;
 pub mod palette;
 pub mod quality_choice;
 pub mod scene_view;
-pub(crate) mod spoken_range;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod stored_zoom;
 pub(crate) mod system;

@@ -18,6 +18,8 @@ pub struct Said {
     pub text: String,
     /// The file that it speaks of, if it can be shown.
     pub file: Option<PathBuf>,
+    /// How many were said before it.
+    pub number: u64,
     /// When.
     at: Instant,
 }
@@ -41,11 +43,12 @@ impl Notice {
 
     fn keep(&self, text: String, file: Option<PathBuf>) {
         let Ok(mut said) = self.said.lock() else { return };
+        let number = said.back().map_or(1, |last| last.number + 1);
         // What is said again is kept once.
         if said.back().is_some_and(|last| last.text == text) {
             said.pop_back();
         }
-        said.push_back(Said { text, file, at: Instant::now() });
+        said.push_back(Said { text, file, number, at: Instant::now() });
         if said.len() > KEPT {
             said.pop_front();
         }
@@ -55,6 +58,12 @@ impl Notice {
     pub fn current(&self) -> Option<Said> {
         let said = self.said.lock().ok()?;
         said.back().filter(|last| last.at.elapsed().as_secs_f32() < STAYS_S).cloned()
+    }
+
+    /// Returns what was said after the sentence of a number, the first first.
+    pub fn after(&self, number: u64) -> Vec<Said> {
+        let Ok(said) = self.said.lock() else { return Vec::new() };
+        said.iter().filter(|one| one.number > number).cloned().collect()
     }
 
     /// Returns all that was said, the last first.

@@ -11,7 +11,7 @@ impl SauteApp {
     }
 
     /// Closes a card; the first steps are then known.
-    pub(super) fn shut_card(&mut self, card: Card) {
+    pub(crate) fn shut_card(&mut self, card: Card) {
         self.settings.introduced |= card == Card::FirstSteps;
         self.desk.card.take_if(|open| *open == card);
     }

@@ -2,24 +2,52 @@
 
 use crate::act::Card;
 use crate::app::SauteApp;
-use crate::browser::host::{HostPlays, PageStart, Surroundings};
+use crate::browser::host::{HostPlays, Opening, PageStart, Surroundings};
+use saute_session::SteakChoice;
 
 impl SauteApp {
     /// Opens the cook of the address, and keeps the cook in the browser's storage.
     pub(crate) fn settle_in(&mut self, around: Surroundings, ctx: &egui::Context) {
         self.page.mirrored.listen(ctx);
-        let PageStart { host, kept, link, is_embedded } = around.0;
-        self.page.host = host;
+        let PageStart { host, kept, link, is_embedded, opening, version } = around.0;
+        (self.page.host, self.page.version) = (host, version);
         if let Some(host) = self.page.host.clone() {
             self.let_listen(Box::new(HostPlays::new(host.clone())));
             self.employ(Box::new(host));
         }
+        self.open_as_chosen(opening);
         if is_embedded && self.desk.card == Some(Card::FirstSteps) {
             self.desk.card = None;
         }
         self.open_link(&link);
         if let Some(host) = self.page.host.clone() {
             self.keep_cook_by(Box::new(host), kept.as_deref());
+        }
+    }
+
+    /// Opens what was chosen before the window was there.
+    fn open_as_chosen(&mut self, opening: Opening) {
+        if opening.is_chosen {
+            self.shut_card(Card::FirstSteps);
+        }
+        if let Some(kind) = opening.food {
+            let size_mm = self.session.library.foods.get(&kind).map(|food| food.size.default_mm.clone());
+            let choice = SteakChoice { kind, size_mm: size_mm.unwrap_or_default(), ..SteakChoice::default() };
+            if self.settings.choice != choice {
+                self.settings.choice = choice;
+                self.set_out();
+            }
+        }
+        if opening.is_cut {
+            self.toggle_slice();
+        }
+    }
+
+    /// Copies what a report of a problem needs, and says so.
+    pub(crate) fn report_problem(&self) {
+        if let Some(host) = &self.page.host {
+            host.copy_report(&self.said().join("\n"));
+            self.say("page.report_copied");
         }
     }
 

@@ -6,20 +6,23 @@ use crate::spoken::told::told;
 use egui::accesskit::{Action, ActionData};
 use web_time::{Duration, Instant};
 
-/// Time between two descriptions of the cook (chosen: one is heard to its end before the next begins).
+/// Time between two descriptions of the cook (chosen: whoever asks for one hears how it stands now).
 const TELL_EVERY: Duration = Duration::from_secs(5);
 
 impl SauteApp {
-    /// Shows the page what the panels show, if that is new, and tells it now and then how the cook stands.
+    /// Shows the page what the panels show, if that is new, announces what happens, and describes now and then how the cook stands.
     pub(crate) fn show_mirrored(&mut self) {
         let Some(host) = &self.page.host else { return };
-        if let Some(text) = self.page.mirrored.news() {
+        if let Some(text) = self.page.mirrored.news(self.card_is_open()) {
             host.show_controls(&text);
+        }
+        let (order, l) = (self.desk.memory.now.order.as_ref(), self.settings.language);
+        for sentence in self.page.mirrored.announcer.news(&self.session, order, &self.desk.notice, l) {
+            host.announce(&sentence);
         }
         if self.page.mirrored.told.is_none_or(|at| at.elapsed() >= TELL_EVERY) {
             self.page.mirrored.told = Some(Instant::now());
-            let said = self.desk.notice.current().map(|said| said.text).unwrap_or_default();
-            host.tell(&told(&self.session, &self.settings), &said);
+            host.describe(&told(&self.session, &self.settings));
         }
     }
 

@@ -12,6 +12,8 @@ pub(crate) struct Page {
     pub(crate) inbox: crate::browser::Inbox,
     /// What the page's script does for the window.
     pub(crate) host: Option<crate::browser::host::Host>,
+    /// The version of its build.
+    pub(crate) version: String,
     /// The panels a second time, as HTML.
     pub(crate) mirrored: crate::browser::Mirrored,
 }

@@ -5,6 +5,7 @@ use egui::{Align, Color32, Id, Layout, Modal, Pos2, Rect, RichText, Sense, Shape
 use crate::act::{Act, Acts, AppAct, Card, LearnAct};
 use crate::panels::cards::language;
 use crate::panels::window_state::WindowState;
+use crate::ui::aloud::heading;
 use crate::ui::theme;
 use saute_words::clock::whole_minutes;
 
@@ -61,7 +62,7 @@ pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, whole: Rect) {
             let narrow = whole.width() < NARROW;
             ui.set_width(if narrow { whole.width() - 56.0 } else { 3.0 * (COLUMN + 14.0) });
             ui.horizontal(|ui| {
-                ui.heading(title(state));
+                heading(ui, title(state));
                 ui.with_layout(Layout::right_to_left(Align::Center), |ui| language::chip(state, ui, acts));
             });
             ui.add_space(6.0);

@@ -4,6 +4,7 @@ use egui::{Id, Modal, Rect, Ui};
 
 use crate::act::{Act, Acts, AppAct, Card};
 use crate::panels::window_state::WindowState;
+use crate::ui::aloud::heading;
 use crate::ui::theme;
 
 /// A card with a heading.
@@ -47,7 +48,7 @@ impl Framed {
         let modal = Modal::new(Id::unique(self.id)).frame(palette.panel().fill(palette.solid)).show(ui.ctx(), |ui| {
             ui.set_width((whole.width() - 56.0).min(self.width));
             ui.horizontal(|ui| {
-                ui.heading(l.text(self.title));
+                heading(ui, l.text(self.title));
                 ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                     done = ui.add(palette.button(l.text("settings.done"), false)).clicked();
                     beside(ui, acts);

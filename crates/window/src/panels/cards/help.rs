@@ -7,6 +7,7 @@ use crate::input::gamepad::PAD;
 use crate::input::pan_keys::HELD;
 use crate::panels::memory::PanelMemory;
 use crate::panels::window_state::WindowState;
+use crate::ui::aloud::heading;
 use crate::ui::theme;
 use saute_words::language::Language;
 
@@ -19,10 +20,11 @@ struct Group {
     lines: Vec<(&'static str, &'static str)>,
 }
 
-/// The keys of a subject; a browser reaches no haptic device and no half mirror.
+/// The keys of a subject; a browser reaches no haptic device and no half mirror, and a page has no photo mode.
 fn keys(subject: Subject) -> impl Iterator<Item = (&'static str, &'static str)> {
-    let native =
-        |act: &Act| matches!(act, Act::App(AppAct::StopHands) | Act::View(ViewAct::Strings) | Act::App(AppAct::Mirror));
+    let native = |act: &Act| {
+        matches!(act, Act::App(AppAct::StopHands | AppAct::Mirror | AppAct::Photo) | Act::View(ViewAct::Strings))
+    };
     let here = move |b: &&crate::act::Binding| cfg!(not(target_arch = "wasm32")) || !native(&b.act);
     BINDINGS
         .iter()
@@ -68,8 +70,8 @@ pub fn show(state: &WindowState, memory: &mut PanelMemory, ui: &Ui, acts: &mut A
     let modal =
         Modal::new(Id::unique("help")).frame(theme::of(ui).panel().fill(theme::of(ui).solid)).show(ui.ctx(), |ui| {
             ui.set_width((whole.width() - 60.0).min(960.0));
-            done = heading(state, memory, ui, acts, whole.width() > 700.0);
-            let height = whole.height() - 140.0;
+            done = head(state, memory, ui, acts, whole.width() > 700.0);
+            let height = whole.height() - 140.0 - page_foot::HEIGHT;
             egui::ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, |ui| {
                 let columns = if whole.width() > 700.0 { 3 } else { 1 };
                 list(ui, &groups(&memory.search, state.settings.language), columns, state.settings.language);
@@ -77,6 +79,7 @@ pub fn show(state: &WindowState, memory: &mut PanelMemory, ui: &Ui, acts: &mut A
                 ui.label(state.settings.language.text("help.mouse"));
                 ui.label(state.settings.language.text("help.touch"));
             });
+            page_foot::show(state, ui, acts);
         });
     if done || modal.should_close() {
         memory.search.clear();
@@ -85,7 +88,7 @@ pub fn show(state: &WindowState, memory: &mut PanelMemory, ui: &Ui, acts: &mut A
 }
 
 /// Title, search and buttons; returns true if the help is to be closed.
-fn heading(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut Acts, wide: bool) -> bool {
+fn head(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut Acts, wide: bool) -> bool {
     let l = state.settings.language;
     let mut done = false;
     let mut search = |ui: &mut Ui, width: f32| {
@@ -95,7 +98,7 @@ fn heading(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mu
             .widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::TextInput, true, spoken));
     };
     ui.horizontal(|ui| {
-        ui.heading(l.text("help.title"));
+        heading(ui, l.text("help.title"));
         if wide {
             search(ui, 260.0);
         }
@@ -143,4 +146,36 @@ fn shown(ui: &mut Ui, group: &Group, l: Language) {
         });
     }
     ui.add_space(8.0);
+}
+
+/// Guides, version and privacy: what a page states at its foot.
+#[cfg(target_arch = "wasm32")]
+mod page_foot {
+    use super::{Act, Acts, AppAct, RichText, Ui, WindowState, theme};
+
+    /// Room for it [points].
+    pub(super) const HEIGHT: f32 = 56.0;
+
+    pub(super) fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+        let l = state.settings.language;
+        ui.separator();
+        ui.horizontal_wrapped(|ui| {
+            ui.add(egui::Hyperlink::from_label_and_url(l.text("page.guides"), "docs/index.html").open_in_new_tab(true));
+            if ui.add(theme::of(ui).button(l.text("page.report"), false)).clicked() {
+                acts.push(Act::App(AppAct::Report));
+            }
+            let version = l.fill("page.version", &[("version", &state.version)]);
+            let text = format!("{version} · {}", l.text("page.private"));
+            ui.label(RichText::new(text).size(13.0).color(theme::of(ui).quiet));
+        });
+    }
+}
+
+#[cfg(not(target_arch = "wasm32"))]
+mod page_foot {
+    use super::{Acts, Ui, WindowState};
+
+    pub(super) const HEIGHT: f32 = 0.0;
+
+    pub(super) fn show(_: &WindowState, _: &mut Ui, _: &mut Acts) {}
 }

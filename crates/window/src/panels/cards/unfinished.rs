@@ -4,6 +4,7 @@ use egui::{Id, Modal, Rect, Ui};
 
 use crate::act::{Act, Acts, TimeAct};
 use crate::panels::window_state::WindowState;
+use crate::ui::aloud::heading;
 use crate::ui::theme;
 use saute_words::clock::clock;
 
@@ -15,7 +16,7 @@ pub fn show(state: &WindowState, time_s: f64, ui: &Ui, acts: &mut Acts, whole: R
     let (l, palette) = (state.settings.language, theme::of(ui));
     Modal::new(Id::unique("unfinished")).frame(palette.panel().fill(palette.solid)).show(ui.ctx(), |ui| {
         ui.set_width((whole.width() - 56.0).min(WIDTH));
-        ui.heading(l.text("unfinished.title"));
+        heading(ui, l.text("unfinished.title"));
         ui.label(l.fill("unfinished.how", &[("time", &clock(time_s))]));
         ui.add_space(6.0);
         ui.horizontal(|ui| {

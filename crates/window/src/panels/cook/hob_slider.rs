@@ -5,7 +5,7 @@ use egui::{Align2, FontId, Rect, Response, Sense, Ui, pos2, vec2};
 use crate::act::{Act, Acts, CookAct};
 use crate::panels::now::control_place;
 use crate::panels::window_state::WindowState;
-use crate::ui::spoken_range::spoken_range;
+use crate::ui::aloud::{spoken_range, spoken_value};
 use crate::ui::{fingers, theme};
 
 /// Width of the slider, and the least at which no two words meet [points].
@@ -113,6 +113,7 @@ fn dragged(state: &WindowState, ui: &mut Ui, power: &Power, now: f64) -> Option<
     let response = ui.interact(place, id, Sense::click_and_drag());
     response.widget_info(|| egui::WidgetInfo::slider(true, now, l.text("hob.power_spoken")));
     paint(ui, &response, power, now);
+    spoken_value(ui, &response, format!("{now:.0} W"));
     let spoken = spoken_range(ui, &response, 0.0..=power.most, now);
     let by_key = if response.has_focus() { arrows(ui) } else { 0.0 };
     let at = response.interact_pointer_pos().filter(|_| response.dragged() || response.clicked());

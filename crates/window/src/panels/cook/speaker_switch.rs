@@ -5,6 +5,7 @@ use egui::{Color32, Painter, Pos2, Shape, Stroke, Ui, WidgetInfo, vec2};
 
 use crate::act::{Act, Acts, AppAct, Setting};
 use crate::panels::window_state::WindowState;
+use crate::ui::aloud::spoken_value;
 use crate::ui::{fingers, theme};
 
 /// Width of the switch [points].
@@ -44,6 +45,7 @@ pub fn volume(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let response = ui.add(egui::Slider::new(&mut volume, 0.0..=1.0).show_value(false));
     let name = state.settings.language.text("heard.volume");
     response.widget_info(|| WidgetInfo::slider(true, volume, name));
+    spoken_value(ui, &response, format!("{:.0} %", 100.0 * volume));
     if response.changed() {
         acts.push(Act::App(AppAct::Set(Setting::Volume(volume))));
         // Who turns it up wants to hear it.

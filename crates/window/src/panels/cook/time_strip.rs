@@ -5,7 +5,7 @@ use egui::{Color32, EventFilter, FontId, Key, Pos2, Rect, Response, Sense, Strok
 use crate::act::{Act, Acts, TimeAct, ViewAct};
 use crate::panels::ways::way_words;
 use crate::panels::window_state::WindowState;
-use crate::ui::spoken_range::spoken_range;
+use crate::ui::aloud::{spoken_range, spoken_value};
 use crate::ui::theme;
 use saute_session::Mark;
 use saute_words::act_words::act_words;
@@ -34,6 +34,7 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts, size: egui::Vec2)
     let strip = Strip::new(state, rect);
     let l = state.settings.language;
     response.widget_info(|| egui::WidgetInfo::slider(true, strip.shown_s, l.text("strip.name")));
+    spoken_value(ui, &response, clock(strip.shown_s));
     acts.extend(
         spoken_range(ui, &response, 0.0..=strip.end_s, strip.shown_s).map(|to_s| Act::Time(TimeAct::Scrub(to_s))),
     );

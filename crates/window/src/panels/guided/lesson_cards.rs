@@ -10,6 +10,7 @@ use crate::act::GuidedAct;
 use crate::act::{Act, Acts, LearnAct};
 use crate::guided::LessonDesk;
 use crate::panels::window_state::WindowState;
+use crate::ui::aloud::spoken_value;
 use crate::ui::theme;
 use saute_words::guided_words;
 use saute_words::language::Language;
@@ -109,10 +110,11 @@ fn slider(state: &WindowState, ui: &mut Ui, ask: Ask, [low, high]: [f64; 2], ent
     let unit = if is_temperature { format!(" {}", settings.unit()) } else { " %".to_owned() };
     let mut value = shown(entries.slider.unwrap_or(low));
     ui.spacing_mut().slider_width = (ui.available_width() - 110.0).max(120.0);
-    let slider = Slider::new(&mut value, shown(low)..=shown(high)).step_by(1.0).max_decimals(0).suffix(unit);
+    let slider = Slider::new(&mut value, shown(low)..=shown(high)).step_by(1.0).max_decimals(0).suffix(&unit);
     let response = ui.add(slider);
     let name = guided_words::question(ask, settings.language);
     response.widget_info(|| egui::WidgetInfo::slider(true, value, &name));
+    spoken_value(ui, &response, format!("{value:.0}{unit}"));
     if response.changed() {
         entries.slider = Some(if is_temperature { settings.celsius(value) } else { value });
     }

@@ -59,7 +59,7 @@ fn card(
     let palette = theme::of(ui);
     Modal::new(Id::unique(("guided", name))).frame(palette.panel().fill(palette.solid)).show(ui.ctx(), |ui| {
         ui.set_width((whole.width() - 56.0).min(WIDTH));
-        ui.heading(heading);
+        crate::ui::aloud::heading(ui, heading);
         ui.separator();
         ScrollArea::vertical().max_height(whole.height() - BESIDE - theme::TOUCH).show(ui, content);
         ui.add_space(4.0);

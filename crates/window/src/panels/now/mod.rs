@@ -40,15 +40,26 @@ const REACTION_S: f64 = 0.4;
 const VERB_SIZES: [f32; 4] = [20.0, 18.0, 16.0, 14.0];
 const WHY_SIZES: [f32; 3] = [14.0, 13.0, 12.0];
 
+/// What the line keeps from frame to frame.
+#[derive(Clone, Debug, Default)]
+pub struct NowMemory {
+    /// How long what is waited for takes.
+    left: TimeLeft,
+    /// What is to be done now: a verb, and the sentence with its reason.
+    pub order: Option<(String, String)>,
+}
+
 /// Shows the line over the scene; a narrow window has it in the drawer, unless that is hidden.
-pub fn show(state: &WindowState, memory: &mut TimeLeft, ui: &Ui, acts: &mut Acts, layout: &Layout) {
+pub fn show(state: &WindowState, memory: &mut NowMemory, ui: &Ui, acts: &mut Acts, layout: &Layout) {
     let in_drawer = layout.narrow && !state.settings.panels_hidden;
     let lead = Lead::of(state);
     let beside_ways = layout.ways.is_some() && !matches!(lead, Some(Lead::Tutorial(_)));
     if in_drawer || beside_ways {
         return;
     }
-    let Some(now) = Now::of(state, lead.as_ref(), memory) else { return };
+    let now = Now::of(state, lead.as_ref(), &mut memory.left);
+    memory.order = now.as_ref().and_then(|now| now.order(state));
+    let Some(now) = now else { return };
     let width = SIZE.x.min(layout.free.width() - 2.0 * GAP);
     let size = vec2(width, now.height(SIZE.y, width) + now.below(ui, width));
     let rect = place(state, layout, size);
@@ -59,9 +70,11 @@ pub fn show(state: &WindowState, memory: &mut TimeLeft, ui: &Ui, acts: &mut Acts
 }
 
 /// Shows the line in the drawer of a narrow window.
-pub fn in_drawer(state: &WindowState, memory: &mut TimeLeft, ui: &mut Ui, acts: &mut Acts) {
+pub fn in_drawer(state: &WindowState, memory: &mut NowMemory, ui: &mut Ui, acts: &mut Acts) {
     let lead = Lead::of(state);
-    let Some(now) = Now::of(state, lead.as_ref(), memory) else { return };
+    let now = Now::of(state, lead.as_ref(), &mut memory.left);
+    memory.order = now.as_ref().and_then(|now| now.order(state));
+    let Some(now) = now else { return };
     let width = ui.available_width();
     let upper = now.height(DRAWER_HEIGHT, width);
     now.show(state, ui, acts, (vec2(width, upper + now.below(ui, width)), upper));
@@ -95,6 +108,13 @@ impl<'a> Now<'a> {
         let is_led = led.is_some();
         let words = led.or_else(|| Some(NowWords::of(advice?, state, memory)))?;
         Some(Self { words, lead, is_led })
+    }
+
+    /// What is to be done now, if anything is.
+    fn order(&self, state: &WindowState) -> Option<(String, String)> {
+        let NowWords { verb, why, is_due, .. } = &self.words;
+        let sentence = || state.settings.language.fill("now.spoken", &[("verb", verb), ("why", why)]);
+        is_due.then(|| (verb.clone(), sentence()))
     }
 
     /// Returns true if a narrow line has the words of a plan, which are long: they get the room of the core.

@@ -8,6 +8,7 @@ use crate::panels::pantry::{coldest, pans, sizes, slider, temperature};
 use crate::panels::window_state::WindowState;
 use crate::plan::PlanAct;
 use crate::plan::choice::{MOST_FLIPS, PlanChoice};
+use crate::ui::aloud::heading;
 use crate::ui::theme;
 use saute_session::SteakChoice;
 
@@ -20,7 +21,7 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let (mut choice, mut plan) = (settings.choice.clone(), settings.plan.clone());
     find(state, ui, acts);
     kinds(state, ui, &mut plan);
-    ui.heading(l.text("plan.food"));
+    heading(ui, l.text("plan.food"));
     foods(state, ui, &mut choice, &mut plan);
     let library = &state.session.library;
     if let Some(food) = library.foods.get(&choice.kind) {
@@ -28,10 +29,10 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     }
     let coldest = coldest(library, &choice.kind);
     temperature(ui, l.text("pantry.start_temperature"), &mut choice.initial_c, coldest, 30.0, settings.fahrenheit);
-    ui.heading(l.text("plan.target"));
+    heading(ui, l.text("plan.target"));
     target(state, ui, &choice, &mut plan);
     crust_and_flips(state, ui, &choice, &mut plan);
-    ui.heading(l.text("pantry.pan"));
+    heading(ui, l.text("pantry.pan"));
     pans(ui, library, &mut choice, l);
     crate::panels::at_home::chip::show(state, ui, acts);
     powers(state, ui, &mut plan);
