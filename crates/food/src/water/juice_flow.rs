@@ -91,12 +91,13 @@ impl FoodModel {
     /// Moves juice [kg] from a node to the next; if that boils, a part passes it as liquid.
     #[inline]
     pub(crate) fn flow(&self, state: &mut FoodState, nodes: [usize; 2], mass: f64, up: bool, runoff: &mut Runoff) {
-        if state.temperature[nodes[1]] <= BOILS {
-            return self.carry(state, nodes, mass, up);
+        let mut carried = mass;
+        if state.temperature[nodes[1]] > BOILS {
+            let passes = self.kinetics.water_holding.passes_boiling;
+            self.pass_boiling(state, nodes, passes * mass, up, runoff);
+            carried = (1.0 - passes) * mass;
         }
-        let passes = self.kinetics.water_holding.passes_boiling;
-        self.pass_boiling(state, nodes, passes * mass, up, runoff);
-        self.carry(state, nodes, (1.0 - passes) * mass, up);
+        self.carry(state, nodes, carried, up);
     }
 
     /// Share of a level's free juice that passes to the next level while juice moves by `reach` [m] [-]; 0 across a cut.
