@@ -114,8 +114,7 @@ impl Layers {
             self.join(block, between);
             let values = self.block_of(within, block);
             for (i, column) in self.columns.iter_mut().enumerate() {
-                let values = column_of(&values, i);
-                column.value = from_fn(|k| values[k]);
+                column.value = from_fn(|k| values[k][i]);
             }
             self.conduct(block);
             self.put(block, &mut total);
@@ -131,9 +130,7 @@ impl Layers {
     /// Returns the layers of a block in a field, and the one above them; in place of those above the last layer, that one.
     fn block_of<'a>(&self, field: &'a [f64], block: usize) -> [&'a [f64]; TOGETHER + 1] {
         let (n, first) = (self.nodes, block * TOGETHER);
-        let layer = |k: usize| &field[(first + k).min(self.layers - 1) * n..][..n];
-        // Written out, as in `column_of`, so that the compiler keeps them in registers and knows their lengths.
-        [layer(0), layer(1), layer(2), layer(3), layer(4), layer(5), layer(6), layer(7), layer(8)]
+        from_fn(|k| &field[(first + k).min(self.layers - 1) * n..][..n])
     }
 
     /// Sets the conductances between the layers of a block, with which the sums of its nodes begin.
@@ -143,7 +140,7 @@ impl Layers {
         let edges = self.between.shape[edges.clone()].iter().zip(&mut self.between.conductance[edges]);
         for (i, ((column, above), (shape, g))) in self.columns.iter_mut().zip(&mut self.above).zip(edges).enumerate() {
             let below = if block == 0 { 0.0 } else { above[TOGETHER - 1] };
-            let k = column_of(&layers, i);
+            let k: [f64; TOGETHER + 1] = from_fn(|layer| layers[layer][i]);
             let conducts = |at: usize| shape[at] * 2.0 * k[at] * k[at + 1] / (k[at] + k[at + 1]);
             let all: Lanes = from_fn(conducts);
             *g = from_fn(|at| if shape[at] > 0.0 { all[at] } else { 0.0 });
@@ -201,7 +198,7 @@ impl Layers {
         let columns = self.columns.iter_mut().zip(&mut self.above).zip(conductances);
         for (i, ((column, above), g)) in columns.enumerate() {
             let below = if block == 0 { 0.0 } else { above[TOGETHER - 1] };
-            let t = column_of(&layers, i);
+            let t: [f64; TOGETHER + 1] = from_fn(|layer| layers[layer][i]);
             let flow: Lanes = from_fn(|at| g[at] * (t[at + 1] - t[at]));
             column.value = from_fn(|at| t[at]);
             column.sum = from_fn(|at| 0.0 - if at == 0 { below } else { flow[at - 1] });
@@ -240,12 +237,6 @@ impl Layers {
             }
         }
     }
-}
-
-/// Returns the values of a column in the layers of a block and the one above them.
-#[inline]
-fn column_of([a, b, c, d, e, f, g, h, above]: &[&[f64]; TOGETHER + 1], i: usize) -> [f64; TOGETHER + 1] {
-    [a[i], b[i], c[i], d[i], e[i], f[i], g[i], h[i], above[i]]
 }
 
 #[cfg(test)]
