@@ -150,7 +150,7 @@ impl FoodSolver {
             }
         }
         let step = dt / f64::from(self.substeps);
-        self.films.prepare(step);
+        self.films.prepare(around.touch, step);
         for _ in 0..self.substeps {
             self.step(model, state, around, step, &mut total);
         }

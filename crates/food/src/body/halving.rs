@@ -182,7 +182,7 @@ impl RestShape {
             let towards = near.iter().zip(&self.patches[first_patch..]).find(|(_, p)| !halving.beyond[p.node as usize]);
             halving.cut.axis = towards.map_or(axis, |(pose, _)| pose.normal);
         }
-        self.rest_normals = poses.into_iter().map(|p| p.normal).collect();
+        self.place_patches(&poses);
     }
 
     /// Returns true if a cut keeps juice from passing between two neighbouring levels.

@@ -47,6 +47,12 @@ impl RestShape {
         poses
     }
 
+    /// Sets what the rest poses of the patches determine.
+    pub(crate) fn place_patches(&mut self, poses: &[PatchPose]) {
+        self.rest_normals = poses.iter().map(|p| p.normal).collect();
+        self.outwards = poses.iter().map(|p| self.outwards_at(p.position)).collect();
+    }
+
     fn pose_patches(&self, positions: &[[f64; 3]], poses: &mut Vec<PatchPose>) {
         poses.clear();
         let at = |p: &Patch| PatchPose { position: positions[p.node as usize], normal: [0.0; 3] };

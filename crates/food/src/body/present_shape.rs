@@ -44,7 +44,7 @@ impl FoodModel {
         self.flat_positions_into(state, &mut positions);
         if state.stretch.dome != 0.0 {
             for (node, p) in positions.iter_mut().enumerate() {
-                p[2] += state.stretch.dome * (0.5 - self.outwards(self.shape.mesh.position(node)));
+                p[2] += state.stretch.dome * (0.5 - self.shape.outwards_at(self.shape.mesh.position(node)));
             }
         }
         positions
@@ -131,20 +131,25 @@ impl FoodModel {
         0.5 * (self.thickness(state) + state.stretch.dome.abs())
     }
 
-    /// Square of the distance from the middle, relative to half the length and width [-].
-    fn outwards(&self, [x, y, _]: [f64; 3]) -> f64 {
-        4.0 * ((x / self.shape.size[0]) * (x / self.shape.size[0])
-            + (y / self.shape.size[1]) * (y / self.shape.size[1]))
-    }
-
     /// Gap below a patch of the lower face that the dome of a bent slice causes, at a point of the rest shape [m].
     ///
     /// `up` is the world's upward direction in the body frame.
     pub fn dome_gap(&self, state: &FoodState, point: [f64; 2], up: [f64; 3]) -> f64 {
-        let out = self.outwards([point[0], point[1], 0.0]);
-        let upwards = state.stretch.dome * up[2];
-        if upwards > 0.0 { upwards * (1.0 - out).max(0.0) } else { -upwards * out }
+        dome_gap(state, self.shape.outwards_at([point[0], point[1], 0.0]), up)
     }
+
+    /// As [`Self::dome_gap`], below the middle of a patch [m].
+    #[inline]
+    pub fn patch_dome_gap(&self, state: &FoodState, patch: usize, up: [f64; 3]) -> f64 {
+        dome_gap(state, self.shape.outwards[patch], up)
+    }
+}
+
+/// Gap that the dome causes at a relative square of the distance from the middle [m].
+#[inline]
+fn dome_gap(state: &FoodState, out: f64, up: [f64; 3]) -> f64 {
+    let upwards = state.stretch.dome * up[2];
+    if upwards > 0.0 { upwards * (1.0 - out).max(0.0) } else { -upwards * out }
 }
 
 /// Present height of a column of a slice above its lowest level, level by level [m].

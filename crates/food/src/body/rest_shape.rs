@@ -20,6 +20,8 @@ pub(crate) struct RestShape {
     pub(crate) surface: Surface,
     /// Outward normal of each patch in the body frame [-].
     pub(crate) rest_normals: Vec<[f64; 3]>,
+    /// Square of the distance of each patch from the middle, relative to half the length and width [-].
+    pub(crate) outwards: Vec<f64>,
     pub(crate) contracts: bool,
     /// True if the body has the natural form of its food.
     pub(crate) natural: bool,
@@ -44,6 +46,7 @@ impl RestShape {
             contracts: contracts && rules == Rules::Full,
             middle_cut: mesh.cells().map(middle_cut).unwrap_or_default(),
             rest_normals: Vec::new(),
+            outwards: Vec::new(),
             halving: None,
             natural,
             mesh,
@@ -55,8 +58,13 @@ impl RestShape {
             core,
             core_z,
         };
-        shape.rest_normals = shape.rest_poses().into_iter().map(|p| p.normal).collect();
+        shape.place_patches(&shape.rest_poses());
         shape
+    }
+
+    /// Square of the distance of a point from the middle, relative to half the length and width [-].
+    pub(crate) fn outwards_at(&self, [x, y, _]: [f64; 3]) -> f64 {
+        4.0 * ((x / self.size[0]) * (x / self.size[0]) + (y / self.size[1]) * (y / self.size[1]))
     }
 
     /// Returns true if the body is a slice: its section carried straight up.

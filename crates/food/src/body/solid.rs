@@ -140,11 +140,11 @@ impl FoodModel {
         let (low, high) =
             crossings.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), y| (low.min(y), high.max(y)));
         let lateral = state.stretch.lateral;
-        let corner = |y: f64, level: usize| {
-            let z = flat[mesh.node(level, rim_column(mesh, rim, [x, y]))][2];
-            [x * lateral, y * lateral, z]
+        let corners = |y: f64| {
+            let column = rim_column(mesh, rim, [x, y]);
+            [0, last].map(|level| [x * lateral, y * lateral, flat[mesh.node(level, column)][2]])
         };
-        [low, high].into_iter().flat_map(|y| [0, last].map(|level| corner(y, level))).collect()
+        [low, high].into_iter().flat_map(corners).collect()
     }
 
     /// Capsules along a curved body, each as thick as the body is high there.
@@ -175,11 +175,12 @@ impl FoodModel {
 
 /// The column of the rim nearest to a point of the section.
 fn rim_column(mesh: &SweptMesh, rim: &[u32], p: [f64; 2]) -> usize {
-    let distance = |i: &u32| {
-        let q = mesh.section.points[*i as usize];
+    let distance = |i: u32| {
+        let q = mesh.section.points[i as usize];
         libm::hypot(p[0] - q[0], p[1] - q[1])
     };
-    rim.iter().copied().min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or(0) as usize
+    let apart = rim.iter().map(|i| (distance(*i), *i));
+    apart.min_by(|a, b| a.0.total_cmp(&b.0)).map_or(0, |(_, i)| i) as usize
 }
 
 /// The level nearest to a share of the path's length.

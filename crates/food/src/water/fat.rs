@@ -14,6 +14,8 @@ use crate::water::juice::Runoff;
 pub struct FatRates {
     /// Release rate of fat at a face against temperature [1/s].
     rate: Table,
+    /// Temperature up to which no fat is released [K].
+    solid_until: f64,
     /// Factor of the rate by the depth of each node below the nearest face [-].
     near: Vec<f64>,
     fine_share: f64,
@@ -28,8 +30,10 @@ impl FatRates {
             let c = t - ZERO_C;
             crate::table::interpolate(&release.celsius, &release.rate_per_s, c) * molten(c)
         };
+        let rate = Table::new(ZERO_C, ZERO_C + 120.0, 0.5, rate);
         Self {
-            rate: Table::new(ZERO_C, ZERO_C + 120.0, 0.5, rate),
+            solid_until: rate.zero_until(),
+            rate,
             near: (0..mesh.node_count()).map(|n| nearness(mesh, n, release.depth_mm * 1e-3)).collect(),
             fine_share: release.fine_share,
             seam_share: release.seam_share,
@@ -51,6 +55,9 @@ impl FoodModel {
         let rates = &self.water.fat_rates;
         let mut left = Runoff::default();
         for node in 0..state.fat.len() {
+            if state.temperature[node] <= rates.solid_until {
+                continue;
+            }
             let rate = rates.rate.at(state.temperature[node]) * rates.near[node];
             if rate <= 0.0 {
                 continue;

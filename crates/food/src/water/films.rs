@@ -44,6 +44,8 @@ struct Block {
     air: [u32; TOGETHER],
     /// True for four patches with consecutive nodes and one air zone: they are computed together.
     together: bool,
+    /// Number of patches with a contact that covers them in this tick [-].
+    touched: usize,
     /// Heat capacity of the nodes [J/K].
     capacity: Lanes,
     film: FilmLanes,
@@ -133,8 +135,12 @@ impl Films {
         })
     }
 
-    /// Prepares steps of `dt` [s].
-    pub(crate) fn prepare(&mut self, dt: f64) {
+    /// Prepares steps of `dt` [s] with the contacts of this tick.
+    pub(crate) fn prepare(&mut self, touch: &[Touch], dt: f64) {
+        for (block, patches) in self.blocks.iter_mut().zip((0..).step_by(TOGETHER)) {
+            let touch = touch.get(patches..).unwrap_or_default().iter().take(block.count);
+            block.touched = touch.filter(|t| t.covers()).count();
+        }
         if self.step != dt {
             self.step = dt;
             self.blocks.iter_mut().zip(&self.rates).for_each(|(block, rates)| block.prepare(rates, dt));
@@ -157,11 +163,10 @@ impl Films {
         for block in &self.blocks {
             let touch = around.touch.get(from..).unwrap_or_default();
             let touch = &touch[..touch.len().min(block.count)];
-            let touched = touch.iter().filter(|t| t.covers()).count();
             let heat = contact_heat.get_mut(from..).unwrap_or_default();
-            if block.together && touched == 0 {
+            if block.together && block.touched == 0 {
                 block.air_together(&mut nodes, around, &mut sums);
-            } else if block.together && touched == TOGETHER {
+            } else if block.together && block.touched == TOGETHER {
                 block.touch_together(&mut nodes, touch, dt, heat);
             } else {
                 block.exchange_one_by_one(&mut nodes, (touch, around), dt, heat, &mut sums);
@@ -179,6 +184,7 @@ impl Block {
             nodes: [0; TOGETHER],
             air: [0; TOGETHER],
             together: false,
+            touched: 0,
             capacity: [1.0; TOGETHER],
             film: FilmLanes::default(),
             step: StepLanes::default(),

@@ -1,5 +1,7 @@
 //! Juice: release of water that the flesh no longer holds, and its run-off.
 
+use core::ops::Range;
+
 use saute_heat::{BodyMesh, Layout};
 
 use crate::body::rest_shape::RestShape;
@@ -35,11 +37,14 @@ impl FoodModel {
         match &self.shape.mesh {
             BodyMesh::Swept(mesh) => {
                 let divide = self.divide(mesh, state);
-                self.free(state, dt, |node| divide.rising(node / mesh.nodes_per_level()));
+                let n = mesh.nodes_per_level();
+                for level in 0..mesh.levels.len() {
+                    self.free(state, dt, level * n..(level + 1) * n, divide.rising(level));
+                }
                 self.drain(mesh, state, reach, &mut runoff);
             }
             BodyMesh::Cells(_) => {
-                self.free(state, dt, |_| 0.0);
+                self.free(state, dt, 0..state.juice.len(), 0.0);
                 self.drain_cells(state, reach, &mut runoff);
             }
         }
@@ -62,35 +67,33 @@ impl FoodModel {
         films
     }
 
-    /// Shares of the raw water that the changes squeeze out of a block of nodes from `first` on [-].
-    fn squeezed(&self, state: &FoodState, first: usize) -> [f64; BLOCK] {
+    /// Shares of the raw water that the changes squeeze out of a block of nodes [-].
+    fn squeezed(&self, state: &FoodState, block: Range<usize>) -> [f64; BLOCK] {
         let mut squeezed = [0.0; BLOCK];
         for (x, s) in self.water.squeeze.of(&state.changed) {
-            squeezed.iter_mut().zip(&x[first..]).for_each(|(sum, x)| *sum += s * x);
+            squeezed.iter_mut().zip(&x[block.clone()]).for_each(|(sum, x)| *sum += s * x);
         }
         squeezed
     }
 
-    /// Turns a share of the water beyond the capacity of each node into free juice; dried flesh takes up juice. `rising` is
-    /// the share of a node's new juice that moves towards the upper end of the fibres [-].
-    fn free(&self, state: &mut FoodState, dt: f64, rising: impl Fn(usize) -> f64) {
-        for first in (0..state.juice.len()).step_by(BLOCK) {
-            let squeezed = self.squeezed(state, first);
-            for (node, squeezed) in (first..state.juice.len()).zip(squeezed) {
-                // Water-holding capacity: the smaller of the limits by the peak temperature and by the changes.
-                let (held, unsqueezed) = (self.water.held.at(state.peak[node]), 1.0 - squeezed);
-                let capacity = self.tissue.initial_water[node] * if held < unsqueezed { held } else { unsqueezed };
-                let surplus = positive(state.water[node] - capacity);
-                let (juice, up) = (&mut state.juice[node], &mut state.rising[node]);
+    /// Turns a share of the water beyond the capacity of each of some nodes into free juice; dried flesh takes up juice.
+    /// `rising` is the share of the new juice that moves towards the upper end of the fibres [-].
+    fn free(&self, state: &mut FoodState, dt: f64, nodes: Range<usize>, rising: f64) {
+        for first in nodes.clone().step_by(BLOCK) {
+            let block = first..nodes.end.min(first + BLOCK);
+            let surplus = self.surplus(state, block.clone());
+            let fields = (&mut state.juice[block.clone()], &mut state.rising[block.clone()]);
+            let juices = fields.0.iter_mut().zip(fields.1);
+            for (((juice, up), temperature), surplus) in juices.zip(&state.temperature[block]).zip(surplus) {
                 if surplus <= 0.0 && *juice >= 0.0 {
                     (*juice, *up) = (0.0, 0.0);
                     continue;
                 }
                 let bound = positive(surplus - *juice);
-                let released = 1.0 - 1.0 / (1.0 + self.water.release.at(state.temperature[node]) * dt);
+                let released = 1.0 - 1.0 / (1.0 + self.water.release.at(*temperature) * dt);
                 let free = *juice + released * bound;
                 if free < surplus {
-                    *up += rising(node) * (free - *juice);
+                    *up += rising * (free - *juice);
                     *juice = free;
                 } else {
                     *up *= if *juice > 0.0 { surplus / *juice } else { 0.0 };
@@ -98,6 +101,19 @@ impl FoodModel {
                 }
             }
         }
+    }
+
+    /// Water beyond the capacity of each node of a block [kg].
+    ///
+    /// The capacity is the smaller of the limits by the peak temperature and by the changes.
+    fn surplus(&self, state: &FoodState, block: Range<usize>) -> [f64; BLOCK] {
+        let mut surplus = self.squeezed(state, block.clone());
+        let raw = state.peak[block.clone()].iter().zip(&self.tissue.initial_water[block.clone()]);
+        for ((surplus, (peak, raw)), water) in surplus.iter_mut().zip(raw).zip(&state.water[block]) {
+            let (held, unsqueezed) = (self.water.held.at(*peak), 1.0 - *surplus);
+            *surplus = positive(water - raw * if held < unsqueezed { held } else { unsqueezed });
+        }
+        surplus
     }
 
     /// Removes the juice beyond the largest film on a face.

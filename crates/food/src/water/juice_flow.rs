@@ -89,11 +89,15 @@ impl FoodModel {
     }
 
     /// Moves juice [kg] from a node to the next; if that boils, a part passes it as liquid.
+    #[inline]
     pub(crate) fn flow(&self, state: &mut FoodState, nodes: [usize; 2], mass: f64, up: bool, runoff: &mut Runoff) {
-        let boils = state.temperature[nodes[1]] > BOILS;
-        let passes = if boils { self.kinetics.water_holding.passes_boiling } else { 0.0 };
-        self.pass_boiling(state, nodes, passes * mass, up, runoff);
-        self.carry(state, nodes, (1.0 - passes) * mass, up);
+        let mut carried = mass;
+        if state.temperature[nodes[1]] > BOILS {
+            let passes = self.kinetics.water_holding.passes_boiling;
+            self.pass_boiling(state, nodes, passes * mass, up, runoff);
+            carried = (1.0 - passes) * mass;
+        }
+        self.carry(state, nodes, carried, up);
     }
 
     /// Share of a level's free juice that passes to the next level while juice moves by `reach` [m] [-]; 0 across a cut.
@@ -106,15 +110,16 @@ impl FoodModel {
     }
 
     /// Moves juice [kg], with its heat, from a node to another.
+    #[inline]
     fn carry(&self, state: &mut FoodState, [from, to]: [usize; 2], mass: f64, up: bool) {
         let enthalpy = mass * self.properties.water_enthalpy(state.temperature[from]);
-        for (node, sign) in [(from, -1.0), (to, 1.0)] {
-            state.juice[node] += sign * mass;
-            state.water[node] += sign * mass;
-            state.enthalpy[node] += sign * enthalpy;
-            if up {
-                state.rising[node] += sign * mass;
-            }
+        for (field, amount) in [(&mut state.juice, mass), (&mut state.water, mass), (&mut state.enthalpy, enthalpy)] {
+            field[from] -= amount;
+            field[to] += amount;
+        }
+        if up {
+            state.rising[from] -= mass;
+            state.rising[to] += mass;
         }
     }
 

@@ -1,10 +1,13 @@
 //! Conduction in a body of identical layers, computed for several layers at once.
 
+use core::array::from_fn;
+
 use crate::conduction::edge_conduction::stable_step;
 use crate::conduction::graph::Graph;
 
-/// Number of layers in a block [-] (chosen: two SIMD vectors of every 64-bit processor).
-const TOGETHER: usize = 4;
+/// Number of layers in a block [-] (chosen: four SIMD vectors of every 64-bit processor; values and sums of a thousand columns
+/// stay in the second-level cache).
+const TOGETHER: usize = 8;
 
 /// One value in each layer of a block.
 type Lanes = [f64; TOGETHER];
@@ -16,33 +19,40 @@ type Lanes = [f64; TOGETHER];
 pub struct Layers {
     nodes: usize,
     layers: usize,
-    /// Second ends of the edges within a layer, and for each node the index of its first edge.
+    /// Second ends of the edges within a layer, and for each node the number of edges that start there.
     ends: Vec<u32>,
-    starts: Vec<u32>,
+    degrees: Vec<u32>,
     /// Edges within layers, block by block.
-    within: Edges<Lanes>,
-    /// Edges between layers.
-    between: Edges<f64>,
+    within: Edges,
+    /// Edges to the next layer, block by block and column by column; those above the last layer conduct nothing.
+    between: Edges,
     /// Sum of the conductances at each node [W/K].
     total: Vec<f64>,
-    /// Values at the nodes of a block, and sums over their edges.
-    values: Vec<Lanes>,
-    sums: Vec<Lanes>,
+    /// The columns of a block, and what each of their nodes adds to its sum after the edges within its layer.
+    columns: Vec<Column>,
+    above: Vec<Lanes>,
 }
 
 /// Edges in the order of the sweep.
 #[derive(Clone, Debug)]
-struct Edges<T> {
+struct Edges {
     /// Area over length [m].
-    shape: Vec<T>,
+    shape: Vec<Lanes>,
     /// Conductance [W/K].
-    conductance: Vec<T>,
+    conductance: Vec<Lanes>,
 }
 
-impl<T: Clone> Edges<T> {
-    fn new(nothing: T, count: usize) -> Self {
-        Self { shape: vec![nothing.clone(); count], conductance: vec![nothing; count] }
+impl Edges {
+    fn new(count: usize) -> Self {
+        Self { shape: vec![[0.0; TOGETHER]; count], conductance: vec![[0.0; TOGETHER]; count] }
     }
+}
+
+/// The nodes of a block above each other: their values and the sums over their edges.
+#[derive(Clone, Copy, Debug, Default)]
+struct Column {
+    value: Lanes,
+    sum: Lanes,
 }
 
 impl Layers {
@@ -60,32 +70,38 @@ impl Layers {
             first.get(place).copied().unwrap_or_else(|| up(place - edges)).map(|node| base + node)
         };
         let layered = || graph.ends.iter().enumerate().all(|(e, ends)| *ends == expected(e));
-        let starts = |node: usize| first.partition_point(|e| (e[0] as usize) < node) as u32;
-        (ascending && whole && layered()).then(|| {
-            let mut found = Self {
-                nodes,
-                layers,
-                ends: first.iter().map(|e| e[1]).collect(),
-                starts: (0..=nodes).map(starts).collect(),
-                within: Edges::new([0.0; TOGETHER], edges * layers.div_ceil(TOGETHER)),
-                between: Edges::new(0.0, (layers - 1) * nodes),
-                total: vec![0.0; layers * nodes],
-                values: vec![[0.0; TOGETHER]; nodes],
-                sums: vec![[0.0; TOGETHER]; nodes],
-            };
-            found.take_shapes(&graph.shape);
-            found
-        })
+        (ascending && whole && layered()).then(|| Self::with_edges(graph, nodes, layers, first))
+    }
+
+    /// Returns the layers whose nodes are joined by the given edges.
+    fn with_edges(graph: &Graph, nodes: usize, layers: usize, edges: &[[u32; 2]]) -> Self {
+        let mut degrees = vec![0; nodes];
+        edges.iter().for_each(|e| degrees[e[0] as usize] += 1);
+        let blocks = layers.div_ceil(TOGETHER);
+        let mut found = Self {
+            nodes,
+            layers,
+            ends: edges.iter().map(|e| e[1]).collect(),
+            degrees,
+            within: Edges::new(edges.len() * blocks),
+            between: Edges::new(nodes * blocks),
+            total: vec![0.0; layers * nodes],
+            columns: vec![Column::default(); nodes],
+            above: vec![[0.0; TOGETHER]; nodes],
+        };
+        found.take_shapes(&graph.shape);
+        found
     }
 
     fn take_shapes(&mut self, shapes: &[f64]) {
         let edges = self.ends.len();
         for (layer, all) in shapes.chunks(edges + self.nodes).enumerate() {
+            let (block, lane) = (layer / TOGETHER, layer % TOGETHER);
             let (within, between) = all.split_at(edges);
-            let (first, lane) = (layer / TOGETHER * edges, layer % TOGETHER);
-            let to = &mut self.within.shape[first..first + edges];
-            to.iter_mut().zip(within).for_each(|(to, from)| to[lane] = *from);
-            self.between.shape[layer * self.nodes..][..between.len()].copy_from_slice(between);
+            for (to, from) in [(&mut self.within, within), (&mut self.between, between)] {
+                let to = &mut to.shape[block * from.len()..][..from.len()];
+                to.iter_mut().zip(from).for_each(|(to, from)| to[lane] = *from);
+            }
         }
     }
 
@@ -93,21 +109,44 @@ impl Layers {
     ///
     /// Bitwise equal to [`Conduction::refresh_each`](crate::Conduction::refresh_each).
     pub fn refresh(&mut self, within: &[f64], between: &[f64]) {
-        let n = self.nodes;
-        let edges = self.between.conductance.iter_mut().zip(&self.between.shape);
-        for (((conductance, shape), ka), kb) in edges.zip(between).zip(&between[n..]) {
-            *conductance = shape * 2.0 * ka * kb / (ka + kb);
-        }
-        self.total.fill(0.0);
-        self.total[n..].iter_mut().zip(&self.between.conductance).for_each(|(sum, g)| *sum += g);
-        for (block, first) in (0..self.layers).step_by(TOGETHER).enumerate() {
-            let count = (self.layers - first).min(TOGETHER);
-            gather(&mut self.values, &within[first * n..], count);
-            gather(&mut self.sums, &self.total[first * n..], count);
+        let mut total = core::mem::take(&mut self.total);
+        for block in 0..self.blocks() {
+            self.join(block, between);
+            let values = self.block_of(within, block);
+            for (i, column) in self.columns.iter_mut().enumerate() {
+                column.value = from_fn(|k| values[k][i]);
+            }
             self.conduct(block);
-            scatter(&self.sums, &mut self.total[first * n..], count);
+            self.put(block, &mut total);
         }
-        self.total.iter_mut().zip(&self.between.conductance).for_each(|(sum, g)| *sum += g);
+        self.total = total;
+    }
+
+    /// Number of blocks [-].
+    fn blocks(&self) -> usize {
+        self.layers.div_ceil(TOGETHER)
+    }
+
+    /// Returns the layers of a block in a field, and the one above them; in place of those above the last layer, that one.
+    fn block_of<'a>(&self, field: &'a [f64], block: usize) -> [&'a [f64]; TOGETHER + 1] {
+        let (n, first) = (self.nodes, block * TOGETHER);
+        from_fn(|k| &field[(first + k).min(self.layers - 1) * n..][..n])
+    }
+
+    /// Sets the conductances between the layers of a block, with which the sums of its nodes begin.
+    fn join(&mut self, block: usize, conductivity: &[f64]) {
+        let layers = self.block_of(conductivity, block);
+        let edges = block * self.nodes..(block + 1) * self.nodes;
+        let edges = self.between.shape[edges.clone()].iter().zip(&mut self.between.conductance[edges]);
+        for (i, ((column, above), (shape, g))) in self.columns.iter_mut().zip(&mut self.above).zip(edges).enumerate() {
+            let below = if block == 0 { 0.0 } else { above[TOGETHER - 1] };
+            let k: [f64; TOGETHER + 1] = from_fn(|layer| layers[layer][i]);
+            let conducts = |at: usize| shape[at] * 2.0 * k[at] * k[at + 1] / (k[at] + k[at + 1]);
+            let all: Lanes = from_fn(conducts);
+            *g = from_fn(|at| if shape[at] > 0.0 { all[at] } else { 0.0 });
+            column.sum = from_fn(|at| if at == 0 { below } else { g[at - 1] });
+            *above = *g;
+        }
     }
 
     /// Sets the conductances within the layers of a block.
@@ -115,22 +154,22 @@ impl Layers {
         let edges = self.ends.len();
         let within = block * edges..(block + 1) * edges;
         let (shapes, conductances) = (&self.within.shape[within.clone()], &mut self.within.conductance[within]);
-        for (a, edges) in self.starts.windows(2).enumerate() {
-            let (ka, mut sum) = (self.values[a], self.sums[a]);
-            let edges = edges[0] as usize..edges[1] as usize;
+        let mut edges = 0..0;
+        for (a, &degree) in self.degrees.iter().enumerate() {
+            edges = edges.end..edges.end + degree as usize;
+            let Column { value: ka, mut sum } = self.columns[a];
             let ends = self.ends[edges.clone()].iter();
-            for ((&b, shape), g) in ends.zip(&shapes[edges.clone()]).zip(&mut conductances[edges]) {
-                // Local copies let the compiler vectorise over the layers.
-                let (kb, mut to) = (self.values[b as usize], self.sums[b as usize]);
-                let mut conductance = [0.0; TOGETHER];
+            for ((&b, shape), g) in ends.zip(&shapes[edges.clone()]).zip(&mut conductances[edges.clone()]) {
+                // A local copy lets the compiler vectorise over the layers.
+                let mut to = self.columns[b as usize];
                 for k in 0..TOGETHER {
-                    conductance[k] = shape[k] * 2.0 * ka[k] * kb[k] / (ka[k] + kb[k]);
-                    sum[k] += conductance[k];
-                    to[k] += conductance[k];
+                    g[k] = shape[k] * 2.0 * ka[k] * to.value[k] / (ka[k] + to.value[k]);
+                    sum[k] += g[k];
+                    to.sum[k] += g[k];
                 }
-                (*g, self.sums[b as usize]) = (conductance, to);
+                self.columns[b as usize].sum = to.sum;
             }
-            self.sums[a] = sum;
+            self.columns[a].sum = sum;
         }
     }
 
@@ -145,67 +184,58 @@ impl Layers {
     /// Bitwise equal to [`Conduction::add_power`](crate::Conduction::add_power): the flows into each node are added in the
     /// order of the edges.
     pub fn power(&mut self, temperature: &[f64], power: &mut [f64]) {
-        let n = self.nodes;
-        let flow = |((g, t), above): ((&f64, &f64), &f64)| g * (above - t);
-        let flows = self.between.conductance.iter().zip(temperature).zip(&temperature[n..]).map(flow);
-        power[..n].fill(0.0);
-        power[n..].iter_mut().zip(flows).for_each(|(p, flow)| *p = 0.0 - flow);
-        for (block, first) in (0..self.layers).step_by(TOGETHER).enumerate() {
-            let count = (self.layers - first).min(TOGETHER);
-            gather(&mut self.values, &temperature[first * n..], count);
-            gather(&mut self.sums, &power[first * n..], count);
+        for block in 0..self.blocks() {
+            self.take(block, temperature);
             self.sweep(block);
-            scatter(&self.sums, &mut power[first * n..], count);
+            self.put(block, power);
         }
-        let flows = self.between.conductance.iter().zip(temperature).zip(&temperature[n..]).map(flow);
-        power.iter_mut().zip(flows).for_each(|(p, flow)| *p += flow);
+    }
+
+    /// Takes the temperatures of a block; the sums of its nodes begin with the flows between its layers.
+    fn take(&mut self, block: usize, temperature: &[f64]) {
+        let layers = self.block_of(temperature, block);
+        let conductances = &self.between.conductance[block * self.nodes..][..self.nodes];
+        let columns = self.columns.iter_mut().zip(&mut self.above).zip(conductances);
+        for (i, ((column, above), g)) in columns.enumerate() {
+            let below = if block == 0 { 0.0 } else { above[TOGETHER - 1] };
+            let t: [f64; TOGETHER + 1] = from_fn(|layer| layers[layer][i]);
+            let flow: Lanes = from_fn(|at| g[at] * (t[at + 1] - t[at]));
+            column.value = from_fn(|at| t[at]);
+            column.sum = from_fn(|at| 0.0 - if at == 0 { below } else { flow[at - 1] });
+            *above = flow;
+        }
     }
 
     /// Adds the flows within the layers of a block.
     fn sweep(&mut self, block: usize) {
         let edges = self.ends.len();
         let within = &self.within.conductance[block * edges..][..edges];
-        for (a, edges) in self.starts.windows(2).enumerate() {
-            let (t, mut sum) = (self.values[a], self.sums[a]);
-            let edges = edges[0] as usize..edges[1] as usize;
-            for (&b, g) in self.ends[edges.clone()].iter().zip(&within[edges]) {
-                // Local copies let the compiler vectorise over the layers.
-                let (other, mut to) = (self.values[b as usize], self.sums[b as usize]);
+        let mut edges = 0..0;
+        for (a, &degree) in self.degrees.iter().enumerate() {
+            edges = edges.end..edges.end + degree as usize;
+            let Column { value: t, mut sum } = self.columns[a];
+            for (&b, g) in self.ends[edges.clone()].iter().zip(&within[edges.clone()]) {
+                // A local copy lets the compiler vectorise over the layers.
+                let mut to = self.columns[b as usize];
                 for k in 0..TOGETHER {
-                    let flow = g[k] * (other[k] - t[k]);
+                    let flow = g[k] * (to.value[k] - t[k]);
                     sum[k] += flow;
-                    to[k] -= flow;
+                    to.sum[k] -= flow;
                 }
-                self.sums[b as usize] = to;
+                self.columns[b as usize].sum = to.sum;
             }
-            self.sums[a] = sum;
+            self.columns[a].sum = sum;
         }
     }
-}
 
-/// Writes the sums of `count` layers back to the field.
-fn scatter(lanes: &[Lanes], field: &mut [f64], count: usize) {
-    for (lane, field) in field.chunks_mut(lanes.len()).take(count).enumerate() {
-        field.iter_mut().zip(lanes).for_each(|(to, from)| *to = from[lane]);
-    }
-}
-
-/// Interleaves the values of `count` layers.
-fn gather(lanes: &mut [Lanes], field: &[f64], count: usize) {
-    let n = lanes.len();
-    if count == TOGETHER {
-        let (below, above) = field.split_at(2 * n);
-        let (first, second) = below.split_at(n);
-        let (third, fourth) = above.split_at(n);
-        for ((((to, a), b), c), d) in lanes.iter_mut().zip(first).zip(second).zip(third).zip(fourth) {
-            *to = [*a, *b, *c, *d];
+    /// Writes the sums of a block to a field, each with what comes from the layer above.
+    fn put(&self, block: usize, field: &mut [f64]) {
+        let layers = field.chunks_mut(self.nodes).skip(block * TOGETHER).take(TOGETHER);
+        for (lane, layer) in layers.enumerate() {
+            for ((to, column), above) in layer.iter_mut().zip(&self.columns).zip(&self.above) {
+                *to = column.sum[lane] + above[lane];
+            }
         }
-        return;
-    }
-    // Unused lanes hold the values of the first layer, so that no lane divides by zero.
-    lanes.iter_mut().zip(field).for_each(|(to, from)| *to = [*from; TOGETHER]);
-    for (lane, field) in field.chunks(n).take(count).enumerate() {
-        lanes.iter_mut().zip(field).for_each(|(to, from)| to[lane] = *from);
     }
 }
 
@@ -217,7 +247,7 @@ mod tests {
     /// For complete blocks and a remainder.
     #[test]
     fn flows_are_those_of_the_sum_over_edges_to_the_last_bit() {
-        for layers in 2..10 {
+        for layers in 2..19 {
             let section = Section::mesh(&Outline::rectangle(0.04, 0.03), 4e-3, 2e-3).expect("meshes");
             let levels: Vec<f64> = (0..layers).map(|l| 1e-3 * f64::from(l)).collect();
             let mesh = SweptMesh::new(section, levels);

@@ -460,8 +460,7 @@ impl Piece {
         if !flat {
             return 0.0;
         }
-        let [x, y, _] = self.model.mesh().position(self.model.patches()[patch].node as usize);
-        self.model.dome_gap(&self.state, [x, y], self.on_pan.lay_up)
+        self.model.patch_dome_gap(&self.state, patch, self.on_pan.lay_up)
     }
 
     /// Sets the contacts with the ground outside the pan.
