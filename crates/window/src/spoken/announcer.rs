@@ -151,7 +151,7 @@ mod tests {
                 continue;
             }
             said.extend(announcer.news(&session, None, &notice, Language::English));
-            let seen = std::mem::replace(&mut session.permits, hidden.clone());
+            let seen = std::mem::replace(&mut session.permits, hidden);
             assert!(blind.news(&session, None, &notice, Language::English).is_empty(), "where readings are hidden");
             session.permits = seen;
             match said.len() {
