@@ -40,7 +40,7 @@ async function show(page, pose) {
 }
 
 /** Conditions that are compared in WebGPU, whose shaders are the same: the rest as part of a campaign. */
-const IN_WEBGPU = ["look", "panels", "cut", "split", "shrimp", "dish", "halved", "best"];
+const IN_WEBGPU = ["panels", "cut", "shrimp", "best"];
 /** Conditions that WebGL2 draws otherwise: its best level has no half floats, so no bloom and no depth of field. */
 const NOT_IN_WEBGL2 = ["best"];
 const compared = (backend) => {

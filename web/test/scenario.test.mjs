@@ -49,7 +49,7 @@ async function cook(page, backend) {
   const raw = await until(page, "the steak is in", (now) => now.pieces[0].place === "pan");
   const lies = await keep("2-in");
   assert.ok(difference(empty, lies).changed > 0.01, "the steak is seen in the pan");
-  await until(page, "the steak cooks", (now) => now.time_s > raw.time_s + 60);
+  await until(page, "the steak cooks", (now) => now.time_s > raw.time_s + 30);
   await press(page, "f");
   await until(page, "the steak is turned", (now) => now.pieces[0].upside_down);
   await until(page, "it lies again", (now) => now.pieces[0].place === "pan");
