@@ -35,6 +35,9 @@ is_chosen() { [ ${#CHOSEN[@]} = 0 ] || [[ " ${CHOSEN[*]} " == *" $NUMBER "* ]]; 
 # integration NAME FILTER: the tests of one program of tests.
 integration() { (cd "$COPY" && cargo test --release --workspace --test "$1" -- "$2"); }
 
+# unit FILTER: unit tests of the libraries.
+unit() { (cd "$COPY" && cargo test --release --workspace --lib -- "$1"); }
+
 # fault WHAT FILE FROM TO TESTS...: puts a fault in and runs the tests, which must fail after they were built.
 fault() {
     NUMBER=$((NUMBER + 1))
@@ -59,9 +62,9 @@ git worktree add --quiet --force --detach "$COPY" HEAD
 trap 'git worktree remove --force "$COPY"' EXIT
 
 fault "food gives its neighbour heat of the wrong sign" crates/kitchen/src/piece/food_contact.rs \
-    'b.give(j, heat);' 'b.give(j, -heat);' integration kitchen ''
+    'b.give(j, heat);' 'b.give(j, -heat);' unit food_contact
 fault "a hob of any power is accepted in a recipe" crates/recipe/src/check/action_check.rs \
-    '&to.w, 0.0, self.library.hob.coil.largest_w' '&to.w, 0.0, 1e9' integration recipe recipes::
+    '&to.w, 0.0, hob.largest_w()' '&to.w, 0.0, 1e9' integration recipe recipes::
 fault "a command is carried out and not recorded" crates/recipe/src/session/recording.rs \
     '        self.enter(kitchen, Deed::Command(command));' '        drop(command);' integration session timeline::
 fault "the panel has no button to undo" crates/window/src/panels/cook/time_strip.rs \

@@ -188,7 +188,8 @@ mod tests {
     use super::*;
     use crate::{Command, Kitchen, Library, PieceOrder, kelvin};
 
-    fn heap() -> Kitchen {
+    /// Five shrimps over each other at temperatures by their number [K].
+    fn heap(temperature: impl Fn(u64) -> f64) -> Kitchen {
         let library = Library::embedded().unwrap();
         let mut kitchen = Kitchen::new(&library, "carbon-steel-26", kelvin(20.0)).unwrap();
         for seed in 1..=5 {
@@ -196,7 +197,7 @@ mod tests {
                 id: format!("{seed}"),
                 kind: "shrimp".into(),
                 size: library.foods["shrimp"].form.extent(&[75.0, 15.0]).unwrap().map(|mm| 1e-3 * mm),
-                temperature: kelvin(20.0),
+                temperature: temperature(seed),
                 seed,
                 coarseness: 1.0,
                 mesh: MeshSize::Default,
@@ -222,7 +223,7 @@ mod tests {
 
     #[test]
     fn each_link_is_to_the_nearest_of_all_patches_and_none_is_missed() {
-        let kitchen = heap();
+        let kitchen = heap(|_| kelvin(20.0));
         let mut count = 0;
         for touching in &kitchen.touching {
             let [a, b] = touching.pair.map(|key| kitchen.pieces.iter().find(|p| p.key == key).unwrap());
@@ -239,5 +240,29 @@ mod tests {
             count += found.len();
         }
         assert!(count > 20, "{count} links: the shrimps hardly touch");
+    }
+
+    /// Promise: the warmer of two pieces that touch gives heat to the colder, and what it gives arrives.
+    #[test]
+    fn heat_goes_from_the_warmer_to_the_colder_and_arrives() {
+        let mut kitchen = heap(|number| kelvin(if number % 2 == 0 { 60.0 } else { 10.0 }));
+        let data = kitchen.room().food_contact.clone();
+        let mut count = 0;
+        for touching in kitchen.touching.clone() {
+            let [i, j] = touching.pair.map(|key| kitchen.pieces.iter().position(|p| p.key == key).unwrap());
+            let [a, b] = kitchen.pieces.get_disjoint_mut([i, j]).unwrap();
+            let warm =
+                |piece: &Piece| piece.state.temperature.iter().sum::<f64>() / piece.state.temperature.len() as f64;
+            if touching.links.is_empty() || (warm(a) - warm(b)).abs() < 20.0 {
+                continue;
+            }
+            let held = |piece: &Piece| piece.state.total_enthalpy();
+            let (before, is_a_warmer) = ([held(a), held(b)], warm(a) > warm(b));
+            exchange(&data, a, b, &touching.links, 1.0);
+            let [given, got] = [before[0] - held(a), held(b) - before[1]].map(|j| if is_a_warmer { j } else { -j });
+            assert!(given > 0.0 && (given - got).abs() < 1e-9 * given, "{given} J given, {got} J arrived");
+            count += 1;
+        }
+        assert!(count > 0, "no warm shrimp touches a cold one");
     }
 }
