@@ -15,6 +15,7 @@ mod output;
 mod picture;
 mod plan;
 mod report;
+mod simulated_people;
 mod study;
 mod sweep;
 mod validate;
@@ -54,7 +55,7 @@ fn run(args: Args, process_start: Instant) -> Result<ExitCode, CliError> {
         None => open::run(library()?, None, args.hands),
         Some(Command::Open(open)) => open::run_named(&open, library()?, args.hands),
         Some(Command::Study(study)) => study::run(study, library()?, args.hands),
-        Some(Command::Class(command)) => class::run(&command, &library()?),
+        Some(Command::Class(command)) => class::run(&command, library),
         Some(Command::Cook(args)) => cook::run(&args, &library()?),
         Some(Command::Replay(args)) => replay::run(&args, &library()?),
         Some(Command::Fit(args)) => fit::run(&args, &library()?),

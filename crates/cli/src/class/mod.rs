@@ -47,10 +47,13 @@ const LARGEST_MIB: u64 = 8;
 /// Widest bar [marks] (chosen: a line of a terminal).
 const WIDEST: usize = 40;
 
-/// Runs the command.
-pub fn run(command: &ClassCommand, data: &DataLibrary) -> Result<ExitCode, CliError> {
+/// Runs the command; results are collected without the library.
+pub fn run(
+    command: &ClassCommand,
+    library: impl FnOnce() -> Result<DataLibrary, CliError>,
+) -> Result<ExitCode, CliError> {
     match command {
-        ClassCommand::Simulate(args) => simulate::run(args, data),
+        ClassCommand::Simulate(args) => simulate::run(args, &library()?),
         ClassCommand::Collect(args) => collect(args),
     }
 }

@@ -4,16 +4,15 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use std::sync::Arc;
 
-use saute_study::class::to_csv;
+use saute_study::class::{ResultRow, to_csv};
 use saute_study::simulated::SimulatedClass;
 
 use crate::commands::open;
 use crate::error::CliError;
 use crate::input::data_library::DataLibrary;
 use crate::output::out_dir::OutDir;
-use crate::output::progress::Progress;
 use crate::output::{stderr, stdout};
-use crate::workers::map_all;
+use crate::simulated_people;
 
 /// `saute class simulate`.
 #[derive(Debug, clap::Args)]
@@ -36,23 +35,14 @@ pub struct SimulateArgs {
 pub fn run(args: &SimulateArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
     let scenario = open::scenario(&args.scenario, data)?;
     let out = OutDir::prepare(&args.out)?;
-    let progress = Progress::over(args.students.into());
     let class = SimulatedClass { scenario: Arc::clone(&scenario), seed: args.seed };
-    let numbers: Vec<u32> = (1..=args.students).collect();
-    let rows = map_all(&numbers, |_, number| {
-        let row = class.row(*number, &data.library);
-        progress.next(format!("student {number} of {}", args.students));
-        row
-    });
-    drop(progress);
-    let mut files = Vec::new();
-    for row in rows {
-        let row = row.map_err(|error| {
-            CliError::place(&args.scenario, error.to_string(), "set out one piece of food that can be cooked")
-        })?;
+    let row = |number| class.row(number, &data.library);
+    let rows = simulated_people::all(args.students, "student", &args.scenario, row)?;
+    let of_row = |row: ResultRow| {
         let student = row.student.clone().unwrap_or_default();
-        files.push((format!("{}-{student}.csv", scenario.id), to_csv(&[row]).into_bytes()));
-    }
+        (format!("{}-{student}.csv", scenario.id), to_csv(&[row]).into_bytes())
+    };
+    let files = rows.into_iter().map(of_row).collect();
     let place = out.place();
     out.fill(files)?;
     stderr::say(format!("wrote the results of {} simulated students to {place}", args.students));

@@ -9,9 +9,8 @@ use super::load;
 use crate::error::CliError;
 use crate::input::data_library::DataLibrary;
 use crate::output::out_dir::OutDir;
-use crate::output::progress::Progress;
 use crate::output::{stderr, stdout};
-use crate::workers::map_all;
+use crate::simulated_people;
 
 /// `saute study simulate`.
 #[derive(Debug, clap::Args)]
@@ -34,20 +33,11 @@ pub struct SimulateArgs {
 pub fn run(args: &SimulateArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
     let protocol = load(&args.protocol, data)?;
     let out = OutDir::prepare(&args.out)?;
-    let progress = Progress::over(args.participants.into());
     let simulation = Simulation { protocol, seed: args.seed };
-    let numbers: Vec<u32> = (1..=args.participants).collect();
-    let logs = map_all(&numbers, |_, number| {
-        let log = simulation.log(*number, &data.library);
-        progress.next(format!("participant {number} of {}", args.participants));
-        log
-    });
-    drop(progress);
+    let log = |number| simulation.log(number, &data.library);
+    let logs = simulated_people::all(args.participants, "participant", &args.protocol, log)?;
     let mut files = dictionary_files();
-    for log in logs {
-        let (participant, rows) = log.map_err(|error| {
-            CliError::place(&args.protocol, error.to_string(), "set out one piece of food that can be cooked")
-        })?;
+    for (participant, rows) in logs {
         files.push((format!("study-{participant}.csv"), to_csv(&rows, true).into_bytes()));
     }
     let place = out.place();
