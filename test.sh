@@ -23,6 +23,8 @@ source scripts/changed.sh
 source scripts/campaign_share.sh
 source scripts/python.sh
 
+# Test programs are compiled with less effort than what they test.
+export RUSTC_WRAPPER="${RUSTC_WRAPPER:-$PWD/scripts/compiler-of-tests.sh}"
 RELEASE="${CARGO_TARGET_DIR:-target}/release"
 
 # Each with the steps that must have ended before it begins. Those that build natively wait for one another, as cargo

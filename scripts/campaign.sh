@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # What takes longer by nature than a test should, hours on 2 cores:
-#   the pages of validation with all their charts;
+#   the pages of validation with all their charts, and all figures of the gallery;
 #   random cooks drawn from new seeds, and random packets for every door to a device;
 #   a dish stored and restored at random instants, random sessions played again, and kills of a cook that is recorded;
 #   every plan of the list in crates/plan/tests cooked by its recipe;
@@ -33,8 +33,10 @@ source scripts/build.sh
 source scripts/wasm.sh
 source scripts/web.sh
 
+# Test programs are compiled with less effort than what they test.
+export RUSTC_WRAPPER="${RUSTC_WRAPPER:-$PWD/scripts/compiler-of-tests.sh}"
 # Each part is the function of its name.
-PARTS=(pages_of_validation random_cooks random_packets random_instants random_sessions random_kills plans lit_button first_cook fits fuzz day
+PARTS=(pages_of_validation figures longer_lists random_cooks random_packets random_instants random_sessions random_kills plans lit_button first_cook fits fuzz day
     judge_dependencies judge_advisories real_page quick_endings faults test_wheel train_briefly sweeps haptics tables_of_2013 heat_solver)
 # One file for each part: when it last passed, and of which commit.
 LAST="${CARGO_TARGET_DIR:-target}/campaign"
@@ -112,6 +114,18 @@ pages_of_validation() {
     diff -q "$folder/VALIDATION.md" VALIDATION.md
     rm -rf "$folder"
 }
+
+# The six figures of the gallery, small.
+figures() {
+    local folder
+    folder="$(mktemp -d)"
+    saute gallery --size 96x64 --out "$folder"
+    [ "$(find "$folder" -name '*.png' | wc -l)" = 6 ]
+    rm -rf "$folder"
+}
+
+# Tests that go through a longer list with SAUTE_CAMPAIGN.
+longer_lists() { SAUTE_CAMPAIGN=1 cargo test --release --workspace --test plan --test kitchen --test pictures --test window -- --nocapture; }
 
 # Forces that must end within 50 ms, on a quiet machine.
 quick_endings() { SAUTE_CAMPAIGN=1 cargo test --release --workspace --test haptics drips; }

@@ -6,6 +6,8 @@
 
 pub mod saved;
 
+use std::array::from_fn;
+
 use saute_heat::vector::{dot, sub, unit};
 use saute_heat::{BodyMesh, Conduction, Layers, SweptMesh};
 
@@ -32,6 +34,8 @@ const CONDUCTION_TICKS: u64 = 2 * REFRESH_TICKS;
 const SHAPE_TICKS: u64 = 20;
 /// Largest number of steps in a tick [-] (chosen: only layers of a few nanometres reach it).
 const MOST_SUBSTEPS: f64 = 4.0e9;
+/// Number of nodes whose temperatures are found together [-] (chosen: their divisions overlap).
+const TOGETHER: usize = 8;
 /// Number of nodes that are checked for boiling together [-] (chosen: a block fits a few SIMD vectors).
 const BLOCK: usize = 32;
 /// Share of the stability limit that a step may use [-] (chosen: properties are up to half a second old).
@@ -187,13 +191,7 @@ impl FoodSolver {
         }
         self.hot.clear();
         self.hot.reserve(n);
-        for i in 0..n {
-            let masses = model.masses(state, i);
-            let (t, capacity) = model.properties.temperature(&masses, state.enthalpy[i], state.temperature[i]);
-            state.temperature[i] = t;
-            self.capacity[i] = capacity;
-            self.per_capacity[i] = 1.0 / capacity;
-        }
+        self.refresh_temperatures(model, state);
         if state.ticks.is_multiple_of(CONDUCTION_TICKS) || self.conductivity[0].len() != n {
             self.refresh_conduction(model, state);
         }
@@ -203,6 +201,27 @@ impl FoodSolver {
         };
         let limit = STABILITY_MARGIN * stable;
         self.substeps = libm::ceil(dt / limit).clamp(1.0, MOST_SUBSTEPS) as u32;
+    }
+
+    /// Refreshes temperatures and capacities from the enthalpies.
+    fn refresh_temperatures(&mut self, model: &FoodModel, state: &mut FoodState) {
+        let n = state.temperature.len();
+        let together = n - n % TOGETHER;
+        for first in (0..together).step_by(TOGETHER) {
+            let nodes = first..first + TOGETHER;
+            let masses = from_fn(|k| model.masses(state, first + k));
+            let of = |field: &[f64]| -> [f64; TOGETHER] { from_fn(|k| field[first + k]) };
+            let (enthalpy, guess) = (of(&state.enthalpy), of(&state.temperature));
+            let (t, capacity) = model.properties.temperatures(&masses, &enthalpy, &guess);
+            state.temperature[nodes.clone()].copy_from_slice(&t);
+            self.capacity[nodes].copy_from_slice(&capacity);
+        }
+        for i in together..n {
+            let masses = model.masses(state, i);
+            (state.temperature[i], self.capacity[i]) =
+                model.properties.temperature(&masses, state.enthalpy[i], state.temperature[i]);
+        }
+        self.per_capacity.iter_mut().zip(&self.capacity).for_each(|(per, capacity)| *per = 1.0 / capacity);
     }
 
     /// Refreshes the conductances.
@@ -363,12 +382,12 @@ pub fn present_area(patch: &Patch, state: &FoodState) -> f64 {
 
 /// Advances first-order changes, peak temperature, lethality and browning by `dt` [s].
 fn change(model: &FoodModel, state: &mut FoodState, dt: f64) {
+    state.peak.iter_mut().zip(&state.temperature).for_each(|(peak, t)| *peak = peak.max(*t));
+    model.response.rates.advance(&mut state.changed, &state.temperature, dt);
     for i in 0..state.temperature.len() {
         let t = state.temperature[i];
-        state.peak[i] = state.peak[i].max(t);
         if t > CHANGES_FROM {
             state.lethality[i] += model.response.lethality.at(t) * dt;
-            model.response.rates.advance(&mut state.changed, i, t, dt);
         }
         if t > BROWNING_FROM {
             brown(model, state, i, dt);

@@ -1,5 +1,7 @@
 //! Thermal properties from composition (Choi & Okos 1986 `[@choi-okos-1986]`).
 
+use std::array::from_fn;
+
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -101,6 +103,12 @@ pub type Masses = [f64; 3];
 const COLDEST: i32 = -40;
 const HOTTEST: i32 = 450;
 const LAST_CELL: u32 = (HOTTEST - COLDEST - 1) as u32;
+/// Change of a temperature below which Newton's method ends [K] (chosen: the last bits of 300 K).
+const SETTLED_K: f64 = 1e-10;
+/// Most rounds of Newton's method [-] (chosen: two, as a rule; where the capacity leaps it may take more), and those that are made of
+/// several nodes at a time.
+const MOST_ROUNDS: usize = 20;
+const SIDE_BY_SIDE: usize = 2;
 
 impl Properties {
     /// Tabulates the properties every kelvin from −40 to 450 °C; enthalpies are zero at 0 °C. Without `freezing` the water
@@ -166,23 +174,61 @@ impl Properties {
         if enthalpy < 0.0 {
             return self.cold_temperature(masses, enthalpy);
         }
-        let (mut t, mut at) = (guess, usize::MAX);
-        let (mut cell, mut capacity) = (&self.heat[0], 0.0);
-        for _ in 0..20 {
-            let (index, share) = self.place(t);
-            // The capacity is constant within a cell.
-            if index != at {
-                (at, cell) = (index, &self.heat[index]);
-                capacity = cell.capacity(masses);
-            }
-            let change = (enthalpy - cell.enthalpy(masses, share)) / capacity;
+        self.newton(masses, enthalpy, guess, MOST_ROUNDS)
+    }
+
+    fn newton(&self, masses: &Masses, enthalpy: f64, guess: f64, most_rounds: usize) -> (f64, f64) {
+        let mut t = guess;
+        for _ in 0..most_rounds {
+            let (residual, capacity) = self.residual(masses, enthalpy, t);
+            let change = residual / capacity;
             t += change;
-            if libm::fabs(change) < 1e-10 {
+            if libm::fabs(change) < SETTLED_K {
                 break;
             }
         }
-        let last = self.place(t).0;
-        (t, if last == at { capacity } else { self.heat[last].capacity(masses) })
+        (t, self.heat[self.place(t).0].capacity(masses))
+    }
+
+    /// Enthalpy that is missing at a temperature [J], and the heat capacity there [J/K].
+    #[inline]
+    fn residual(&self, masses: &Masses, enthalpy: f64, t: f64) -> (f64, f64) {
+        let (index, share) = self.place(t);
+        let cell = &self.heat[index];
+        (enthalpy - cell.enthalpy(masses, share), cell.capacity(masses))
+    }
+
+    /// [`Self::temperature`] of several nodes, to the last bit: [K] and [J/K].
+    ///
+    /// Nearly all settle in two rounds. Those are made side by side, as a division takes longer than all else.
+    #[inline]
+    pub fn temperatures<const N: usize>(
+        &self,
+        masses: &[Masses; N],
+        enthalpy: &[f64; N],
+        guess: &[f64; N],
+    ) -> ([f64; N], [f64; N]) {
+        let (mut t, mut settled) = (*guess, [false; N]);
+        for _ in 0..SIDE_BY_SIDE {
+            let (mut change, mut capacity) = ([0.0; N], [0.0; N]);
+            for k in 0..N {
+                (change[k], capacity[k]) = self.residual(&masses[k], enthalpy[k], t[k]);
+            }
+            (0..N).for_each(|k| change[k] /= capacity[k]);
+            for k in 0..N {
+                t[k] = if settled[k] { t[k] } else { t[k] + change[k] };
+                settled[k] |= libm::fabs(change[k]) < SETTLED_K;
+            }
+        }
+        let mut capacity: [f64; N] = from_fn(|k| self.heat[self.place(t[k]).0].capacity(&masses[k]));
+        for k in (0..N).filter(|k| !settled[*k] || enthalpy[*k] < 0.0) {
+            (t[k], capacity[k]) = if enthalpy[k] < 0.0 {
+                self.cold_temperature(&masses[k], enthalpy[k])
+            } else {
+                self.newton(&masses[k], enthalpy[k], t[k], MOST_ROUNDS - SIDE_BY_SIDE)
+            };
+        }
+        (t, capacity)
     }
 
     /// [`Self::temperature`] below 0 °C, where ice makes the capacity leap: by bisection over the rows.

@@ -178,6 +178,13 @@ impl Settings {
         self.speed.min(self.held_speed.unwrap_or(self.speed))
     }
 
+    /// Shows the kitchen to a class before a projector: without panels and at the largest size; or both as usual again.
+    pub(crate) fn toggle_projector(&mut self) {
+        let projects = self.panels_hidden && self.size == InterfaceSize::Largest;
+        (self.panels_hidden, self.size) =
+            if projects { (false, InterfaceSize::Usual) } else { (true, InterfaceSize::Largest) };
+    }
+
     /// Gives the interface the chosen theme and size.
     pub fn display(&self, ctx: &egui::Context) {
         ctx.set_theme(self.theme.preference());

@@ -37,27 +37,41 @@ pub struct GalleryArgs {
     /// Draws every food from raw to burnt instead, or one of them.
     #[arg(long, value_name = "FOOD", num_args = 0..=1, default_missing_value = ALL)]
     pub looks: Option<String>,
+    /// Draws only this figure, for instance 1-one-side; may be given more than once.
+    #[arg(long, value_name = "NAME", conflicts_with = "looks")]
+    pub figure: Vec<String>,
 }
 
 /// Stands for all foods.
 const ALL: &str = "all";
 
-/// The figures of a book, or the one of a food.
-fn chosen(book: &'static Book, food: Option<&str>) -> Result<Vec<&'static Figure>, CliError> {
-    let figures: Vec<_> = book.figures.iter().filter(|figure| food.is_none_or(|name| name == figure.name)).collect();
-    if figures.is_empty() {
-        let names: Vec<&str> = book.figures.iter().map(|figure| figure.name).collect();
-        let place = format!("--looks {}", food.unwrap_or_default());
-        return Err(CliError::place(place, "is no food of the looks", format!("write one of: {}", names.join(", "))));
+impl GalleryArgs {
+    /// The figures that are asked for: all of a book, or those named.
+    fn figures(&self, book: &'static Book) -> Result<Vec<&'static Figure>, CliError> {
+        let (option, named) = match &self.looks {
+            Some(food) if food != ALL => ("--looks", std::slice::from_ref(food)),
+            Some(_) => ("--looks", [].as_slice()),
+            None => ("--figure", self.figure.as_slice()),
+        };
+        let of = |name: &String| {
+            book.figures.iter().find(|figure| figure.name == name).ok_or_else(|| unknown(book, option, name))
+        };
+        let found = named.iter().map(of).collect::<Result<Vec<_>, _>>()?;
+        Ok(if found.is_empty() { book.figures.iter().collect() } else { found })
     }
-    Ok(figures)
+}
+
+fn unknown(book: &Book, option: &str, name: &str) -> CliError {
+    let names: Vec<&str> = book.figures.iter().map(|figure| figure.name).collect();
+    let remedy = format!("write one of: {}", names.join(", "));
+    CliError::place(format!("{option} {name}"), "is no figure of this gallery", remedy)
 }
 
 /// Cooks the recipes of the gallery, renders its figures and writes them.
 pub fn run(args: &GalleryArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
     let scales = data.scales(DEFAULT_SCALE)?;
     let book = if args.looks.is_some() { &LOOKS } else { &PAPER };
-    let figures = chosen(book, args.looks.as_deref().filter(|food| *food != ALL))?;
+    let figures = args.figures(book)?;
     let shows = |cook: &str| figures.iter().any(|figure| figure.panels.iter().any(|panel| panel.cook == cook));
     let cooks: Vec<&str> = book.cooks.iter().map(|(cook, _)| *cook).filter(|cook| shows(cook)).collect();
     let out = OutDir::prepare(&args.out)?;

@@ -29,6 +29,9 @@ pub fn arrhenius(activation_energy_kj_mol: f64, anchor_c: f64, rate: f64) -> imp
 /// Lowest temperature with changes [K] (30 °C, chosen: the reactions take more than a day there).
 pub const CHANGES_FROM: f64 = 303.15;
 
+/// Number of nodes that are changed together [-] (chosen: a block fits a few SIMD vectors).
+const BLOCK: usize = 32;
+
 /// Tables of the rates of the first-order changes [1/s].
 #[derive(Clone, Debug)]
 pub struct ChangeRates {
@@ -50,19 +53,32 @@ impl ChangeRates {
         self.tables.len()
     }
 
-    /// Advances the shares of all changes of a node by `dt` [s] at `temperature` [K].
+    /// Advances the shares of all changes of every node by `dt` [s] at its temperature [K]; below [`CHANGES_FROM`] they stay.
     ///
-    /// 1 − (1 − X)/(1 + x + x²/2) with x = k Δt: second order in Δt, monotone, and without an exponential.
-    #[inline]
-    pub fn advance(&self, changed: &mut [Vec<f64>], node: usize, temperature: f64, dt: f64) {
-        let Some(first) = self.tables.first() else { return };
+    /// 1 − (1 − X)/(1 + x + x²/2) with x = k Δt: second order in Δt, monotone, and without an exponential. A complete change stays
+    /// complete.
+    pub fn advance(&self, changed: &mut [Vec<f64>], temperature: &[f64], dt: f64) {
+        for (first, t) in (0..).step_by(BLOCK).zip(temperature.chunks(BLOCK)) {
+            // Most blocks of raw flesh are cold: without a branch at each node.
+            if t.iter().fold(false, |any, t| any | (*t > CHANGES_FROM)) {
+                self.advance_block(changed, first, t, dt);
+            }
+        }
+    }
+
+    /// [`Self::advance`] of a block of nodes.
+    fn advance_block(&self, changed: &mut [Vec<f64>], first: usize, temperature: &[f64], dt: f64) {
+        let Some(table) = self.tables.first() else { return };
         // All tables have the same grid.
-        let (cell, share) = first.place(temperature);
+        let mut places = [(0, 0.0); BLOCK];
+        places.iter_mut().zip(temperature).for_each(|(place, t)| *place = table.place(*t));
         for (table, changed) in self.tables.iter().zip(changed) {
-            let x = table.within(cell, share) * dt;
-            // A complete change stays complete.
-            if changed[node] != 1.0 {
-                changed[node] = 1.0 - (1.0 - changed[node]) / (1.0 + x + 0.5 * x * x);
+            let mut x = [0.0; BLOCK];
+            x.iter_mut().zip(places).for_each(|(x, (cell, share))| *x = table.within(cell, share) * dt);
+            let nodes = changed[first..first + temperature.len()].iter_mut();
+            for ((changed, t), x) in nodes.zip(temperature).zip(x) {
+                let next = 1.0 - (1.0 - *changed) / (1.0 + x + 0.5 * x * x);
+                *changed = if *t > CHANGES_FROM { next } else { *changed };
             }
         }
     }

@@ -1,5 +1,7 @@
 //! Promise: frozen food melts: its heat, conductivity and time to thaw are those of frozen meat, and no energy is lost.
 
+use std::array::from_fn;
+
 use saute_food::{FoodState, FreeAir, ZERO_C};
 
 use crate::run::{Run, kitchen_air, lean, model};
@@ -42,6 +44,25 @@ fn temperature_and_enthalpy_agree_in_ice() {
         for guess in [t - 15.0, t, t + 60.0] {
             let (found, capacity) = properties.temperature(&masses, enthalpy, guess);
             assert!((found - t).abs() < 1e-8 && capacity > 0.0, "{t} from {guess}: {found}");
+        }
+    }
+}
+
+/// Eight temperatures that are found together are those found alone, to the last bit: also where some are frozen, near the leap of
+/// the capacity, far from the guess, or beyond the table.
+#[test]
+fn temperatures_found_together_are_those_found_alone() {
+    let properties = lean().properties();
+    for first in -60..500 {
+        let masses: [_; 8] = from_fn(|k| [0.73 - 0.05 * k as f64, 0.235, 0.035 + 0.01 * k as f64]);
+        let celsius: [f64; 8] = from_fn(|k| f64::from(first) + [0.0, 0.3, 41.0, 1e-9, -0.5, 7.7, 0.0, 90.0][k]);
+        let enthalpy: [f64; 8] = from_fn(|k| properties.enthalpy(&masses[k], ZERO_C + celsius[k]).0);
+        let guess: [f64; 8] = from_fn(|k| ZERO_C + celsius[k] + [0.0, 1e-6, -3.0, 20.0, 0.0, 1e-11, -60.0, 0.1][k]);
+        let (together, capacities) = properties.temperatures(&masses, &enthalpy, &guess);
+        for k in 0..8 {
+            let (t, capacity) = properties.temperature(&masses[k], enthalpy[k], guess[k]);
+            let bits = |t: f64, capacity: f64| (t.to_bits(), capacity.to_bits());
+            assert_eq!(bits(together[k], capacities[k]), bits(t, capacity), "{} °C", celsius[k]);
         }
     }
 }

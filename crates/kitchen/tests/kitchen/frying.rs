@@ -145,7 +145,7 @@ fn a_domed_patty_takes_at_most_15_percent_longer_and_browns_less() {
     let text = recipe(
         "kind = \"cast-iron-26\"; initial_c = 190",
         // A natural one is domed before it is fried, and what this dome adds or takes depends on the side it lies on.
-        "id = \"patty\"; kind = \"beef-patty\"; size_mm = [110, 16]; initial_c = 5; outline = \"plain\"",
+        "id = \"patty\"; kind = \"beef-patty\"; size_mm = [110, 16]; initial_c = 5; outline = \"plain\"; coarseness = 1.5",
         &steps(&[
             "hob_w = { hold_c = 190, w = 2000 }",
             "put = \"patty\"",

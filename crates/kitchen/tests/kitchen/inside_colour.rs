@@ -12,9 +12,10 @@ fn reddest(piece: &Piece) -> f64 {
     middle.map(|node| piece.model.node_colour(&piece.state, node).0[1]).fold(f64::MIN, f64::max)
 }
 
-/// Reddest place when a shipped recipe takes its steak out, and two minutes after the rested steak was halved.
+/// Reddest place, on a coarser mesh, when a shipped recipe takes its steak out, and two minutes after the rested steak was halved.
 fn redness(library: &Library, id: &str) -> [f64; 2] {
-    let recipe = Recipe::parse(&library.recipes[id], id, library).unwrap_or_else(|e| panic!("{e}"));
+    let text = library.recipes[id].replacen("[[food]]", "[[food]]\ncoarseness = 1.5", 1);
+    let recipe = Recipe::parse(&text, id, library).unwrap_or_else(|e| panic!("{e}"));
     let mut cook = Cook::new(recipe, library).expect("begins");
     let mut live = None;
     while cook.stopped().is_none() {

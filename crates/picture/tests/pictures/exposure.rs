@@ -1,8 +1,10 @@
 //! Promise: the kitchen is well exposed in daylight and in the evening, glints are white and matt surfaces are not, a seared
 //! steak stands out from the board, and a picture drawn in tiles is the picture drawn at once.
 
+use std::sync::OnceLock;
+
 use glam::{Vec2, Vec3};
-use saute_kitchen::Library;
+use saute_kitchen::{Kitchen, Library};
 use saute_picture::stage::{Stage, StageOptions};
 use saute_picture::still::headless::Gpu;
 use saute_picture::still::shot::cook_until;
@@ -15,7 +17,8 @@ use saute_scene::renderer::SceneRenderer;
 
 use crate::adapter;
 
-const SIZE: [u32; 2] = [1280, 720];
+/// Means and shares are those of a picture four times as large.
+const SIZE: [u32; 2] = [640, 360];
 const MEDIUM: &str = include_str!("../../../../recipes/medium.toml");
 const OILED: &str = "[pan]\ninitial_c = 220\n[[food]]\nid = \"steak\"\nkind = \"beef-marbled\"\n[[step]]\nhob_w = 900\n\
     [[step]]\noil_g = 10\n[[step]]\nput = \"steak\"\n[[step]]\nafter_s = 150\nflip = \"steak\"\n[[step]]\nafter_s = 120\n\
@@ -87,20 +90,29 @@ fn grey(pixel: &[u8]) -> f64 {
     (0.2126 * f64::from(pixel[0]) + 0.7152 * f64::from(pixel[1]) + 0.0722 * f64::from(pixel[2])) / 255.0
 }
 
-fn scene(recipe: &str, at_s: f64, light: RoomLight) -> SceneInput {
+fn cooked(recipe: &str, at_s: f64) -> Kitchen {
     let library = Library::embedded().expect("embedded data");
     let recipe = Recipe::parse(recipe, "exposure.toml", &library).expect("parses");
-    let cook = cook_until(recipe, &library, at_s).expect("cooks");
+    cook_until(recipe, &library, at_s).expect("cooks").kitchen
+}
+
+/// The oiled steak, turned, cooked once for all tests.
+fn oiled() -> &'static Kitchen {
+    static COOKED: OnceLock<Kitchen> = OnceLock::new();
+    COOKED.get_or_init(|| cooked(OILED, 165.0))
+}
+
+fn scene(kitchen: &Kitchen, light: RoomLight) -> SceneInput {
     let options = StageOptions { camera: Camera::three_quarter(), light, ..StageOptions::default() };
-    Stage::default().scene(&cook.kitchen, &options, &Default::default())
+    Stage::default().scene(kitchen, &options, &Default::default())
 }
 
 #[test]
 fn daylight_is_bright_the_pan_is_not_dim_and_only_glints_are_white() {
     let Some(gpu) = adapter() else { return };
-    for (name, recipe, at_s) in [("medium", MEDIUM, 240.0), ("oiled", OILED, 165.0)] {
+    for (name, kitchen) in [("medium", &cooked(MEDIUM, 240.0)), ("oiled", oiled())] {
         for quality in Quality::ALL {
-            let seen = Seen::of(&gpu, scene(recipe, at_s, RoomLight::Daylight), quality);
+            let seen = Seen::of(&gpu, scene(kitchen, RoomLight::Daylight), quality);
             let all = seen.grey(0.0, |_| true);
             let ([clipped, matt], pan) = (seen.clipped(), seen.pan());
             println!("{name} {quality:?}: grey {all:.3}, pan {pan:.3}, clipped {clipped:.3} %, matt {matt:.4} %");
@@ -117,7 +129,7 @@ fn the_evening_is_warm_and_not_dim() {
     let Some(gpu) = adapter() else { return };
     for quality in Quality::ALL {
         let [day, evening] =
-            [RoomLight::Daylight, RoomLight::Evening].map(|light| Seen::of(&gpu, scene(OILED, 165.0, light), quality));
+            [RoomLight::Daylight, RoomLight::Evening].map(|light| Seen::of(&gpu, scene(oiled(), light), quality));
         let all = evening.grey(0.0, |_| true);
         let redness = |seen: &Seen| {
             let (red, blue) = seen.rgba.chunks(4).fold((0, 0), |(r, b), p| (r + u64::from(p[0]), b + u64::from(p[2])));
@@ -132,8 +144,9 @@ fn the_evening_is_warm_and_not_dim() {
 #[test]
 fn a_seared_steak_is_much_darker_than_the_board() {
     let Some(gpu) = adapter() else { return };
+    let kitchen = cooked(MEDIUM, 560.0);
     for quality in Quality::ALL {
-        let seen = Seen::of(&gpu, scene(MEDIUM, 560.0, RoomLight::Daylight), quality);
+        let seen = Seen::of(&gpu, scene(&kitchen, RoomLight::Daylight), quality);
         let place = seen.scene.foods[0].world_from_rest.w_axis.truncate();
         let crust = seen.lightness(place.z + 0.011, |at| at.truncate().distance(place.truncate()) < 0.025);
         let board = seen.lightness(BOARD_TOP, on_board);
@@ -145,7 +158,7 @@ fn a_seared_steak_is_much_darker_than_the_board() {
 #[test]
 fn a_picture_in_tiles_is_the_picture_drawn_at_once() {
     let Some(gpu) = adapter() else { return };
-    let scene = scene(OILED, 165.0, RoomLight::Daylight);
+    let scene = scene(oiled(), RoomLight::Daylight);
     let size = [640, 360];
     let mut renderer = SceneRenderer::new(&gpu.device, &gpu.queue);
     for (quality, largest) in [(Quality::Quick, 300), (Quality::Smooth, 300), (Quality::Best, 400)] {

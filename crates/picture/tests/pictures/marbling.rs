@@ -104,8 +104,14 @@ fn largest_difference(piece: &Piece) -> (f64, [f64; 2]) {
 
 #[test]
 fn each_node_holds_the_fat_that_is_seen_in_its_volume() {
-    for (kind, seed) in [("beef-marbled", 1), ("beef-marbled", 7), ("beef-marbled", 2013), ("beef-lean", 1)] {
-        for outline in ["plain", "natural"] {
+    let is_campaign = std::env::var_os("SAUTE_CAMPAIGN").is_some();
+    let pieces = [("beef-marbled", 1), ("beef-marbled", 7), ("beef-marbled", 2013), ("beef-lean", 1)];
+    for (i, (kind, seed)) in pieces.into_iter().enumerate() {
+        for (j, outline) in ["plain", "natural"].into_iter().enumerate() {
+            // Each piece and each outline; each with each in the campaign.
+            if !is_campaign && (i + j) % 2 == 1 {
+                continue;
+            }
             let kitchen = steak(kind, outline, seed);
             let piece = &kitchen.pieces()[0];
             let (largest, [held, shown]) = largest_difference(piece);

@@ -75,16 +75,25 @@ fn meets(library: &Library, scale: &Scale, class: &str, [pan, mm, seed]: [&str; 
     assert!(outcome.hottest_c < SAFE_C && !outcome.fire_hazard, "{pan} {mm} mm {class}: {outcome:?}");
 }
 
+const PANS: [&str; 4] = ["carbon-steel-26", "cast-iron-26", "aluminium-26", "stainless-clad-26"];
+
+/// Every thickness and every pan; each with each in the campaign.
 #[test]
 fn whoever_follows_the_advice_meets_the_goal_in_every_flat_pan() {
     let library = Library::embedded().expect("embedded data");
     let scale = library.scale("paper-2013").expect("shipped");
-    for pan in ["carbon-steel-26", "cast-iron-26", "aluminium-26", "stainless-clad-26"] {
-        for mm in ["15", "20", "25", "35"] {
-            meets(&library, scale, "medium", [pan, mm, "1"]);
+    let is_campaign = std::env::var_os("SAUTE_CAMPAIGN").is_some();
+    for (i, pan) in PANS.into_iter().enumerate() {
+        for (j, mm) in ["15", "20", "25", "35"].into_iter().enumerate() {
+            if is_campaign || (i + j) % 2 == 0 {
+                meets(&library, scale, "medium", [pan, mm, "1"]);
+            }
         }
-        meets(&library, scale, "rare", [pan, "22", "5"]);
-        meets(&library, scale, "rare", [pan, "30", "2"]);
+        for (j, [mm, seed]) in [["22", "5"], ["30", "2"]].into_iter().enumerate() {
+            if is_campaign || (i + j) % 2 == 1 {
+                meets(&library, scale, "rare", [pan, mm, seed]);
+            }
+        }
     }
 }
 

@@ -34,7 +34,7 @@ pub const TOOL_STEP: f64 = 0.01;
 pub const ROLL_STEP: f64 = std::f64::consts::PI / 6.0;
 
 /// All keys, in the order in which the help lists them.
-pub static BINDINGS: [Binding; 64] = [
+pub static BINDINGS: [Binding; 65] = [
     bind(Key::A, "A", Act::Cook(CookAct::Put)),
     bind(Key::F, "F", Act::Cook(CookAct::Flip)),
     bind(Key::O, "O", Act::Cook(CookAct::Out)),
@@ -80,6 +80,7 @@ pub static BINDINGS: [Binding; 64] = [
     bind(Key::C, "C", Act::View(ViewAct::Units)),
     bind(Key::G, "G", Act::View(ViewAct::Curves)),
     bind(Key::H, "H", Act::View(ViewAct::Panels)),
+    bind(Key::K, "K", Act::View(ViewAct::Projector)),
     bind(Key::F6, "F6", Act::View(ViewAct::More)),
     bind(Key::V, "V", Act::View(ViewAct::Camera)),
     bind(Key::ArrowLeft, "←", Act::View(ViewAct::Orbit(-0.08, 0.0))),

@@ -123,6 +123,7 @@ fn view() -> Vec<ViewAct> {
         ViewAct::Pantry => ViewAct::Pantry,
         ViewAct::Curves => ViewAct::Curves,
         ViewAct::Panels => ViewAct::Panels,
+        ViewAct::Projector => ViewAct::Projector,
         ViewAct::More => ViewAct::More,
         ViewAct::Strings => ViewAct::Strings,
     };

@@ -57,6 +57,8 @@ pub enum ViewAct {
     Curves,
     /// All panels on or off.
     Panels,
+    /// For a class before a projector: no panels and the largest interface, or both as usual.
+    Projector,
     /// All controls, or the few that a first cook needs.
     More,
     /// The strings of a device.
@@ -100,6 +102,7 @@ impl ViewAct {
             Self::Pantry => Traits { subject: Subject::Window, needs: &[Permit::Foods], ..eye("key.pantry") },
             Self::Curves => Traits { subject: Subject::Window, needs: &[Permit::ReadOuts], ..reading("key.curves") },
             Self::Panels => Traits { subject: Subject::Window, ..eye("key.panels") },
+            Self::Projector => Traits { subject: Subject::Window, ..eye("key.projector") },
             Self::More => Traits { subject: Subject::Window, needs: &[Permit::Comfort], ..eye("key.more") },
             Self::Strings => Traits { subject: Subject::Window, needs: &[Permit::Devices], ..eye("key.strings") },
         }

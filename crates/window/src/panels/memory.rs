@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use crate::act::{Act, ViewAct};
 use crate::panels::cards::result::CutOfResult;
 use crate::panels::guided::Entries;
-use crate::panels::now::NowMemory;
+use crate::panels::now::now_memory::NowMemory;
 use crate::panels::section_read::Inside;
 use crate::panels::still::Stills;
 use crate::panels::ways::memory::WaysMemory;

@@ -261,7 +261,11 @@ fn a_lesson_pauses_and_asks_compares_the_answer_and_gives_a_row() {
     let mut harness = window_with(vec2(1280.0, 720.0), start);
     save(&mut harness, "lesson-intro");
     assert!(harness.query_by_label("Leave the lesson").is_none(), "it is locked");
+    let orders = |harness: &Harness<'_, SauteApp>| harness.query_all_by_label_contains("As advised").count();
+    assert_eq!(orders(&harness), 0, "only the card says what to do");
     click(&mut harness, "Begin");
+    steps(&mut harness, 2);
+    assert_eq!(orders(&harness), 1);
     press(&mut harness, Key::A);
     cook(&mut harness, 80.0);
     assert!(!harness.state().session().paused);
@@ -286,6 +290,7 @@ fn a_lesson_pauses_and_asks_compares_the_answer_and_gives_a_row() {
         assert!(frames < 2000, "it is cooked on until it has rested");
     }
     save(&mut harness, "lesson-result");
+    assert_eq!(orders(&harness), 0, "the lesson is over");
     click(&mut harness, "Save the result");
     let text = std::fs::read_to_string(pictures.join("when-to-flip-S01.csv")).expect("is written");
     let rows = saute_study::class::from_csv("s.csv", &text).expect("a result");

@@ -99,6 +99,7 @@ fn card_choices_and_size_are_reached_with_keys() {
     press(&mut harness, Key::Escape);
     assert!(!harness.state().settings_are_open());
     control_with_plus_and_minus_changes_the_size(&mut harness);
+    a_key_shows_it_to_a_class(&mut harness);
 }
 
 /// Choices lie within the window and on no other one.
@@ -203,6 +204,17 @@ fn control_with_plus_and_minus_changes_the_size(harness: &mut Harness<'static, S
         harness.key_press_modifiers(Modifiers::COMMAND, key);
         steps(harness, 2);
         assert_eq!(size(harness), expected);
+    }
+}
+
+/// Large and without panels, and back.
+fn a_key_shows_it_to_a_class(harness: &mut Harness<'static, SauteApp>) {
+    for projects in [true, false] {
+        press(harness, Key::K);
+        save(harness, if projects { "projector" } else { "no-projector" });
+        let expected = if projects { InterfaceSize::Largest } else { InterfaceSize::Usual };
+        let settings = harness.state().settings();
+        assert_eq!((settings.size, settings.panels_hidden), (expected, projects));
     }
 }
 

@@ -2,16 +2,18 @@
 
 use crate::running::run;
 
+/// The campaign draws all six.
 #[test]
-fn every_figure_of_the_gallery_is_drawn_with_its_numbers() {
+fn figures_of_the_gallery_are_drawn_with_their_numbers() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("gallery");
-    let ran = run(&["gallery", "--size", "96x64", "--out", out.to_str().unwrap()]);
+    let asked = ["--figure", "1-one-side", "--figure", "3-temperature"];
+    let ran = run(&[&["gallery", "--size", "96x64", "--out", out.to_str().unwrap()], asked.as_slice()].concat());
     assert_eq!(ran.code, Some(0), "{}", ran.err);
     let page = std::fs::read_to_string(out.join("gallery.md")).unwrap();
     let figures: Vec<&str> =
         page.lines().filter_map(|l| l.strip_prefix("![")?.split("](").nth(1)?.strip_suffix(")")).collect();
-    assert_eq!(figures.len(), 6, "{page}");
+    assert_eq!(figures, ["1-one-side.png", "3-temperature.png"], "{page}");
     for figure in figures {
         let png = std::fs::read(out.join(figure)).unwrap();
         assert!(png.starts_with(b"\x89PNG") && png.len() > 4000, "{figure}: {} bytes", png.len());
@@ -39,8 +41,11 @@ fn a_food_is_drawn_from_raw_to_burnt_with_its_numbers() {
 }
 
 #[test]
-fn an_unknown_food_of_the_looks_is_refused_with_those_there_are() {
-    let ran = run(&["gallery", "--looks", "tofu", "--out", "never"]);
-    assert_eq!(ran.code, Some(2));
-    assert!(ran.err.contains("tofu") && ran.err.contains("beef-lean, beef-marbled"), "{}", ran.err);
+fn a_figure_that_there_is_not_is_refused_with_those_there_are() {
+    let asked = [["--looks", "tofu", "beef-lean, beef-marbled"], ["--figure", "7-tofu", "1-one-side, 2-turned"]];
+    for [option, name, those] in asked {
+        let ran = run(&["gallery", option, name, "--out", "never"]);
+        assert_eq!(ran.code, Some(2));
+        assert!(ran.err.contains(name) && ran.err.contains(those), "{}", ran.err);
+    }
 }

@@ -4,6 +4,7 @@
 pub mod control_place;
 mod guide;
 mod led;
+pub mod now_memory;
 mod now_words;
 mod taught;
 pub mod time_left;
@@ -15,9 +16,11 @@ use saute_kitchen::celsius;
 use saute_kitchen::food::change::doneness::Measure;
 
 use self::led::Lead;
+use self::now_memory::NowMemory;
 use self::now_words::{Deed, NowWords};
 use self::time_left::TimeLeft;
 use crate::act::{Act, Acts, CookAct};
+use crate::guided::Guided;
 use crate::panels::window_state::WindowState;
 use crate::ui::layout::{GAP, Layout};
 use crate::ui::theme::{self, TOUCH};
@@ -39,15 +42,6 @@ const REACTION_S: f64 = 0.4;
 /// Sizes among which a line takes the first in which it fits [points].
 const VERB_SIZES: [f32; 4] = [20.0, 18.0, 16.0, 14.0];
 const WHY_SIZES: [f32; 3] = [14.0, 13.0, 12.0];
-
-/// What the line keeps from frame to frame.
-#[derive(Clone, Debug, Default)]
-pub struct NowMemory {
-    /// How long what is waited for takes.
-    left: TimeLeft,
-    /// What is to be done now: a verb, and the sentence with its reason.
-    pub order: Option<(String, String)>,
-}
 
 /// Shows the line over the scene; a narrow window has it in the drawer, unless that is hidden.
 pub fn show(state: &WindowState, memory: &mut NowMemory, ui: &Ui, acts: &mut Acts, layout: &Layout) {
@@ -101,8 +95,11 @@ fn place(state: &WindowState, layout: &Layout, size: Vec2) -> Rect {
 }
 
 impl<'a> Now<'a> {
-    /// What the line tells; nothing where readings are hidden and nobody else leads.
+    /// What the line tells; nothing where readings are hidden and nobody else leads, nor while the card of a lesson or a study asks.
     fn of(state: &WindowState, lead: Option<&'a Lead<'a>>, memory: &mut TimeLeft) -> Option<Self> {
+        if state.guided.is_some_and(Guided::asks) {
+            return None;
+        }
         let advice = state.advice.first().filter(|_| state.reads_out()).copied();
         let led = lead.and_then(|lead| lead.words(advice, state));
         let is_led = led.is_some();

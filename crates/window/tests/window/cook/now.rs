@@ -1,7 +1,7 @@
 //! Promise: whoever presses the button of the line that says what to do, some seconds after it is lit and whatever it says, meets the
 //! goal at the first try.
 //!
-//! Every run presses after 5 and 10 s of wall time, by a clock of its own; `SAUTE_NOW=all`, as in the campaign, cooks four pans, three
+//! Every run presses after 10 s of wall time, by a clock of its own; `SAUTE_NOW=all`, as in the campaign, cooks four pans, three
 //! steaks and three classes with hands that are 2, 5, 10 and 20 s late, and asks for 95 of 100.
 
 use egui::accesskit::{Action, ActionRequest, NodeId, Role, TreeId, TreeUpdate};
@@ -137,7 +137,7 @@ fn whoever_presses_the_lit_button_meets_the_goal() {
         let pans = &["carbon-steel-26", "cast-iron-26", "aluminium-26", "stainless-clad-26"];
         (pans, &[20.0, 25.0, 35.0], &[1, 2, 3], &[2.0, 5.0, 10.0, 20.0])
     } else {
-        (&["cast-iron-26"], &[25.0], &[2], &[5.0, 10.0])
+        (&["cast-iron-26"], &[25.0], &[2], &[10.0])
     };
     let (mut all, mut missed) = (0, Vec::new());
     for (pan, mm, class) in
