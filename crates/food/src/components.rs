@@ -80,6 +80,20 @@ struct HeatCell {
     rise: [f64; 3],
 }
 
+/// Heat capacity of some masses [J/K] within a cell of the table.
+#[derive(Clone, Copy, Debug)]
+struct Held {
+    index: usize,
+    capacity: f64,
+}
+
+impl Default for Held {
+    /// In no cell yet.
+    fn default() -> Self {
+        Self { index: usize::MAX, capacity: 0.0 }
+    }
+}
+
 /// Conductivity [W/(m·K)] and inverse density [m³/kg] between two rows, likewise.
 #[derive(Clone, Copy, Debug)]
 struct BulkCell {
@@ -178,24 +192,32 @@ impl Properties {
     }
 
     fn newton(&self, masses: &Masses, enthalpy: f64, guess: f64, most_rounds: usize) -> (f64, f64) {
-        let mut t = guess;
+        let (mut t, mut held) = (guess, Held::default());
         for _ in 0..most_rounds {
-            let (residual, capacity) = self.residual(masses, enthalpy, t);
-            let change = residual / capacity;
+            let change = self.missing(masses, enthalpy, t, &mut held) / held.capacity;
             t += change;
             if libm::fabs(change) < SETTLED_K {
                 break;
             }
         }
-        (t, self.heat[self.place(t).0].capacity(masses))
+        self.hold(masses, self.place(t).0, &mut held);
+        (t, held.capacity)
     }
 
-    /// Enthalpy that is missing at a temperature [J], and the heat capacity there [J/K].
+    /// Enthalpy that is missing at a temperature [J]; refreshes the heat capacity there.
     #[inline]
-    fn residual(&self, masses: &Masses, enthalpy: f64, t: f64) -> (f64, f64) {
+    fn missing(&self, masses: &Masses, enthalpy: f64, t: f64, held: &mut Held) -> f64 {
         let (index, share) = self.place(t);
-        let cell = &self.heat[index];
-        (enthalpy - cell.enthalpy(masses, share), cell.capacity(masses))
+        self.hold(masses, index, held);
+        enthalpy - self.heat[index].enthalpy(masses, share)
+    }
+
+    /// Refreshes the heat capacity, which is constant within a cell.
+    #[inline]
+    fn hold(&self, masses: &Masses, index: usize, held: &mut Held) {
+        if index != held.index {
+            *held = Held { index, capacity: self.heat[index].capacity(masses) };
+        }
     }
 
     /// [`Self::temperature`] of several nodes, to the last bit: [K] and [J/K].
@@ -208,25 +230,25 @@ impl Properties {
         enthalpy: &[f64; N],
         guess: &[f64; N],
     ) -> ([f64; N], [f64; N]) {
-        let (mut t, mut settled) = (*guess, [false; N]);
+        let (mut t, mut settled, mut held) = (*guess, [false; N], [Held::default(); N]);
         for _ in 0..SIDE_BY_SIDE {
-            let (mut change, mut capacity) = ([0.0; N], [0.0; N]);
-            for k in 0..N {
-                (change[k], capacity[k]) = self.residual(&masses[k], enthalpy[k], t[k]);
-            }
-            (0..N).for_each(|k| change[k] /= capacity[k]);
+            let missing: [f64; N] = from_fn(|k| self.missing(&masses[k], enthalpy[k], t[k], &mut held[k]));
+            let change: [f64; N] = from_fn(|k| missing[k] / held[k].capacity);
             for k in 0..N {
                 t[k] = if settled[k] { t[k] } else { t[k] + change[k] };
                 settled[k] |= libm::fabs(change[k]) < SETTLED_K;
             }
         }
-        let mut capacity: [f64; N] = from_fn(|k| self.heat[self.place(t[k]).0].capacity(&masses[k]));
-        for k in (0..N).filter(|k| !settled[*k] || enthalpy[*k] < 0.0) {
-            (t[k], capacity[k]) = if enthalpy[k] < 0.0 {
-                self.cold_temperature(&masses[k], enthalpy[k])
-            } else {
-                self.newton(&masses[k], enthalpy[k], t[k], MOST_ROUNDS - SIDE_BY_SIDE)
-            };
+        (0..N).for_each(|k| self.hold(&masses[k], self.place(t[k]).0, &mut held[k]));
+        let mut capacity = held.map(|held| held.capacity);
+        if settled.contains(&false) || enthalpy.iter().any(|h| *h < 0.0) {
+            for k in (0..N).filter(|k| !settled[*k] || enthalpy[*k] < 0.0) {
+                (t[k], capacity[k]) = if enthalpy[k] < 0.0 {
+                    self.cold_temperature(&masses[k], enthalpy[k])
+                } else {
+                    self.newton(&masses[k], enthalpy[k], t[k], MOST_ROUNDS - SIDE_BY_SIDE)
+                };
+            }
         }
         (t, capacity)
     }

@@ -73,10 +73,13 @@ impl ChangeRates {
         let mut places = [(0, 0.0); BLOCK];
         places.iter_mut().zip(temperature).for_each(|(place, t)| *place = table.place(*t));
         for (table, changed) in self.tables.iter().zip(changed) {
+            let changed = &mut changed[first..first + temperature.len()];
+            if changed.iter().fold(true, |all, share| all & (*share == 1.0)) {
+                continue;
+            }
             let mut x = [0.0; BLOCK];
             x.iter_mut().zip(places).for_each(|(x, (cell, share))| *x = table.within(cell, share) * dt);
-            let nodes = changed[first..first + temperature.len()].iter_mut();
-            for ((changed, t), x) in nodes.zip(temperature).zip(x) {
+            for ((changed, t), x) in changed.iter_mut().zip(temperature).zip(x) {
                 let next = 1.0 - (1.0 - *changed) / (1.0 + x + 0.5 * x * x);
                 *changed = if *t > CHANGES_FROM { next } else { *changed };
             }

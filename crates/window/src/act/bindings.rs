@@ -80,7 +80,7 @@ pub static BINDINGS: [Binding; 65] = [
     bind(Key::C, "C", Act::View(ViewAct::Units)),
     bind(Key::G, "G", Act::View(ViewAct::Curves)),
     bind(Key::H, "H", Act::View(ViewAct::Panels)),
-    bind(Key::K, "K", Act::View(ViewAct::Projector)),
+    bind(Key::F10, "F10", Act::View(ViewAct::Projector)),
     bind(Key::F6, "F6", Act::View(ViewAct::More)),
     bind(Key::V, "V", Act::View(ViewAct::Camera)),
     bind(Key::ArrowLeft, "←", Act::View(ViewAct::Orbit(-0.08, 0.0))),

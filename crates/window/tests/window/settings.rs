@@ -210,7 +210,7 @@ fn control_with_plus_and_minus_changes_the_size(harness: &mut Harness<'static, S
 /// Large and without panels, and back.
 fn a_key_shows_it_to_a_class(harness: &mut Harness<'static, SauteApp>) {
     for projects in [true, false] {
-        press(harness, Key::K);
+        press(harness, Key::F10);
         save(harness, if projects { "projector" } else { "no-projector" });
         let expected = if projects { InterfaceSize::Largest } else { InterfaceSize::Usual };
         let settings = harness.state().settings();
