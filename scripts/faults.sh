@@ -66,7 +66,8 @@ fault "food gives its neighbour heat of the wrong sign" crates/kitchen/src/piece
 fault "a hob of any power is accepted in a recipe" crates/recipe/src/check/action_check.rs \
     '&to.w, 0.0, hob.largest_w()' '&to.w, 0.0, 1e9' integration recipe recipes::
 fault "a command is carried out and not recorded" crates/recipe/src/session/recording.rs \
-    '        self.enter(kitchen, Deed::Command(command));' '        drop(command);' integration session timeline::
+    '        self.take_over(kitchen);
+        self.enter(kitchen, Deed::Command(command));' '        drop(command);' integration session timeline::
 fault "the panel has no button to undo" crates/window/src/panels/cook/time_strip.rs \
     '    button("strip.undo", "strip.undo_hint", state.session.can_undo(), Act::Time(TimeAct::Undo));' '' \
     integration window time::

@@ -180,9 +180,13 @@ impl Settings {
 
     /// Shows the kitchen to a class before a projector: without panels and at the largest size; or both as usual again.
     pub(crate) fn toggle_projector(&mut self) {
-        let projects = self.panels_hidden && self.size == InterfaceSize::Largest;
         (self.panels_hidden, self.size) =
-            if projects { (false, InterfaceSize::Usual) } else { (true, InterfaceSize::Largest) };
+            if self.projects() { (false, InterfaceSize::Usual) } else { (true, InterfaceSize::Largest) };
+    }
+
+    /// Returns true if the kitchen is shown to a class.
+    pub(crate) fn projects(&self) -> bool {
+        self.panels_hidden && self.size == InterfaceSize::Largest
     }
 
     /// Gives the interface the chosen theme and size.

@@ -114,7 +114,7 @@ impl SauteApp {
             ViewAct::Pantry => self.open_left(!self.settings.pantry_open, false),
             ViewAct::Curves => self.settings.curves_open = !self.settings.curves_open,
             ViewAct::Panels => self.settings.panels_hidden = !self.settings.panels_hidden,
-            ViewAct::Projector => self.settings.toggle_projector(),
+            ViewAct::Projector => self.toggle_projector(),
             ViewAct::More => self.settings.few = !self.settings.few,
             #[cfg(not(target_arch = "wasm32"))]
             ViewAct::Strings => self.toggle_strings(),

@@ -66,8 +66,8 @@ pub fn show_all(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts
     if state.reads_out() {
         read_out::show(state, ui, whole);
     }
-    // What is due at the goal, and what a plan says, is said with the panels hidden, too.
-    if !state.settings.panels_hidden || state.alarm || state.is_led() {
+    // What is due at the goal, and what a plan says, is said with the panels hidden, too; all of it to a class.
+    if !state.settings.panels_hidden || state.alarm || state.is_led() || state.settings.projects() {
         now::show(state, &mut memory.now, ui, acts, layout);
     }
     badge::show(state, ui, acts, layout);

@@ -215,6 +215,8 @@ fn a_key_shows_it_to_a_class(harness: &mut Harness<'static, SauteApp>) {
         let expected = if projects { InterfaceSize::Largest } else { InterfaceSize::Usual };
         let settings = harness.state().settings();
         assert_eq!((settings.size, settings.panels_hidden), (expected, projects));
+        assert_eq!(harness.query_by_label("Settings").is_none(), projects);
+        assert!(harness.query_by_label_contains("As advised").is_some(), "the line says what to do");
     }
 }
 

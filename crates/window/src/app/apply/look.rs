@@ -34,6 +34,13 @@ impl SauteApp {
         }
     }
 
+    pub(super) fn toggle_projector(&mut self) {
+        self.settings.toggle_projector();
+        if self.settings.projects() {
+            self.say("notice.projects");
+        }
+    }
+
     pub(super) fn next_map(&mut self) {
         self.settings.map = match self.settings.map {
             TemperatureMap::Uniform => TemperatureMap::Paper2013,
