@@ -69,7 +69,7 @@ fault "a command is carried out and not recorded" crates/recipe/src/session/reco
     '        self.take_over(kitchen);
         self.enter(kitchen, Deed::Command(command));' '        drop(command);' integration session timeline::
 fault "the panel has no button to undo" crates/window/src/panels/cook/time_strip.rs \
-    '    button("strip.undo", "strip.undo_hint", state.session.can_undo(), Act::Time(TimeAct::Undo));' '' \
+    '    step_button(state, ui, acts, ["strip.undo", "strip.undo_hint"], state.session.can_undo(), TimeAct::Undo);' '' \
     integration window time::
 fault "food throws no shadow" crates/scene/src/shaders/light.wgsl \
     'return depth_test(shadow_map, uv, step,' 'return 1.0; return depth_test(shadow_map, uv, step,' \
