@@ -83,14 +83,16 @@ pub fn what_holds(state: &WindowState, ui: &mut Ui, acts: &mut Acts, width: f32)
 }
 
 /// Where a message is that stands so far from the edge of the scene, and which point of it: below the upper edge, on a narrow window above
-/// the lower one, where no food lies.
+/// the drawer, where no food lies.
 fn place(layout: &Layout, drop: f32) -> (egui::Pos2, Align2) {
     let below = |drop: f32| egui::vec2(0.0, drop);
     match &layout.ways {
         // It covers no pan: it stands over the views, or over the curves.
         Some(ways) if layout.narrow => (ways.ground.center_top() - below(drop), Align2::CENTER_BOTTOM),
         Some(ways) => (ways.ground.center_bottom() - below(drop), Align2::CENTER_BOTTOM),
-        None if layout.narrow => (layout.free.center_bottom() - below(drop), Align2::CENTER_BOTTOM),
+        None if layout.narrow && layout.free.bottom() < layout.whole.bottom() => {
+            (layout.free.center_bottom() - below(drop), Align2::CENTER_BOTTOM)
+        }
         None => (layout.free.center_top() + below(drop), Align2::CENTER_TOP),
     }
 }
