@@ -125,7 +125,9 @@ figures() {
 }
 
 # Tests that go through a longer list with SAUTE_CAMPAIGN.
-longer_lists() { SAUTE_CAMPAIGN=1 cargo test --release --workspace --test plan --test kitchen --test pictures --test window -- --nocapture; }
+longer_lists() {
+    SAUTE_CAMPAIGN=1 cargo test --release --workspace --test plan --test kitchen --test pictures -- advised:: advice:: marbling:: rim:: --nocapture
+}
 
 # Forces that must end within 50 ms, on a quiet machine.
 quick_endings() { SAUTE_CAMPAIGN=1 cargo test --release --workspace --test haptics drips; }

@@ -99,6 +99,9 @@ pub struct Settings {
     pub curves_open: bool,
     /// True if all panels are hidden.
     pub panels_hidden: bool,
+    /// True while the kitchen is shown to a class before a projector: without panels, at the largest size.
+    #[serde(skip)]
+    pub projector: bool,
     /// True if only the few controls are shown that a first cook needs.
     pub few: bool,
     /// True if forecasts are made.
@@ -147,6 +150,7 @@ impl Default for Settings {
             pieces_open: false,
             curves_open: false,
             panels_hidden: false,
+            projector: false,
             few: false,
             forecasts: true,
             recent: Vec::new(),
@@ -178,22 +182,22 @@ impl Settings {
         self.speed.min(self.held_speed.unwrap_or(self.speed))
     }
 
-    /// Shows the kitchen to a class before a projector: without panels and at the largest size; or both as usual again.
-    pub(crate) fn toggle_projector(&mut self) {
-        (self.panels_hidden, self.size) =
-            if self.projects() { (false, InterfaceSize::Usual) } else { (true, InterfaceSize::Largest) };
+    /// Returns true if no panel is shown.
+    pub fn hides_panels(&self) -> bool {
+        self.panels_hidden || self.projector
     }
 
-    /// Returns true if the kitchen is shown to a class.
-    pub(crate) fn projects(&self) -> bool {
-        self.panels_hidden && self.size == InterfaceSize::Largest
+    /// Hides all panels or shows them, also to a class.
+    pub(crate) fn toggle_panels(&mut self) {
+        (self.panels_hidden, self.projector) = (!self.hides_panels(), false);
     }
 
     /// Gives the interface the chosen theme and size.
     pub fn display(&self, ctx: &egui::Context) {
         ctx.set_theme(self.theme.preference());
         crate::ui::motion::still_interface(ctx, self.moves_less());
-        ctx.set_zoom_factor(self.size.fitting(ctx));
+        let size = if self.projector { InterfaceSize::Largest } else { self.size };
+        ctx.set_zoom_factor(size.fitting(ctx));
     }
 
     /// Returns true if nothing glides that can jump.

@@ -1,5 +1,6 @@
 //! Promise: a cook who does what the advice says, and nothing else, ends with a steak of the class that was wished.
 
+use saute_fixtures::campaign::pairs;
 use saute_kitchen::advice::{Advice, Goal, Situation, advise, class_goal};
 use saute_kitchen::doneness::core_class;
 use saute_kitchen::food::{Rules, Scale};
@@ -97,14 +98,8 @@ fn whoever_follows_the_advice_gets_a_medium_steak() {
 #[test]
 fn whoever_follows_it_on_another_stove_gets_one_too() {
     let library = Library::embedded().expect("embedded data");
-    let is_campaign = std::env::var_os("SAUTE_CAMPAIGN").is_some();
-    for (i, stove) in ["gas", "radiant", "iron-plate"].into_iter().enumerate() {
-        let library = library.on_hob(stove).expect("a hob");
-        for (j, pan) in ["carbon-steel-26", "cast-iron-26"].into_iter().enumerate() {
-            if is_campaign || (i + j) % 2 == 0 {
-                reaches(&library, 2, pan, 25.0, true);
-            }
-        }
+    for (stove, pan) in pairs(&["gas", "radiant", "iron-plate"], &["carbon-steel-26", "cast-iron-26"]) {
+        reaches(&library.on_hob(stove).expect("a hob"), 2, pan, 25.0, true);
     }
 }
 

@@ -1,6 +1,7 @@
 //! Promise: the marbling that is seen is the marbling that conducts: a node holds as much fat as the picture shows in
 //! its volume, and a piece as much as its description states.
 
+use saute_fixtures::campaign::pairs;
 use saute_kitchen::food::FoodModel;
 use saute_kitchen::{Kitchen, Library, Piece};
 use saute_picture::skin::surface::Skin;
@@ -104,27 +105,20 @@ fn largest_difference(piece: &Piece) -> (f64, [f64; 2]) {
 
 #[test]
 fn each_node_holds_the_fat_that_is_seen_in_its_volume() {
-    let is_campaign = std::env::var_os("SAUTE_CAMPAIGN").is_some();
     let pieces = [("beef-marbled", 1), ("beef-marbled", 7), ("beef-marbled", 2013), ("beef-lean", 1)];
-    for (i, (kind, seed)) in pieces.into_iter().enumerate() {
-        for (j, outline) in ["plain", "natural"].into_iter().enumerate() {
-            // Each piece and each outline; each with each in the campaign.
-            if !is_campaign && (i + j) % 2 == 1 {
-                continue;
-            }
-            let kitchen = steak(kind, outline, seed);
-            let piece = &kitchen.pieces()[0];
-            let (largest, [held, shown]) = largest_difference(piece);
-            println!("{kind} {outline} {seed}: largest difference {largest:.4}, {held:.4} held, {shown:.4} shown");
-            assert!(largest < MOST, "{kind} {outline} {seed}: {largest}");
-            assert!((held - shown).abs() < 0.002, "{kind} {outline} {seed}: {held} held, {shown} shown");
-            let asked = piece.model.marbling().mean_share();
-            if outline == "plain" {
-                assert!((held - asked).abs() < MOST, "{kind} {seed}: {held} held, {asked} asked for");
-            } else {
-                // The fat cap comes on top.
-                assert!((0.01..0.10).contains(&(held - asked)), "{kind} {seed}: {held} held, {asked} asked for");
-            }
+    for ((kind, seed), outline) in pairs(&pieces, &["plain", "natural"]) {
+        let kitchen = steak(kind, outline, seed);
+        let piece = &kitchen.pieces()[0];
+        let (largest, [held, shown]) = largest_difference(piece);
+        println!("{kind} {outline} {seed}: largest difference {largest:.4}, {held:.4} held, {shown:.4} shown");
+        assert!(largest < MOST, "{kind} {outline} {seed}: {largest}");
+        assert!((held - shown).abs() < 0.002, "{kind} {outline} {seed}: {held} held, {shown} shown");
+        let asked = piece.model.marbling().mean_share();
+        if outline == "plain" {
+            assert!((held - asked).abs() < MOST, "{kind} {seed}: {held} held, {asked} asked for");
+        } else {
+            // The fat cap comes on top.
+            assert!((0.01..0.10).contains(&(held - asked)), "{kind} {seed}: {held} held, {asked} asked for");
         }
     }
 }

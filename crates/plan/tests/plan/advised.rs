@@ -1,6 +1,7 @@
 //! Promise: a cook who follows the advice, and nothing else, meets the goal *medium, with a crust* in every flat pan, whatever the
 //! steak's thickness: brown on both sides, nothing charred, and the oil far below its flash point.
 
+use saute_fixtures::campaign::pairs;
 use saute_kitchen::advice::{Advice, Goal as Wish, Situation, class_goal};
 use saute_kitchen::food::{Rules, Scale};
 use saute_kitchen::piece::carry_over::foreseen_peak;
@@ -82,18 +83,11 @@ const PANS: [&str; 4] = ["carbon-steel-26", "cast-iron-26", "aluminium-26", "sta
 fn whoever_follows_the_advice_meets_the_goal_in_every_flat_pan() {
     let library = Library::embedded().expect("embedded data");
     let scale = library.scale("paper-2013").expect("shipped");
-    let is_campaign = std::env::var_os("SAUTE_CAMPAIGN").is_some();
-    for (i, pan) in PANS.into_iter().enumerate() {
-        for (j, mm) in ["15", "20", "25", "35"].into_iter().enumerate() {
-            if is_campaign || (i + j) % 2 == 0 {
-                meets(&library, scale, "medium", [pan, mm, "1"]);
-            }
-        }
-        for (j, [mm, seed]) in [["22", "5"], ["30", "2"]].into_iter().enumerate() {
-            if is_campaign || (i + j) % 2 == 1 {
-                meets(&library, scale, "rare", [pan, mm, seed]);
-            }
-        }
+    for (pan, mm) in pairs(&PANS, &["15", "20", "25", "35"]) {
+        meets(&library, scale, "medium", [pan, mm, "1"]);
+    }
+    for (pan, [mm, seed]) in pairs(&PANS, &[["22", "5"], ["30", "2"]]) {
+        meets(&library, scale, "rare", [pan, mm, seed]);
     }
 }
 

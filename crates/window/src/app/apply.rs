@@ -113,7 +113,7 @@ impl SauteApp {
             ViewAct::Orbit(dx, dy) => self.orbit(dx, dy),
             ViewAct::Pantry => self.open_left(!self.settings.pantry_open, false),
             ViewAct::Curves => self.settings.curves_open = !self.settings.curves_open,
-            ViewAct::Panels => self.settings.panels_hidden = !self.settings.panels_hidden,
+            ViewAct::Panels => self.settings.toggle_panels(),
             ViewAct::Projector => self.toggle_projector(),
             ViewAct::More => self.settings.few = !self.settings.few,
             #[cfg(not(target_arch = "wasm32"))]

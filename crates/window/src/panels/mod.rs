@@ -59,15 +59,15 @@ pub fn show_all(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts
     if let Some(ways) = &layout.ways {
         ways::show(state, &mut memory.ways, ui, acts, (layout.whole, ways));
     }
-    if !state.settings.panels_hidden {
+    if !state.settings.hides_panels() {
         show(state, memory, ui, acts, layout);
     }
     let whole = layout.whole;
     if state.reads_out() {
         read_out::show(state, ui, whole);
     }
-    // What is due at the goal, and what a plan says, is said with the panels hidden, too; all of it to a class.
-    if !state.settings.panels_hidden || state.alarm || state.is_led() || state.settings.projects() {
+    // What is due at the goal, and what a plan says, is said with the panels hidden, too; to a class all of it is.
+    if !state.settings.panels_hidden || state.alarm || state.is_led() {
         now::show(state, &mut memory.now, ui, acts, layout);
     }
     badge::show(state, ui, acts, layout);

@@ -107,7 +107,7 @@ impl Layout {
         if settings.few {
             layout = layout.with_few_on_top(fingers);
         }
-        if settings.panels_hidden {
+        if settings.hides_panels() {
             layout = layout.bare();
         }
         layout

@@ -207,14 +207,16 @@ fn control_with_plus_and_minus_changes_the_size(harness: &mut Harness<'static, S
     }
 }
 
-/// Large and without panels, and back.
+/// Large and without panels, and back to the size that was chosen; the key of the panels brings them back, too.
 fn a_key_shows_it_to_a_class(harness: &mut Harness<'static, SauteApp>) {
-    for projects in [true, false] {
-        press(harness, Key::F10);
+    let chosen = harness.ctx.zoom_factor();
+    for (key, projects) in [(Key::F10, true), (Key::F10, false), (Key::F10, true), (Key::H, false)] {
+        press(harness, key);
         save(harness, if projects { "projector" } else { "no-projector" });
-        let expected = if projects { InterfaceSize::Largest } else { InterfaceSize::Usual };
+        let expected = if projects { InterfaceSize::Largest.factor() } else { chosen };
+        assert!((harness.ctx.zoom_factor() - expected).abs() < 0.01, "{}", harness.ctx.zoom_factor());
         let settings = harness.state().settings();
-        assert_eq!((settings.size, settings.panels_hidden), (expected, projects));
+        assert_eq!((settings.hides_panels(), settings.size), (projects, InterfaceSize::Usual));
         assert_eq!(harness.query_by_label("Settings").is_none(), projects);
         assert!(harness.query_by_label_contains("As advised").is_some(), "the line says what to do");
     }

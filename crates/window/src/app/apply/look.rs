@@ -35,8 +35,9 @@ impl SauteApp {
     }
 
     pub(super) fn toggle_projector(&mut self) {
-        self.settings.toggle_projector();
-        if self.settings.projects() {
+        self.settings.projector = !self.settings.projector;
+        if self.settings.projector {
+            self.settings.panels_hidden = false;
             self.say("notice.projects");
         }
     }

@@ -27,7 +27,8 @@ impl SauteApp {
         self.set_out();
         self.session.set_paused(false);
         (self.settings.introduced, self.settings.skill_mode, self.settings.few) = (true, false, false);
-        (self.desk.card, self.sights.slice, self.settings.panels_hidden) = (None, None, false);
+        (self.desk.card, self.sights.slice) = (None, None);
+        (self.settings.panels_hidden, self.settings.projector) = (false, false);
         self.settings.view = saute_picture::View::Look;
         let (before, last_s) = (self.session.speed, self.session.kitchen.time_s());
         self.session.set_speed(SLOW);

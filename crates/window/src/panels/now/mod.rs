@@ -45,7 +45,7 @@ const WHY_SIZES: [f32; 3] = [14.0, 13.0, 12.0];
 
 /// Shows the line over the scene; a narrow window has it in the drawer, unless that is hidden.
 pub fn show(state: &WindowState, memory: &mut NowMemory, ui: &Ui, acts: &mut Acts, layout: &Layout) {
-    let in_drawer = layout.narrow && !state.settings.panels_hidden;
+    let in_drawer = layout.narrow && !state.settings.hides_panels();
     let lead = Lead::of(state);
     let beside_ways = layout.ways.is_some() && !matches!(lead, Some(Lead::Tutorial(_)));
     if in_drawer || beside_ways {
