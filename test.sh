@@ -23,7 +23,7 @@ source scripts/changed.sh
 source scripts/campaign_share.sh
 source scripts/python.sh
 
-# Test programs are compiled with less effort than what they test.
+# Test programs are compiled with less effort than what they test, and crates from outside are read once.
 export RUSTC_WRAPPER="${RUSTC_WRAPPER:-$PWD/scripts/compiler-of-tests.sh}"
 RELEASE="${CARGO_TARGET_DIR:-target}/release"
 
@@ -32,8 +32,8 @@ RELEASE="${CARGO_TARGET_DIR:-target}/release"
 STEPS=(
     "format:"
     "page:"
-    "lints: format"
-    "build: lints"
+    "build: format"
+    "lints: build"
     "tests: build"
     "site: page build"
     "browser: site"
@@ -42,12 +42,13 @@ STEPS=(
     "vtk: python"
     "soak: build"
     "counts: build"
-    "examples: tests"
+    "examples: tests lints"
     "docs: examples"
 )
 
 step_format() { cargo fmt --all --check; }
 
+# After the build, whose metadata of the crates from outside it uses.
 step_lints() { cargo clippy --release --workspace --all-targets -- -D warnings; }
 
 # Tests, programs and the library for Python, each with the same features, so that nothing is built twice.
