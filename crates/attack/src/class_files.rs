@@ -2,8 +2,8 @@
 
 use std::sync::{Arc, LazyLock};
 
-use saute_kitchen::InputError;
 use saute_plan::Aimed;
+use saute_schema::InputError;
 use saute_study::class::{Lesson, Scenario};
 use saute_study::{Event, LogRow, Participant, Protocol, Study, from_csv, shipped, to_csv};
 

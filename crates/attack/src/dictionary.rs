@@ -3,13 +3,13 @@
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
-use saute_kitchen::data::format::FormatSchema;
 use saute_kitchen::food::{FoodDescription, Kinetics};
 use saute_kitchen::liquids::oil::OilDescription;
 use saute_kitchen::pan::pan_description::PanDescription;
 use saute_lab::CaseFile;
 use saute_mirror::rig_file::RigFile;
 use saute_recipe::recipe_file::RecipeFile;
+use saute_schema::FormatSchema;
 use saute_study::class::scenario_file::ScenarioFile;
 use saute_study::protocol_file::ProtocolFile;
 use saute_sweep::SpecFile;

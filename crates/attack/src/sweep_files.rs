@@ -1,6 +1,6 @@
 //! Files of sweeps: specifications, and the manifest in a folder of results.
 
-use saute_kitchen::InputError;
+use saute_schema::InputError;
 use saute_sweep::{Base, Manifest, Sweep};
 
 use crate::text;

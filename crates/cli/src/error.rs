@@ -1,12 +1,12 @@
 //! The errors of the command, each with a remedy.
 
 use saute_formats::parquet_file::TableError;
-use saute_kitchen::InputError;
-use saute_kitchen::data::echo::shortened;
 use saute_kitchen::kitchen::SetupError;
 use saute_picture::still::animation::AnimationError;
 use saute_picture::still::png_file::PngError;
 use saute_picture::still::shot::ShotError;
+use saute_schema::InputError;
+use saute_schema::echo::shortened;
 use saute_window::offscreen::OffscreenError;
 
 /// Why the command failed.

@@ -3,8 +3,8 @@
 #[cfg(not(target_arch = "wasm32"))]
 use std::collections::BTreeMap;
 
-use saute_kitchen::InputError;
 use saute_kitchen::Library;
+use saute_schema::InputError;
 use serde::de::DeserializeOwned;
 
 use crate::control::feel::Feel;

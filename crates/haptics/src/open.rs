@@ -4,8 +4,8 @@ use std::net::{SocketAddr, ToSocketAddrs};
 use std::path::Path;
 use std::sync::mpsc::Receiver;
 
-use saute_kitchen::InputError;
-use saute_kitchen::data::regular_file;
+use saute_files::regular_file;
+use saute_schema::InputError;
 use serde::Serialize;
 
 use crate::device::{Capabilities, HapticDevice};

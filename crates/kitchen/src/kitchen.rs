@@ -8,7 +8,6 @@ use serde::{Deserialize, Serialize};
 
 use crate::bytes::{FoodKey, Models};
 use crate::data::library::Library;
-use crate::data::library_error::LibraryError;
 use crate::data::room::Room;
 use crate::dynamics::{Gesture, Hand, PanShape, Pose, Task, World};
 use crate::hands::command::{Command, Refused};
@@ -28,6 +27,7 @@ use crate::piece::work;
 use crate::tick::clock::Clock;
 use crate::tick::energy::{Energy, EnergyAccount};
 use crate::tick::event::EventLog;
+use saute_schema::LibraryError;
 
 /// Immutable model of a kitchen.
 #[derive(Clone, Debug)]

@@ -48,9 +48,7 @@ pub mod piece;
 pub mod reduced;
 pub mod tick;
 
-pub use data::input_error::{InputError, InputText};
 pub use data::library::Library;
-pub use data::library_error::LibraryError;
 pub use data::loading::OwnFiles;
 pub use hands::command::{Command, Refused, RestOn};
 pub use kitchen::{Kitchen, PieceOrder};

@@ -393,7 +393,7 @@ fn pixels(key: &str, sides: [u32; 2]) -> Result<DVec2, RigFault> {
 
 #[cfg(test)]
 mod tests {
-    use saute_kitchen::data::format::FormatSchema;
+    use saute_schema::FormatSchema;
 
     use super::*;
 

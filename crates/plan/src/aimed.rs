@@ -2,11 +2,12 @@
 
 use std::sync::Arc;
 
+use saute_kitchen::Library;
 use saute_kitchen::data::goals::GoalDescription;
 use saute_kitchen::data::library::DEFAULT_SCALE;
 use saute_kitchen::food::Scale;
-use saute_kitchen::{InputError, InputText, Library};
 use saute_recipe::Recipe;
+use saute_schema::{InputError, InputText};
 use toml::Spanned;
 
 use crate::goal::Goal;

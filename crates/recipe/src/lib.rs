@@ -66,6 +66,5 @@ pub use cook::runner_state::RunnerState;
 pub use cook::step_record;
 pub use file::{recipe_file, shorthand, step_file};
 pub use recipe::{Group, Recipe, Step, Target, Trigger};
-pub use saute_kitchen::{InputError, InputText};
 pub use session::{Moment, Recording, Replay};
 pub use summary::{Summary, cook_summary, group_summary};

@@ -5,10 +5,10 @@ use std::ops::Range;
 
 use crate::action::Action;
 use crate::condition::Condition;
-use saute_kitchen::LibraryError;
 use saute_kitchen::data::library::Library;
 use saute_kitchen::kitchen::{Kitchen, PieceOrder, SetupError};
 use saute_kitchen::piece::piece_state::Piece;
+use saute_schema::LibraryError;
 
 /// A checked recipe in SI units.
 #[derive(Clone, Debug, PartialEq)]

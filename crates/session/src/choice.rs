@@ -2,9 +2,10 @@
 
 use saute_kitchen::food::{FoodDescription, Form, Rules};
 use saute_kitchen::pan::hob::HobDescription;
-use saute_kitchen::{InputError, Library, MeshSize, OutlineKind, PieceOrder, kelvin};
+use saute_kitchen::{Library, MeshSize, OutlineKind, PieceOrder, kelvin};
 use saute_recipe::Recipe;
 use saute_recipe::session::{SetOutFood, set_out};
+use saute_schema::InputError;
 
 /// What the person chooses before putting the food in.
 #[derive(Clone, Debug, PartialEq, serde::Deserialize, serde::Serialize)]

@@ -3,6 +3,7 @@
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
+use saute_files::write_whole;
 use saute_kitchen::{Kitchen, Library};
 
 /// File of the kitchen of the last finished hour.
@@ -33,9 +34,7 @@ impl KeptKitchen {
 
     /// Keeps a kitchen in place of the last one; an interruption leaves one of them whole.
     pub fn keep(&self, kitchen: &Kitchen) -> std::io::Result<()> {
-        let unfinished = self.path.with_extension("unfinished");
-        std::fs::write(&unfinished, kitchen.to_bytes())?;
-        std::fs::rename(unfinished, &self.path)
+        write_whole(&self.path, &kitchen.to_bytes())
     }
 
     /// Removes the kitchen of a finished day.

@@ -3,7 +3,8 @@
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-use saute_kitchen::{InputError, InputText, Library};
+use saute_kitchen::Library;
+use saute_schema::{InputError, InputText};
 use toml::Spanned;
 
 use super::protocol::{Answering, Condition, CookForReal, Item, Phase, Protocol, Questionnaire, Simulate, Task};

@@ -2,8 +2,9 @@
 
 use std::sync::Arc;
 
-use saute_kitchen::{InputError, InputText, Library};
+use saute_kitchen::Library;
 use saute_recipe::Recipe;
+use saute_schema::{InputError, InputText};
 
 use super::check::Check;
 use super::protocol_file::{Entered, Information};

@@ -1,8 +1,9 @@
 //! What a study or a lesson sets out: pan and food, by a recipe, a scenario, or their own keys.
 
-use saute_kitchen::{InputError, InputText, Library};
+use saute_kitchen::Library;
 use saute_recipe::Recipe;
 use saute_recipe::session::{SetOutFood, set_out};
+use saute_schema::{InputError, InputText};
 use toml::Spanned;
 
 use crate::class::shipped;

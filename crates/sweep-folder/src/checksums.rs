@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::hash::Hasher;
 use std::path::Path;
 
-use saute_kitchen::data::regular_file;
+use saute_files::regular_file;
 use siphasher::sip::SipHasher13;
 
 /// Name of the file; readers of a folder of Parquet files pass over names that begin so.

@@ -4,13 +4,14 @@
 //! their final names. `sweep.json` says which sweep it is, beside copies of specification and recipe.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::fs::{self, File, TryLockError};
-use std::io::{self, Write};
+use std::fs::{self, File};
+use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use saute_files::whole_file::write_by_way_of;
+use saute_files::{locked_file, regular_file};
 use saute_formats::{Table, Value};
-use saute_kitchen::data::regular_file;
 use saute_sweep::{Manifest, RowResult, Status, Sweep, manifest};
 
 use crate::checksums::{self, Checksums};
@@ -183,14 +184,7 @@ impl SweepFolder {
     fn write(&self, name: &Path, bytes: &[u8]) -> Result<(), FolderError> {
         let (path, file_name) = (self.path.join(name), name.file_name().unwrap_or_default());
         let on_its_way = self.path.join(UNFINISHED).join(file_name);
-        let write = || {
-            regular_file::check_place(&on_its_way)?;
-            let mut file = File::create(&on_its_way)?;
-            file.write_all(bytes)?;
-            file.sync_all()?;
-            fs::rename(&on_its_way, &path)
-        };
-        write().map_err(|e| FolderError::io(&path, &e))
+        write_by_way_of(&on_its_way, &path, bytes).map_err(|e| FolderError::io(&path, &e))
     }
 
     /// Makes sure that the folder holds this sweep, or nothing.
@@ -292,13 +286,6 @@ fn names(folder: &Path) -> Result<BTreeSet<String>, FolderError> {
 fn locked(path: &Path) -> io::Result<File> {
     regular_file::check_place(path)?;
     let file = File::options().write(true).create(true).truncate(false).open(path)?;
-    match file.try_lock() {
-        Ok(()) => Ok(file),
-        Err(TryLockError::WouldBlock) => {
-            Err(io::Error::new(io::ErrorKind::ResourceBusy, "another program is writing there"))
-        }
-        // Some network file systems have no locks.
-        Err(TryLockError::Error(e)) if e.kind() == io::ErrorKind::Unsupported => Ok(file),
-        Err(TryLockError::Error(e)) => Err(e),
-    }
+    locked_file::lock(&file)?;
+    Ok(file)
 }

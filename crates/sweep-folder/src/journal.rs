@@ -8,7 +8,7 @@ use std::fs::{File, OpenOptions};
 use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 
-use saute_kitchen::data::regular_file;
+use saute_files::regular_file;
 use saute_sweep::RowResult;
 
 use crate::checksums::sum_of;

@@ -2,12 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use saute_kitchen::data::format::FormatSchema;
 use saute_kitchen::food::{FoodDescription, Kinetics};
 use saute_kitchen::liquids::oil::OilDescription;
 use saute_kitchen::pan::hob::HobDescription;
 use saute_kitchen::pan::pan_description::{CoatingDescription, PanDescription};
 use saute_recipe::recipe_file::RecipeFile;
+use saute_schema::FormatSchema;
 use serde_json::Value as Json;
 use toml::Table;
 

@@ -2,8 +2,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use saute_kitchen::OwnFiles;
 use saute_kitchen::heat::Soup;
-use saute_kitchen::{InputError, OwnFiles};
+use saute_schema::InputError;
 use serde::{Deserialize, Serialize};
 
 use crate::sweep::{Base, Sweep};

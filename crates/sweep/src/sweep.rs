@@ -7,8 +7,9 @@ use std::sync::Arc;
 use saute_formats::parquet_file::TableError;
 use saute_formats::summary_table::{Cell, cells, unit_of};
 use saute_formats::{Heading, Kind, Table, Value};
-use saute_kitchen::{InputError, InputText, Library, OwnFiles};
+use saute_kitchen::{Library, OwnFiles};
 use saute_recipe::{Cook, Recipe, StoppedBy, Summary};
+use saute_schema::{InputError, InputText};
 use toml::Spanned;
 
 use crate::documents::Documents;

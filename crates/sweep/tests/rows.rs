@@ -8,7 +8,7 @@ use saute_sweep::{Base, Manifest, Status, Sweep};
 const RECIPE: &str = "[pan]\nkind = \"carbon-steel-26\"\n[[food]]\nid = \"steak\"\nkind = \"beef-lean\"\nsize_mm = [60, 50, 15]\nmesh = \"2013\"\n\
                       [[step]]\nput = \"steak\"\n[[step]]\nat_s = 5\nend = true\n";
 
-fn sweep(text: &str) -> Result<Sweep, saute_kitchen::InputError> {
+fn sweep(text: &str) -> Result<Sweep, saute_schema::InputError> {
     let base = Base { recipe: RECIPE.to_owned(), file: "thin.toml".to_owned(), ..Base::default() };
     Sweep::new(text, "spec.toml", base)
 }

@@ -1,9 +1,9 @@
 //! The window in a stated condition: a recipe at an instant, with view, cut and camera. Pictures of it can be compared.
 
-use saute_kitchen::data::number_text::number_text;
 use saute_picture::view::View;
 use saute_recipe::Recipe;
 use saute_scene::quality::Quality;
+use saute_schema::number_text::number_text;
 use serde::Deserialize;
 
 /// A condition of the window.

@@ -47,7 +47,7 @@ pub struct Start {
 pub enum StartError {
     /// Embedded or user data is broken.
     #[error(transparent)]
-    Library(#[from] saute_kitchen::LibraryError),
+    Library(#[from] saute_schema::LibraryError),
     /// The first kitchen cannot be set up.
     #[error(transparent)]
     Setup(#[from] saute_recipe::session::ReplayError),

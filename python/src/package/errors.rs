@@ -3,9 +3,10 @@
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
+use saute_kitchen::Refused;
 use saute_kitchen::bytes::BytesError;
 use saute_kitchen::kitchen::SetupError;
-use saute_kitchen::{InputError, Refused};
+use saute_schema::InputError;
 use saute_sweep_folder::FolderError;
 
 use crate::package::recipe::Source;

@@ -5,9 +5,10 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use pyo3::prelude::*;
+use saute_files::regular_file;
 use saute_kitchen::data::library::surface_file;
-use saute_kitchen::data::regular_file;
-use saute_kitchen::{Library, LibraryError, OwnFiles};
+use saute_kitchen::{Library, OwnFiles};
+use saute_schema::LibraryError;
 
 use crate::package::errors;
 use crate::package::shelf::library;

@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyString};
+use saute_files::regular_file;
 use saute_kitchen::Library;
-use saute_kitchen::data::regular_file;
 use saute_recipe::Recipe;
 
 use crate::package::errors;

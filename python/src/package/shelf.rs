@@ -3,7 +3,8 @@
 use std::sync::{Arc, LazyLock};
 
 use pyo3::prelude::*;
-use saute_kitchen::{Library, LibraryError};
+use saute_kitchen::Library;
+use saute_schema::LibraryError;
 
 use crate::package::errors;
 

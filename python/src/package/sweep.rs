@@ -10,7 +10,7 @@ use std::time::Duration;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
-use saute_kitchen::InputError;
+use saute_schema::InputError;
 use saute_sweep::{Base, RowResult, SpecFile, Sweep};
 use saute_sweep_folder::cooking::{cook_all, cores, guarded};
 use saute_sweep_folder::{SweepFolder, Tally};

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use saute_kitchen::data::number_text::number_text;
+use saute_schema::number_text::number_text;
 
 use super::{CHANGES, Part, Range, STARTS, STREAMED, Start, Streamed};
 

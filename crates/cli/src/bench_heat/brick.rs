@@ -2,10 +2,10 @@
 
 use std::time::Instant;
 
-use saute_kitchen::InputError;
 use saute_kitchen::Library;
 use saute_lab::exact::FlippedBrick;
 use saute_lab::{Case, LabReport, run};
+use saute_schema::InputError;
 use serde::Serialize;
 
 /// Probes: the centre, and 2.5 mm below both faces [mm].

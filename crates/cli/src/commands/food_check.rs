@@ -4,10 +4,10 @@ use std::path::Path;
 use std::process::ExitCode;
 
 use saute_kitchen::Library;
-use saute_kitchen::data::echo::shortened;
 use saute_kitchen::data::food_check::{Finding, FoodReport, SurfaceReport, check_food};
 use saute_kitchen::data::library::surface_file;
 use saute_kitchen::heat::{Defect, Surface};
+use saute_schema::echo::shortened;
 use saute_surface::Place;
 use serde::Serialize;
 

@@ -2,7 +2,6 @@
 
 use std::process::ExitCode;
 
-use saute_kitchen::data::format::FormatSchema;
 use saute_kitchen::food::{FoodDescription, Kinetics};
 use saute_kitchen::liquids::oil::OilDescription;
 use saute_kitchen::pan::hob::HobDescription;
@@ -10,6 +9,7 @@ use saute_kitchen::pan::pan_description::{CoatingDescription, PanDescription};
 use saute_lab::CaseFile;
 use saute_mirror::rig_file::RigFile;
 use saute_recipe::recipe_file::RecipeFile;
+use saute_schema::FormatSchema;
 use saute_study::class::scenario_file::ScenarioFile;
 use saute_study::protocol_file::ProtocolFile;
 use saute_sweep::SpecFile;

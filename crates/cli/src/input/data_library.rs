@@ -4,9 +4,11 @@ use std::borrow::Cow;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use saute_kitchen::data::{library, regular_file};
+use saute_files::regular_file;
+use saute_kitchen::data::library;
 use saute_kitchen::doneness::ScaleChoice;
-use saute_kitchen::{Library, LibraryError, OwnFiles};
+use saute_kitchen::{Library, OwnFiles};
+use saute_schema::LibraryError;
 
 use crate::error::CliError;
 use crate::input::{surface_file, text_file};

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use saute_kitchen::data::regular_file::{self, Unread};
+use saute_files::regular_file::{self, Unread};
 use saute_kitchen::heat::Soup;
 use saute_surface::{Place, ReadError};
 

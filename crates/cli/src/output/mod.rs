@@ -2,7 +2,6 @@
 
 pub mod coloured_surfaces;
 pub mod field_files;
-mod file_lock;
 pub mod interruption;
 pub mod json;
 pub mod out_dir;
@@ -11,7 +10,6 @@ mod printable;
 pub mod progress;
 pub mod section_files;
 pub mod session_out;
-mod staged_files;
 pub mod stderr;
 pub mod stdout;
 pub mod text_summary;

@@ -5,14 +5,17 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use crate::error::CliError;
-use crate::output::file_lock::FileLock;
-use crate::output::staged_files::StagedFiles;
+use crate::output::field_files;
+use saute_files::{LockedFile, Sorts, StagedFiles};
 
 /// File that is locked while a program writes to the folder.
 const LOCK: &str = ".saute-unfinished-lock";
 
 /// Size of the file that probes the folder [bytes] (chosen: a full disk has no room for it, and it takes no time).
 const PROBE: usize = 1 << 16;
+
+/// Pages refer to the other files; sections and fields are numbered by the steps of a cook.
+const SORTS: Sorts = Sorts { is_page, is_numbered: |name| is_section_picture(name) || is_field(name) };
 
 /// A folder that this program alone writes to. Folders that were made for it are removed if it stays empty.
 #[derive(Debug)]
@@ -22,7 +25,7 @@ pub struct OutDir {
     /// Names of files that were written before the end of the run.
     kept: Vec<String>,
     /// The files, then the lock: dropped in this order. None only while the folder is dropped.
-    held: Option<(StagedFiles, FileLock)>,
+    held: Option<(StagedFiles, LockedFile)>,
 }
 
 impl OutDir {
@@ -38,10 +41,10 @@ impl OutDir {
         Ok(out)
     }
 
-    fn hold(&self) -> io::Result<(StagedFiles, FileLock)> {
+    fn hold(&self) -> io::Result<(StagedFiles, LockedFile)> {
         fs::create_dir_all(&self.path)?;
-        let lock = FileLock::take(&self.path.join(LOCK))?;
-        let staged = StagedFiles::begin(&self.path, LOCK)?;
+        let lock = LockedFile::take(&self.path.join(LOCK))?;
+        let staged = StagedFiles::begin(&self.path, LOCK, SORTS)?;
         staged.write("probe", &[0; PROBE])?;
         staged.remove("probe")?;
         Ok((staged, lock))
@@ -102,4 +105,21 @@ impl Drop for OutDir {
         // Innermost first; folders that are not empty stay.
         self.made.iter().for_each(|path| drop(fs::remove_dir(path)));
     }
+}
+
+fn is_page(name: &str) -> bool {
+    [".html", ".md"].iter().any(|ending| name.ends_with(ending))
+}
+
+/// Returns true for the name of a section picture, as `section_03_put.png`.
+fn is_section_picture(name: &str) -> bool {
+    let digits = name.strip_prefix("section_").and_then(|rest| rest.split('_').next());
+    name.ends_with(".png") && digits.is_some_and(|d| d.len() >= 2 && d.bytes().all(|b| b.is_ascii_digit()))
+}
+
+/// Returns true for the name of a file of fields, as `fields_0003_pan.vtu`, or of their times.
+fn is_field(name: &str) -> bool {
+    let digits = name.strip_prefix("fields_").and_then(|rest| rest.split(['_', '.']).next());
+    let is_counted = digits.is_some_and(|d| d.len() >= 4 && d.bytes().all(|b| b.is_ascii_digit()));
+    name == field_files::SERIES || (name.ends_with(".vtu") && is_counted)
 }

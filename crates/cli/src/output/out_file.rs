@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use crate::error::CliError;
-use crate::output::file_lock::FileLock;
+use saute_files::LockedFile;
 
 /// A place that an option names.
 #[derive(Debug)]
@@ -17,7 +17,7 @@ pub struct OutPlace {
 impl OutPlace {
     /// Locks a place for this program alone, with an example of the option's value for messages. What a dead process has left is
     /// used again.
-    pub fn lock(option: &'static str, path: &Path, example: &str) -> Result<(Self, FileLock), CliError> {
+    pub fn lock(option: &'static str, path: &Path, example: &str) -> Result<(Self, LockedFile), CliError> {
         let wrong = |message: &str| {
             CliError::place(format!("{option} {}", path.display()), message, format!("write {option} {example}"))
         };
@@ -30,7 +30,7 @@ impl OutPlace {
             return Err(wrong("is not a file name"));
         };
         let unfinished = place.path.with_file_name(format!(".saute-unfinished-{}", name.display()));
-        let lock = FileLock::take(&unfinished).map_err(|e| place.error(&e))?;
+        let lock = LockedFile::take(&unfinished).map_err(|e| place.error(&e))?;
         Ok((place, lock))
     }
 
@@ -59,7 +59,7 @@ impl fmt::Display for OutPlace {
 #[derive(Debug)]
 pub struct OutFile {
     place: OutPlace,
-    unfinished: FileLock,
+    unfinished: LockedFile,
 }
 
 impl OutFile {

@@ -7,8 +7,8 @@ use saute_recipe::{Recipe, Recording};
 use saute_window::kept::session_file::SessionFile;
 
 use crate::error::CliError;
-use crate::output::file_lock::FileLock;
 use crate::output::out_file::OutPlace;
+use saute_files::LockedFile;
 
 /// Example of the option's value, for messages.
 const EXAMPLE: &str = "FILE.saute";
@@ -19,7 +19,7 @@ pub struct SessionOut {
     place: OutPlace,
     recording: Recording,
     file: SessionFile,
-    _lock: FileLock,
+    _lock: LockedFile,
 }
 
 impl SessionOut {

@@ -8,8 +8,8 @@ use saute_session::hearing::Sound;
 use saute_sound::RATES;
 
 use crate::error::CliError;
-use crate::output::file_lock::FileLock;
 use crate::output::out_file::OutPlace;
+use saute_files::LockedFile;
 
 /// Example of the option's value, for messages.
 const EXAMPLE: &str = "FILE.wav";
@@ -23,7 +23,7 @@ const SAMPLE: u16 = 2;
 /// A WAV file that grows with a cook. An unfinished one is removed on drop.
 pub struct WavOut {
     place: OutPlace,
-    unfinished: FileLock,
+    unfinished: LockedFile,
     sound: Sound,
     rate: u32,
     /// Bytes of samples so far.

@@ -9,17 +9,19 @@ use serde_json::Value;
 
 /// Each crate with the crates that it needs directly, of the workspace and of [`NOTABLE`]. A crate that does not exist yet is
 /// skipped.
-const ARROWS: [(&str, &[&str]); 31] = [
+const ARROWS: [(&str, &[&str]); 33] = [
     ("saute-heat", &[]),
-    ("saute-food", &["saute-heat"]),
-    ("saute-kitchen", &["saute-heat", "saute-food", "rapier3d"]),
-    ("saute-recipe", &["saute-food", "saute-kitchen"]),
-    ("saute-lab", &["saute-heat", "saute-food", "saute-kitchen", "saute-recipe"]),
-    ("saute-plan", &["saute-kitchen", "saute-recipe"]),
-    ("saute-study", &["saute-kitchen", "saute-plan", "saute-recipe"]),
+    ("saute-files", &[]),
+    ("saute-schema", &[]),
+    ("saute-food", &["saute-heat", "saute-schema"]),
+    ("saute-kitchen", &["saute-schema", "saute-heat", "saute-food", "rapier3d"]),
+    ("saute-recipe", &["saute-schema", "saute-food", "saute-kitchen"]),
+    ("saute-lab", &["saute-schema", "saute-heat", "saute-food", "saute-kitchen", "saute-recipe"]),
+    ("saute-plan", &["saute-schema", "saute-kitchen", "saute-recipe"]),
+    ("saute-study", &["saute-schema", "saute-kitchen", "saute-plan", "saute-recipe"]),
     ("saute-formats", &["saute-kitchen", "saute-recipe"]),
-    ("saute-sweep", &["saute-formats", "saute-kitchen", "saute-recipe"]),
-    ("saute-sweep-folder", &["saute-formats", "saute-kitchen", "saute-sweep"]),
+    ("saute-sweep", &["saute-schema", "saute-formats", "saute-kitchen", "saute-recipe"]),
+    ("saute-sweep-folder", &["saute-files", "saute-formats", "saute-kitchen", "saute-sweep"]),
     ("saute-surface", &["saute-heat"]),
     ("saute-scene", &["wgpu"]),
     ("saute-mirror", &[]),
@@ -27,12 +29,17 @@ const ARROWS: [(&str, &[&str]); 31] = [
     // What plays: a sound card of this machine, a page's worklet. Neither knows a kitchen.
     ("saute-speaker", &["saute-sound"]),
     ("saute-sound-page", &["saute-sound"]),
-    ("saute-session", &["saute-kitchen", "saute-plan", "saute-recipe", "saute-sound", "saute-study", "saute-words"]),
+    (
+        "saute-session",
+        &["saute-schema", "saute-kitchen", "saute-plan", "saute-recipe", "saute-sound", "saute-study", "saute-words"],
+    ),
     ("saute-words", &["saute-kitchen", "saute-plan", "saute-recipe", "saute-study"]),
-    ("saute-picture", &["saute-kitchen", "saute-recipe", "saute-scene", "wgpu"]),
+    ("saute-picture", &["saute-schema", "saute-kitchen", "saute-recipe", "saute-scene", "wgpu"]),
     (
         "saute-haptics",
         &[
+            "saute-files",
+            "saute-schema",
             "saute-kitchen",
             "httparse",
             "rcgen",
@@ -45,10 +52,11 @@ const ARROWS: [(&str, &[&str]); 31] = [
         ],
     ),
     ("saute-counts", &["saute-kitchen", "saute-recipe", "saute-lab", "saute-picture"]),
-    ("saute-soak", &["saute-kitchen", "saute-recipe"]),
+    ("saute-soak", &["saute-files", "saute-kitchen", "saute-recipe"]),
     (
         "saute-attack",
         &[
+            "saute-schema",
             "saute-haptics",
             "saute-kitchen",
             "saute-lab",
@@ -67,6 +75,8 @@ const ARROWS: [(&str, &[&str]); 31] = [
     (
         "saute-python",
         &[
+            "saute-files",
+            "saute-schema",
             "saute-kitchen",
             "saute-recipe",
             "saute-plan",
@@ -90,6 +100,8 @@ const ARROWS: [(&str, &[&str]); 31] = [
     (
         "saute-window",
         &[
+            "saute-files",
+            "saute-schema",
             "saute-kitchen",
             "saute-recipe",
             "saute-plan",
@@ -113,6 +125,8 @@ const ARROWS: [(&str, &[&str]); 31] = [
     (
         "saute",
         &[
+            "saute-files",
+            "saute-schema",
             "saute-formats",
             "saute-kitchen",
             "saute-recipe",

@@ -3,6 +3,7 @@
 mod kinetics;
 mod lab_colour;
 mod properties;
+mod relations;
 mod shape;
 mod tissue;
 

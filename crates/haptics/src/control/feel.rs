@@ -1,7 +1,7 @@
 //! Haptic parameters of the kitchen, as `data/haptics/feel.toml` states them.
 
-use saute_kitchen::InputError;
 use saute_kitchen::food::sourced_table;
+use saute_schema::InputError;
 use serde::Deserialize;
 
 use crate::library::{error_at, parse_table};

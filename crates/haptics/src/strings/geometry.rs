@@ -1,10 +1,10 @@
 //! The geometry file of a string device.
 
 use glam::DVec3;
-use saute_kitchen::InputError;
 use saute_kitchen::dynamics::Pose;
 use saute_kitchen::dynamics::pose::about;
 use saute_kitchen::food::sourced_table;
+use saute_schema::InputError;
 use serde::Deserialize;
 
 use crate::device::{Capabilities, Limits, Sensed, Vibration, Workspace};

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use glam::DVec3;
-use saute_kitchen::InputError;
+use saute_schema::InputError;
 use serde::{Deserialize, Serialize};
 
 use crate::library::{error_at, parse_table};

@@ -8,12 +8,11 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::bytes::hash_of;
-use crate::data::data_file::DataFile;
 use crate::data::library::Library;
-use crate::data::library_error::LibraryError;
 use crate::data::room::Room;
 use crate::data::shelf::{Shelved, shipped_files};
 use crate::pan::hob::HobDescription;
+use saute_schema::{DataFile, LibraryError};
 
 /// The file of what a kitchen at home has otherwise.
 pub(crate) const AT_HOME_FILE: &str = "kitchen-at-home.toml";

@@ -11,9 +11,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::data::at_home::KitchenAtHome;
-use crate::data::data_file::DataFile;
 use crate::data::goals::GoalDescription;
-use crate::data::library_error::LibraryError;
 use crate::data::loading::{Loading, OwnFiles};
 use crate::data::room::Room;
 use crate::data::shelf::data_files;
@@ -21,6 +19,7 @@ use crate::liquids::fond::FondData;
 use crate::liquids::oil::OilDescription;
 use crate::pan::hob::HobDescription;
 use crate::pan::pan_description::PanDescription;
+use saute_schema::{DataFile, LibraryError};
 
 /// The scale that every summary reports and that is chosen unless another is named.
 pub const DEFAULT_SCALE: &str = "paper-2013";

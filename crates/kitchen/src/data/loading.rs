@@ -7,15 +7,14 @@ use saute_food::{FoodDescription, Scale};
 use saute_heat::Soup;
 
 use crate::data::at_home::{AT_HOME_FILE, DEFAULT_HOB, KitchenAtHome};
-use crate::data::data_file::DataFile;
 use crate::data::data_hash::file_hashes;
 use crate::data::goals::{GoalDescription, GoalsFile};
 use crate::data::library::{DonenessFile, Library, with_body};
-use crate::data::library_error::LibraryError;
 use crate::data::room::Room;
 use crate::data::shelf::{Shelved, shipped_files};
 use crate::pan::hob::HobDescription;
 use crate::pan::pan_description::{CoatingDescription, PanDescription};
+use saute_schema::{DataFile, LibraryError};
 
 /// The file of the scales of doneness.
 const DONENESS_FILE: &str = "doneness.toml";

@@ -10,16 +10,14 @@ use saute_food::components::Components;
 use saute_food::{FoodDescription, Kinetics};
 
 use crate::data::at_home::KitchenAtHome;
-use crate::data::data_file::DataFile;
-use crate::data::format::{Format, FormatSchema};
 use crate::data::goals::GoalsFile;
 use crate::data::library::DonenessFile;
-use crate::data::library_error::LibraryError;
 use crate::data::room::Room;
 use crate::liquids::fond::FondData;
 use crate::liquids::oil::OilDescription;
 use crate::pan::hob::HobDescription;
 use crate::pan::pan_description::{CoatingDescription, PanDescription};
+use saute_schema::{DataFile, Format, FormatSchema, LibraryError};
 
 static DATA: Dir = include_dir!("$CARGO_MANIFEST_DIR/../../data");
 static RECIPES: Dir = include_dir!("$CARGO_MANIFEST_DIR/../../recipes");

@@ -12,9 +12,9 @@
 //! | `Cool`, `Toss`, `Shake`, `Tilt`, `Press` | all numbers | – |
 //! | `Lead`, `HoldPan` | – | that the pose is one, and reach: beyond it the hand stays at its edge |
 
-use crate::data::number_text::number_text;
 use crate::dynamics::Pose;
 use crate::hands::command::{Command, Refused};
+use saute_schema::number_text::number_text;
 
 /// Smallest, largest and default value of a key, in the unit of the key.
 #[derive(Clone, Copy, Debug, PartialEq)]

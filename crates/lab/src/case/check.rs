@@ -8,7 +8,7 @@ use crate::case::lab_case::{Case, CookingCase, ProbeCase};
 use crate::case::ranges::{DURATION_S, LEAST_INTERVAL, REACHED_C, STEP_FACTOR};
 use saute_kitchen::data::library::Library;
 use saute_kitchen::kelvin;
-use saute_kitchen::{InputError, InputText};
+use saute_schema::{InputError, InputText};
 
 pub(super) type Checked<T> = Result<T, InputError>;
 

@@ -14,7 +14,7 @@ use crate::solve::body::node_count;
 use crate::solve::material::Material;
 use saute_kitchen::data::library::Library;
 use saute_kitchen::data::room::Room;
-use saute_kitchen::{InputError, InputText};
+use saute_schema::{InputError, InputText};
 
 /// A checked case, ready to run.
 #[derive(Clone, Debug)]

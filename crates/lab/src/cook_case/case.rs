@@ -10,9 +10,9 @@ use crate::cook_case::moment::Moment;
 use crate::cook_case::sweep::TrendEntry;
 use crate::{Evidence, Verdict};
 use saute_kitchen::data::library::Library;
-use saute_kitchen::{InputError, InputText};
 use saute_recipe::cook::play::Cook;
 use saute_recipe::recipe::Recipe;
+use saute_schema::{InputError, InputText};
 
 /// A cook with expected bands, or a sweep of cooks with expected trends.
 #[derive(Clone, Debug)]

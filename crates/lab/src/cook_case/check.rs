@@ -3,8 +3,8 @@
 use std::cmp::Ordering;
 
 use saute_kitchen::data::library::Library;
-use saute_kitchen::{InputError, InputText};
 use saute_recipe::recipe::Recipe;
+use saute_schema::{InputError, InputText};
 use toml::Spanned;
 
 use crate::cook_case::file::CookCaseFile;

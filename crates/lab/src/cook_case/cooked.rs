@@ -1,9 +1,10 @@
 //! The readings of one cook: its summary at the end and at chosen moments.
 
+use saute_kitchen::TICK_S;
 use saute_kitchen::data::library::Library;
-use saute_kitchen::{InputError, TICK_S};
 use saute_recipe::cook::play::Cook;
 use saute_recipe::recipe::Recipe;
+use saute_schema::InputError;
 use serde_json::Value;
 
 use crate::cook_case::file::BandEntry;

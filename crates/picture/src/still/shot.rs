@@ -3,7 +3,7 @@
 use glam::Vec3;
 use saute_kitchen::doneness::ScaleChoice;
 use saute_kitchen::kitchen::SetupError;
-use saute_kitchen::{InputError, Kitchen, Library, Piece, Place, TICK_S};
+use saute_kitchen::{Kitchen, Library, Piece, Place, TICK_S};
 use saute_recipe::{Cook, Recipe};
 use saute_scene::camera::Camera;
 use saute_scene::input::SceneInput;
@@ -12,6 +12,7 @@ use saute_scene::light::room_light::RoomLight;
 use saute_scene::light::white_balance::WhiteBalance;
 use saute_scene::quality::Quality;
 use saute_scene::renderer::SceneRenderer;
+use saute_schema::InputError;
 
 use crate::colour::map::TemperatureMap;
 use crate::cut::section::Picture;

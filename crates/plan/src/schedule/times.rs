@@ -2,8 +2,9 @@
 
 use std::fmt::Write;
 
-use saute_kitchen::{InputError, Library};
+use saute_kitchen::Library;
 use saute_recipe::Recipe;
+use saute_schema::InputError;
 use serde::{Deserialize, Serialize};
 
 use crate::schedule::Order;

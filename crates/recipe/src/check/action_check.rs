@@ -10,14 +10,15 @@ use crate::file::action_file::{
     ShakeTable, TiltTable, TossTable, WaterTable,
 };
 use crate::file::step_file::{StepEntry, StepKeys};
-use saute_kitchen::data::number_text::number_text;
 use saute_kitchen::hands::command::RestOn;
 use saute_kitchen::hands::ranges::{
     COOL_S, FAT_G, FOR_S, HALVE_AT_MM, LIFT_MM, Limits, PAN_MM, PLACE_MM, PRESS_N, SHAKE_AMPLITUDE_MM, SHAKE_HZ,
     TILT_DEG, TOSS_HEIGHT_MM, TOWARDS_DEG, WATER_G,
 };
+use saute_kitchen::kelvin;
 use saute_kitchen::pan::hold::Hold;
-use saute_kitchen::{InputError, kelvin};
+use saute_schema::InputError;
+use saute_schema::number_text::number_text;
 
 impl Check<'_> {
     /// Returns the one action of a step; `at` is the step's place in the text [bytes].

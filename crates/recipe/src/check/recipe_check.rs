@@ -11,12 +11,12 @@ use crate::file::recipe_file::{FoodEntry, MOST_PIECES, MeshName, PanEntry, Prese
 use crate::file::step_file::{StepEntry, StepKeys};
 use crate::recipe::{ALL, Group, Recipe, Step, Target, Trigger};
 use saute_kitchen::data::library::Library;
-use saute_kitchen::data::library_error::line_of;
 use saute_kitchen::hands::ranges::{Limits, MAX_S, PAN_INITIAL_C, PAN_OIL_G};
 use saute_kitchen::kelvin;
 use saute_kitchen::kitchen::PieceOrder;
 use saute_kitchen::piece::memory::Load;
-use saute_kitchen::{InputError, InputText};
+use saute_schema::library_error::line_of;
+use saute_schema::{InputError, InputText};
 
 impl Recipe {
     /// Parses and checks a recipe. `file` is its name in messages.

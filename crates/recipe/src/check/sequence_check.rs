@@ -6,7 +6,7 @@ use crate::action::food_action::Requirement;
 use crate::action::{Action, FoodAction, PanAction, RepeatEnd};
 use crate::recipe::{Step, Target, Trigger};
 use saute_kitchen::hands::command::RestOn;
-use saute_kitchen::{InputError, InputText};
+use saute_schema::{InputError, InputText};
 
 /// Where a food is before a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -13,9 +13,9 @@ use crate::recipe::Recipe;
 use crate::session::playhead::{Played, Playhead, Stage};
 use crate::session::{Deed, Departure, Entry, Moment, Recording, ReplayError};
 use crate::summary::cook_summary::Summary;
-use saute_kitchen::InputError;
 use saute_kitchen::data::library::Library;
 use saute_kitchen::kitchen::{Kitchen, SetupError};
+use saute_schema::InputError;
 
 /// A step that has just been carried out.
 pub type Fired = StepRecord;

@@ -11,10 +11,10 @@ use crate::cook::repeating::{Progress, Repeating};
 use crate::cook::step_record::StepRecord;
 use crate::cook::watch::{Watch, is_passed};
 use crate::recipe::{ALL, Recipe, Target, Trigger};
-use saute_kitchen::InputError;
 use saute_kitchen::TICK_S;
 use saute_kitchen::hands::command::{Command, Refused};
 use saute_kitchen::kitchen::Kitchen;
+use saute_schema::InputError;
 
 /// The reason for which a cook stopped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize)]

@@ -3,7 +3,8 @@
 use std::borrow::Cow;
 use std::fmt::Write;
 
-use saute_kitchen::{InputError, Library, LibraryError};
+use saute_kitchen::Library;
+use saute_schema::{InputError, LibraryError};
 use serde::{Deserialize, Serialize};
 
 use crate::recipe::Recipe;

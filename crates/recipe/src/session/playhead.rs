@@ -2,7 +2,8 @@
 
 use saute_kitchen::bytes::Models;
 use saute_kitchen::kitchen::SetupError;
-use saute_kitchen::{FRAME_S, InputError, Kitchen, Library, Refused};
+use saute_kitchen::{FRAME_S, Kitchen, Library, Refused};
+use saute_schema::InputError;
 
 use crate::cook::runner::Runner;
 use crate::cook::step_record::StepRecord;

@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use saute_kitchen::bytes::Models;
 use saute_kitchen::kitchen::SetupError;
-use saute_kitchen::{InputError, Kitchen, Library, LibraryError};
+use saute_kitchen::{Kitchen, Library};
+use saute_schema::{InputError, LibraryError};
 
 use crate::cook::runner::Runner;
 use crate::session::moment::Moment;

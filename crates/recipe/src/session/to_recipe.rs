@@ -3,7 +3,8 @@
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
-use saute_kitchen::{InputError, Library, PieceOrder, TICK_S, celsius};
+use saute_kitchen::{Library, PieceOrder, TICK_S, celsius};
+use saute_schema::InputError;
 use serde_json::Value;
 
 use crate::action::{Action, mm, tidy};

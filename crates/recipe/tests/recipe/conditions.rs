@@ -4,7 +4,8 @@
 #![allow(clippy::unwrap_used)]
 
 use saute_kitchen::{Library, kelvin};
-use saute_recipe::{Condition, Cook, InputError, Recipe, Side, StoppedBy, Summary, Trigger};
+use saute_recipe::{Condition, Cook, Recipe, Side, StoppedBy, Summary, Trigger};
+use saute_schema::InputError;
 
 /// Returns a recipe with a steak that starts at 40 °C, a pan at 180 °C and one step for each line of keys.
 fn with(steps: &[&str]) -> String {

@@ -8,11 +8,11 @@ use std::panic::catch_unwind;
 
 use saute_kitchen::Library;
 use saute_kitchen::data::at_home::KitchenAtHome;
-use saute_kitchen::data::format::FormatSchema;
 use saute_kitchen::liquids::oil::OilDescription;
 use saute_kitchen::pan::hob::HobDescription;
 use saute_kitchen::pan::pan_description::PanDescription;
 use saute_recipe::{Cook, Recipe};
+use saute_schema::FormatSchema;
 use serde_json::Value;
 
 use crate::draws::Draws;

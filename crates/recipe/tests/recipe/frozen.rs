@@ -1,7 +1,8 @@
 //! Promise: food may begin frozen, and on a finer mesh than the default; what cannot freeze is refused where it stands.
 
-use saute_kitchen::{InputError, Library, celsius};
+use saute_kitchen::{Library, celsius};
 use saute_recipe::{Cook, Recipe, Summary};
+use saute_schema::InputError;
 
 fn text(kind: &str, head: &str, food: &str) -> String {
     format!(

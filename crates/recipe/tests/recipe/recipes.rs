@@ -8,7 +8,8 @@ use saute_kitchen::{Command, Library, MeshSize, RestOn, kelvin};
 use saute_recipe::recipe::Quantity;
 use saute_recipe::recipe_file::RecipeFile;
 use saute_recipe::summary::FoodSummary;
-use saute_recipe::{Action, Cook, FoodAction, InputError, Measured, PanAction, Recipe, StoppedBy, Trigger};
+use saute_recipe::{Action, Cook, FoodAction, Measured, PanAction, Recipe, StoppedBy, Trigger};
+use saute_schema::InputError;
 use serde_json::Value;
 
 /// A steak and eleven carrots; the tests add steps.

@@ -4,7 +4,8 @@
 #![allow(clippy::unwrap_used)]
 
 use saute_kitchen::Library;
-use saute_recipe::{Action, Cook, InputError, Recipe, RepeatEnd, StoppedBy};
+use saute_recipe::{Action, Cook, Recipe, RepeatEnd, StoppedBy};
+use saute_schema::InputError;
 
 /// Returns a recipe with a steak, a pan at 180 °C and one step for each line of keys.
 fn with(steps: &[&str]) -> String {

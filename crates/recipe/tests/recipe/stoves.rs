@@ -1,7 +1,8 @@
 //! Promise: a recipe chooses its stove; what that stove cannot do is refused where it stands, and sessions keep the stove.
 
-use saute_kitchen::{InputError, Kitchen, Library, celsius};
+use saute_kitchen::{Kitchen, Library, celsius};
 use saute_recipe::{Cook, Recipe, Recording, Replay};
+use saute_schema::InputError;
 
 const STEAK: &str = r#"
 [hob]

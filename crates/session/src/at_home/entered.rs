@@ -1,10 +1,11 @@
 //! What a person enters about a cook at home: a log with its columns, rows by hand, and what was cooked.
 
+use saute_kitchen::Library;
 use saute_kitchen::food::ZERO_C;
-use saute_kitchen::{InputError, Library};
 use saute_plan::fit::log::log_error::LogError;
 use saute_plan::fit::observed::{END, Observed, Quantity};
 use saute_recipe::Recipe;
+use saute_schema::InputError;
 
 use super::open_log::OpenLog;
 

@@ -75,8 +75,8 @@ impl From<FitError> for WhyNot {
     }
 }
 
-impl From<saute_kitchen::InputError> for WhyNot {
-    fn from(error: saute_kitchen::InputError) -> Self {
+impl From<saute_schema::InputError> for WhyNot {
+    fn from(error: saute_schema::InputError) -> Self {
         Self::Recipe { file: error.file, line: error.line, detail: error.message }
     }
 }

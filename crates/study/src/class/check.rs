@@ -2,8 +2,9 @@
 
 use std::sync::Arc;
 
-use saute_kitchen::{InputError, InputText, Library, kelvin};
+use saute_kitchen::{Library, kelvin};
 use saute_recipe::session::SetOutFood;
+use saute_schema::{InputError, InputText};
 use toml::Spanned;
 
 use super::result_row::MOST_QUESTIONS;

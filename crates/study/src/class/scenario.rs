@@ -3,8 +3,9 @@
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-use saute_kitchen::{InputError, InputText, Library};
+use saute_kitchen::Library;
 use saute_recipe::Recipe;
+use saute_schema::{InputError, InputText};
 
 use super::check::Check;
 use super::scenario_file::{Deed, Locked};

@@ -1,6 +1,7 @@
 //! Promise: a mistake in a protocol or a scenario is named with file, line, key and remedy; participants are balanced over conditions.
 
-use saute_kitchen::{InputError, Library};
+use saute_kitchen::Library;
+use saute_schema::InputError;
 use saute_study::class::Scenario;
 use saute_study::{Participant, Protocol, shipped};
 

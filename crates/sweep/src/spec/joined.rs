@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use saute_kitchen::{InputError, InputText};
+use saute_schema::{InputError, InputText};
 
 use crate::design::{Design, DesignKind};
 use crate::documents::Documents;

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use saute_kitchen::{InputError, InputText};
+use saute_schema::{InputError, InputText};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use serde_json::Value;

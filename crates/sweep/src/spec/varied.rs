@@ -1,6 +1,6 @@
 //! One varied value: where it goes and which values it takes.
 
-use saute_kitchen::{InputError, InputText};
+use saute_schema::{InputError, InputText};
 use toml::Value;
 
 use crate::design::DesignKind;

@@ -4,7 +4,7 @@ use std::fs::{self, File, OpenOptions};
 use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
-use saute_kitchen::data::regular_file;
+use saute_files::{locked_file, regular_file, write_whole};
 use saute_study::{LogRow, Participant, dictionary, from_csv, to_csv, with_all_columns};
 
 /// An open log.
@@ -25,9 +25,7 @@ impl LogFile {
         fs::create_dir_all(folder).and_then(|()| regular_file::check_place(&path)).map_err(place)?;
         let mut file =
             OpenOptions::new().read(true).write(true).create(true).truncate(false).open(&path).map_err(place)?;
-        if matches!(file.try_lock(), Err(fs::TryLockError::WouldBlock)) {
-            return Err(format!("{}: another program is writing there", path.display()));
-        }
+        locked_file::lock(&file).map_err(place)?;
         let mut text = String::new();
         file.read_to_string(&mut text).map_err(place)?;
         let whole = text.rfind('\n').map_or(0, |end| end + 1);
@@ -36,11 +34,11 @@ impl LogFile {
         if let Some(today) = with_all_columns(&text[..whole], &rows) {
             // Whatever happens meanwhile, one of the two is whole.
             let before = folder.join(format!("study-{participant}-before.csv"));
-            crate::kept::session_file::write_whole(&before, &text.as_bytes()[..whole]).map_err(place)?;
+            write_whole(&before, &text.as_bytes()[..whole]).map_err(place)?;
             rewrite(&mut file, &today).map_err(place)?;
         }
         for (name, text) in [("data-dictionary.csv", dictionary::csv()), ("data-dictionary.md", dictionary::page())] {
-            crate::kept::session_file::write_whole(&folder.join(name), text.as_bytes()).map_err(place)?;
+            write_whole(&folder.join(name), text.as_bytes()).map_err(place)?;
         }
         Ok((Self { file, folder: folder.to_owned(), is_empty: whole == 0 }, rows))
     }

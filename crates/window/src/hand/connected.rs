@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use saute_files::{regular_file, write_whole};
 use saute_haptics::control::control_loop::{LoopError, LoopReport, LoopState};
 use saute_haptics::strings::kept_calibration::{CalibrationMemory, CalibrationNews};
 use saute_haptics::strings::simulator::open_or_simulate;
@@ -9,8 +10,7 @@ use saute_haptics::{
     Access, Capabilities, ContactModel, ControlLoop, HapticDevice, KeptCalibration, Named, OpenError, Simulator,
     StringRig, library,
 };
-use saute_kitchen::InputError;
-use saute_kitchen::data::regular_file;
+use saute_schema::InputError;
 
 /// Errors of connecting a device.
 #[derive(Debug, thiserror::Error)]
@@ -121,7 +121,7 @@ impl Connected {
         let (Some(found), Some(file)) = (self.news.take(), &self.file) else { return Ok(None) };
         let written = found.text().map_err(std::io::Error::other).and_then(|text| {
             file.parent().map_or(Ok(()), std::fs::create_dir_all)?;
-            std::fs::write(file, text)
+            write_whole(file, text.as_bytes())
         });
         written.map_err(|source| unusable(file, source))?;
         Ok(Some(file.clone()))

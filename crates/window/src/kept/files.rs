@@ -3,7 +3,7 @@
 pub(crate) mod dialog_errors;
 
 use crate::plan::PlanFile;
-use saute_kitchen::data::regular_file;
+use saute_files::regular_file;
 use saute_session::export::Export;
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::Receiver;

@@ -53,25 +53,6 @@ impl SessionFile {
     }
 }
 
-/// Writes a file that is there as a whole or not at all: what was at the path stays until all is on the disk.
-pub fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    let mut name = path.file_name().ok_or(io::ErrorKind::InvalidInput)?.to_owned();
-    name.push(format!(".{}.part", std::process::id()));
-    let part = path.with_file_name(name);
-    let written = write_part(&part, bytes).and_then(|()| std::fs::rename(&part, path));
-    if written.is_err() {
-        // What could not be written is of no use; the error that is returned says why.
-        let _ = std::fs::remove_file(&part);
-    }
-    written
-}
-
-fn write_part(part: &Path, bytes: &[u8]) -> io::Result<()> {
-    let mut file = File::create(part)?;
-    file.write_all(bytes)?;
-    file.sync_data()
-}
-
 #[cfg(test)]
 mod tests {
     use saute_kitchen::{Command, Library};

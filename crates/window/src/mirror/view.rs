@@ -6,7 +6,7 @@ use super::presenter::MirrorCallback;
 use crate::mirror::frame::MirrorFrame;
 use egui::{Color32, Key, Sense, Ui};
 use glam::DVec2;
-use saute_kitchen::data::regular_file;
+use saute_files::regular_file;
 use saute_mirror::rig::Rig;
 use saute_mirror::rig_file;
 use saute_mirror::settings::MirrorSettings;

@@ -6,7 +6,8 @@
 use std::ops::RangeInclusive;
 use std::path::Path;
 
-use saute_kitchen::data::regular_file::{self, Unread};
+use saute_files::regular_file::{self, Unread};
+use saute_files::write_whole;
 
 /// Name of the value in the stored text.
 const NAME: &str = "zoom_factor:";
@@ -23,7 +24,7 @@ pub fn mend(folder: &Path) {
     let path = folder.join("app.ron");
     // Without the mended file the window may not open; there is no other place for the settings.
     match regular_file::read_text(&path, LARGEST_MIB) {
-        Ok(text) => drop(mended(&text).map(|text| std::fs::write(&path, text))),
+        Ok(text) => drop(mended(&text).map(|text| write_whole(&path, text.as_bytes()))),
         Err(Unread::NoFile | Unread::Large(_)) => drop(std::fs::rename(&path, folder.join(SET_ASIDE))),
         Err(Unread::Folder | Unread::NoText | Unread::Io(_)) => {}
     }

@@ -10,7 +10,7 @@ mod streams;
 
 use saute_attack::doors::Range;
 use saute_kitchen::Kitchen;
-use saute_kitchen::data::number_text::number_text;
+use saute_schema::number_text::number_text;
 
 /// How far beyond an end is tried, over the width of the range [-] (chosen: far above rounding).
 const BEYOND: f64 = 1e-3;

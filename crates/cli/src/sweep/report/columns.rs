@@ -2,8 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
+use saute_files::regular_file;
 use saute_formats::{Heading, Kind, Table};
-use saute_kitchen::data::regular_file;
 use saute_sweep::design::DesignKind;
 use saute_sweep::{Manifest, manifest};
 use saute_sweep_folder::checksums::Checksums;

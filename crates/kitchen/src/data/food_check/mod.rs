@@ -7,10 +7,9 @@ use saute_heat::Soup;
 
 pub use report::{FoodReport, SurfaceReport};
 
-use crate::data::data_file::DataFile;
-pub use crate::data::finding::Finding;
-use crate::data::format::FormatSchema;
 use crate::data::library::{Library, with_body};
+pub use saute_schema::Finding;
+use saute_schema::{DataFile, FormatSchema};
 
 /// Checks the text of a food's file; `surface` holds the triangles of the file that it names, where it names one.
 ///

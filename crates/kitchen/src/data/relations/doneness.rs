@@ -3,10 +3,8 @@
 use saute_food::Scale;
 use saute_food::change::doneness::{Class, Measure};
 
-use crate::data::data_file::DataFile;
-use crate::data::format::Format;
 use crate::data::library::{DEFAULT_SCALE, DonenessFile};
-use crate::data::library_error::LibraryError;
+use saute_schema::{DataFile, Format, LibraryError};
 
 /// Classes of [`DEFAULT_SCALE`]: the summary's `section_pct` has these keys.
 const DEFAULT_CLASSES: [&str; 4] = ["raw", "rare", "medium", "well-done"];

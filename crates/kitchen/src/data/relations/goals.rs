@@ -1,9 +1,7 @@
 //! Relations in the file of the goals.
 
-use crate::data::data_file::DataFile;
-use crate::data::format::Format;
 use crate::data::goals::{Counted, GoalDescription, GoalsFile};
-use crate::data::library_error::LibraryError;
+use saute_schema::{DataFile, Format, LibraryError};
 
 /// Scales, classes and kinetics are checked against the library, once all files are read.
 impl Format for GoalsFile {

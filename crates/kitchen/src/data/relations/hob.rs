@@ -1,9 +1,7 @@
 //! Relations in hob files: one heater, with what belongs to it.
 
-use crate::data::data_file::DataFile;
-use crate::data::format::Format;
-use crate::data::library_error::LibraryError;
 use crate::pan::hob::HobDescription;
+use saute_schema::{DataFile, Format, LibraryError};
 
 /// The tables that make heat.
 const HEATERS: [&str; 4] = ["coil", "flame", "element", "plate"];

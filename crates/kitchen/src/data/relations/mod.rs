@@ -1,27 +1,15 @@
 //! Relations between the keys of data files, which ranges of single keys cannot state.
 
 mod doneness;
-mod food;
 mod goals;
 mod hob;
-mod kinetics;
 mod oil;
 mod pan;
 
-use saute_food::components::Components;
-
 use crate::data::at_home::KitchenAtHome;
-use crate::data::data_file::DataFile;
-use crate::data::format::Format;
-use crate::data::library_error::LibraryError;
 use crate::data::room::Room;
 use crate::liquids::fond::FondData;
-
-impl Format for Components {
-    fn relations(&self, _: &DataFile) -> Result<(), LibraryError> {
-        Ok(())
-    }
-}
+use saute_schema::{DataFile, Format, LibraryError};
 
 impl Format for FondData {
     fn relations(&self, _: &DataFile) -> Result<(), LibraryError> {

@@ -1,9 +1,7 @@
 //! Relations in oil files.
 
-use crate::data::data_file::DataFile;
-use crate::data::format::Format;
-use crate::data::library_error::LibraryError;
 use crate::liquids::oil::OilDescription;
+use saute_schema::{DataFile, Format, LibraryError};
 
 impl Format for OilDescription {
     fn relations(&self, file: &DataFile) -> Result<(), LibraryError> {

@@ -1,10 +1,8 @@
 //! Relations in pan and coating files.
 
-use crate::data::data_file::DataFile;
-use crate::data::format::Format;
-use crate::data::library_error::LibraryError;
 use crate::pan::heat_tint::HeatTint;
 use crate::pan::pan_description::{CoatingDescription, PanDescription};
+use saute_schema::{DataFile, Format, LibraryError};
 
 /// Widest ridge over the pitch [-] (chosen: a groove remains between two ridges).
 const WIDEST_RIDGE: f64 = 0.95;

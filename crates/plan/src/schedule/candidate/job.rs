@@ -1,7 +1,8 @@
 //! A job: a whole candidate to be cooked, and what came of it.
 
+use saute_kitchen::Library;
 use saute_kitchen::kitchen::SetupError;
-use saute_kitchen::{InputError, Library};
+use saute_schema::InputError;
 use serde::{Deserialize, Serialize};
 
 use crate::goal::{Outcome, Score};

@@ -2,7 +2,7 @@
 
 use crate::app::SauteApp;
 use crate::kept::autosave::CookStore;
-use saute_kitchen::data::regular_file;
+use saute_files::regular_file;
 use saute_recipe::session::session_file;
 use std::fs::File;
 use std::io::{self, Write};

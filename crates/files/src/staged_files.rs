@@ -7,8 +7,7 @@ use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use crate::output::field_files;
-use crate::output::file_lock::FileLock;
+use crate::locked_file::LockedFile;
 
 /// Folder of the files without their final names.
 const STAGE: &str = ".saute-unfinished-files";
@@ -16,22 +15,30 @@ const STAGE: &str = ".saute-unfinished-files";
 const UNFINISHED: &str = ".saute-unfinished-";
 /// File that lists the names of complete files, one a line.
 const MARK: &str = "complete";
-/// Endings of pages, which refer to the other files.
-const PAGES: [&str; 2] = [".html", ".md"];
+
+/// Which files of a run are of a sort that needs an order.
+#[derive(Clone, Copy, Debug)]
+pub struct Sorts {
+    /// Returns true for a page, which refers to the other files.
+    pub is_page: fn(&str) -> bool,
+    /// Returns true for a file of which another run may have had more.
+    pub is_numbered: fn(&str) -> bool,
+}
 
 /// The files of one run, on their way into a folder.
 #[derive(Debug)]
 pub struct StagedFiles {
     folder: PathBuf,
     stage: PathBuf,
+    sorts: Sorts,
 }
 
 impl StagedFiles {
     /// Clears what a dead process has left in a folder, and makes the folder for the files of this run.
     ///
     /// The caller holds the folder's lock, named `lock`.
-    pub fn begin(folder: &Path, lock: &str) -> io::Result<Self> {
-        let staged = Self { folder: folder.to_owned(), stage: folder.join(STAGE) };
+    pub fn begin(folder: &Path, lock: &str, sorts: Sorts) -> io::Result<Self> {
+        let staged = Self { folder: folder.to_owned(), stage: folder.join(STAGE), sorts };
         if let Ok(names) = staged.complete() {
             // What cannot get its name now never will: it is removed below.
             let _ = staged.publish(&names);
@@ -42,7 +49,7 @@ impl StagedFiles {
             match entry.file_type()? {
                 kind if is_left && kind.is_dir() => fs::remove_dir_all(entry.path())?,
                 // A file that another program writes now is locked; the lock of another one is taken, and removes the file.
-                kind if is_left && kind.is_file() => drop(FileLock::take(&entry.path()).ok()),
+                kind if is_left && kind.is_file() => drop(LockedFile::take(&entry.path()).ok()),
                 _ => {}
             }
         }
@@ -78,11 +85,14 @@ impl StagedFiles {
         Ok(text.lines().filter(|name| !name.contains(['/', '\\']) && *name != "..").map(str::to_owned).collect())
     }
 
-    /// Removes the old pages, section pictures and fields, then gives pictures and numbers their names, and the pages last: no
-    /// page ever stands beside pictures of another run.
+    /// Removes the old pages and numbered files, then gives the others their names, and the pages last: no page is ever beside files of
+    /// another run.
     fn publish<N: AsRef<str>>(&self, names: &[N]) -> io::Result<()> {
-        let (pages, others): (Vec<&str>, Vec<&str>) =
-            names.iter().map(AsRef::as_ref).filter(|name| self.stage.join(name).is_file()).partition(|n| is_page(n));
+        let (pages, others): (Vec<&str>, Vec<&str>) = names
+            .iter()
+            .map(AsRef::as_ref)
+            .filter(|name| self.stage.join(name).is_file())
+            .partition(|n| (self.sorts.is_page)(n));
         for page in &pages {
             fs::remove_file(self.folder.join(page)).or_else(|e| match e.kind() {
                 io::ErrorKind::NotFound => Ok(()),
@@ -94,12 +104,11 @@ impl StagedFiles {
         in_order.try_for_each(|name| fs::rename(self.stage.join(name), self.folder.join(name)))
     }
 
-    /// Removes the section pictures and fields of an earlier cook, which may have had more steps or lasted longer.
+    /// Removes the numbered files of an earlier run, which may have been longer.
     fn clear_old<N: AsRef<str>>(&self, names: &[N]) -> io::Result<()> {
         for entry in fs::read_dir(&self.folder)? {
             let entry = entry?;
-            let is_counted = |name: &str| is_section_picture(name) || is_field(name);
-            let is_old = |name: &str| is_counted(name) && !names.iter().any(|new| new.as_ref() == name);
+            let is_old = |name: &str| (self.sorts.is_numbered)(name) && !names.iter().any(|new| new.as_ref() == name);
             if entry.file_name().to_str().is_some_and(is_old) {
                 fs::remove_file(entry.path())?;
             }
@@ -114,27 +123,13 @@ impl Drop for StagedFiles {
     }
 }
 
-fn is_page(name: &str) -> bool {
-    PAGES.iter().any(|ending| name.ends_with(ending))
-}
-
-/// Returns true for the name of a section picture, as `section_03_put.png`.
-fn is_section_picture(name: &str) -> bool {
-    let digits = name.strip_prefix("section_").and_then(|rest| rest.split('_').next());
-    name.ends_with(".png") && digits.is_some_and(|d| d.len() >= 2 && d.bytes().all(|b| b.is_ascii_digit()))
-}
-
-/// Returns true for the name of a file of fields, as `fields_0003_pan.vtu`, or of their times.
-fn is_field(name: &str) -> bool {
-    let digits = name.strip_prefix("fields_").and_then(|rest| rest.split(['_', '.']).next());
-    let is_counted = digits.is_some_and(|d| d.len() >= 4 && d.bytes().all(|b| b.is_ascii_digit()));
-    name == field_files::SERIES || (name.ends_with(".vtu") && is_counted)
-}
-
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
+
+    const SORTS: Sorts =
+        Sorts { is_page: |name| name.ends_with(".html"), is_numbered: |name| name.starts_with("part_") };
 
     /// What a process that was killed at some moment has left.
     fn killed(folder: &Path, is_complete: bool) {
@@ -155,7 +150,7 @@ mod tests {
         for is_complete in [true, false] {
             let dir = tempfile::tempdir().unwrap();
             killed(dir.path(), is_complete);
-            drop(StagedFiles::begin(dir.path(), "lock").unwrap());
+            drop(StagedFiles::begin(dir.path(), "lock", SORTS).unwrap());
             let mut names: Vec<_> = fs::read_dir(dir.path()).unwrap().map(|e| e.unwrap().file_name()).collect();
             names.sort();
             let expected: &[&str] = if is_complete { &["picture.png", "report.html"] } else { &["report.html"] };
@@ -170,7 +165,7 @@ mod tests {
         let dir = tempfile::tempdir().unwrap();
         fs::write(dir.path().join("report.html"), "old").unwrap();
         fs::create_dir(dir.path().join("picture.png")).unwrap();
-        let staged = StagedFiles::begin(dir.path(), "lock").unwrap();
+        let staged = StagedFiles::begin(dir.path(), "lock", SORTS).unwrap();
         staged.write("report.html", b"new").unwrap();
         staged.write("picture.png", b"new").unwrap();
         assert!(staged.finish(&["report.html", "picture.png"]).is_err());

@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
-use crate::data::echo::shortened;
-use crate::data::library_error::LibraryError;
+use crate::echo::shortened;
+use crate::library_error::LibraryError;
 
 /// One thing that is wrong with a file.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -19,14 +19,15 @@ pub struct Finding {
 }
 
 impl Finding {
-    pub(crate) fn new(line: usize, key: &str, message: String, remedy: impl Into<String>) -> Self {
+    /// Returns a finding; long words and texts in it are shortened.
+    pub fn new(line: usize, key: &str, message: String, remedy: impl Into<String>) -> Self {
         let remedy: String = remedy.into();
         let [key, message, remedy] = [key, message.as_str(), remedy.as_str()].map(|text| shortened(text).into_owned());
         Self { line, key, message, remedy }
     }
 
     /// Returns the error of a file that has this finding.
-    pub(crate) fn in_file(self, file: &str) -> LibraryError {
+    pub fn in_file(self, file: &str) -> LibraryError {
         let message = format!("{}: {}", self.message, self.remedy);
         LibraryError { file: file.to_owned(), line: self.line, message }
     }

@@ -1,10 +1,8 @@
 //! Relations in kinetics files.
 
-use saute_food::Kinetics;
+use crate::description::Kinetics;
 
-use crate::data::data_file::DataFile;
-use crate::data::format::Format;
-use crate::data::library_error::LibraryError;
+use saute_schema::{DataFile, Format, LibraryError};
 
 /// Largest contraction of a length that complete changes may add up to [-] (chosen: tissue does not shrink by half).
 const MOST_CONTRACTION: f64 = 0.5;

@@ -1,4 +1,4 @@
-//! A lock file: two programs do not write to one place at the same time. The system releases the lock of a dead process.
+//! A locked file: two programs do not write to one place at the same time. The system releases the lock of a dead process.
 
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, ErrorKind};
@@ -8,37 +8,32 @@ use std::path::{Path, PathBuf};
 const ATTEMPTS: usize = 10;
 
 /// Message if another program holds a lock.
-pub const HELD: &str = "another program is writing there";
+const HELD: &str = "another program is writing there";
 
 /// A locked file, which is removed on drop unless it was renamed.
 #[derive(Debug)]
-pub struct FileLock {
+pub struct LockedFile {
     path: PathBuf,
     file: File,
     is_renamed: bool,
 }
 
-impl FileLock {
+impl LockedFile {
     /// Creates a file if there is none, and locks it; its content stays as it is.
     ///
     /// # Errors
+    ///
     /// [`ErrorKind::ResourceBusy`] if another process holds the lock.
     pub fn take(path: &Path) -> io::Result<Self> {
         for _ in 0..ATTEMPTS {
             let file = OpenOptions::new().write(true).create(true).truncate(false).open(path)?;
-            match file.try_lock() {
-                Ok(()) => {}
-                Err(TryLockError::WouldBlock) => break,
-                // Some network file systems have no locks: there the last program to finish wins.
-                Err(TryLockError::Error(e)) if e.kind() == ErrorKind::Unsupported => {}
-                Err(TryLockError::Error(e)) => return Err(e),
-            }
+            lock(&file)?;
             // The process that held the lock before may have removed or renamed the file since it was opened here.
             if is_still_at(&file, path)? {
                 return Ok(Self { path: path.to_owned(), file, is_renamed: false });
             }
         }
-        Err(io::Error::new(ErrorKind::ResourceBusy, HELD))
+        Err(held())
     }
 
     /// Returns the locked file.
@@ -54,13 +49,32 @@ impl FileLock {
     }
 }
 
-impl Drop for FileLock {
+impl Drop for LockedFile {
     fn drop(&mut self) {
         if !self.is_renamed {
             // Removed before the lock is released, so that it is surely the own file.
             let _ = fs::remove_file(&self.path);
         }
     }
+}
+
+/// Locks an open file until it is closed.
+///
+/// # Errors
+///
+/// [`ErrorKind::ResourceBusy`] if another process holds the lock.
+pub fn lock(file: &File) -> io::Result<()> {
+    match file.try_lock() {
+        Ok(()) => Ok(()),
+        Err(TryLockError::WouldBlock) => Err(held()),
+        // Some network file systems have no locks: there the last program to finish wins.
+        Err(TryLockError::Error(e)) if e.kind() == ErrorKind::Unsupported => Ok(()),
+        Err(TryLockError::Error(e)) => Err(e),
+    }
+}
+
+fn held() -> io::Error {
+    io::Error::new(ErrorKind::ResourceBusy, HELD)
 }
 
 /// Returns true if the file at a path is an open file.

@@ -2,9 +2,9 @@
 
 use toml::Spanned;
 
-use crate::data::echo::shortened;
-use crate::data::library_error::line_of;
-use crate::data::number_text::number_text;
+use crate::echo::shortened;
+use crate::library_error::line_of;
+use crate::number_text::number_text;
 
 /// A file that cannot be used: where, what is wrong, and what to write instead.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]

@@ -2,9 +2,9 @@
 
 use toml::de::{DeTable, DeValue};
 
-use crate::data::echo::shortened;
-use crate::data::library_error::{LibraryError, line_of};
-use crate::data::number_text::number_text;
+use crate::echo::shortened;
+use crate::library_error::{LibraryError, line_of};
+use crate::number_text::number_text;
 
 /// A data file: its name in messages and its text.
 #[derive(Clone, Copy, Debug)]

@@ -3,11 +3,11 @@
 use serde_json::Value;
 use toml::de::DeValue;
 
-use crate::data::number_text::number_text;
+use crate::number_text::number_text;
 
 /// Kind of a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub enum Kind {
     /// A text.
     Text,
     /// A number, with or without a fraction.
@@ -28,7 +28,7 @@ pub(crate) enum Kind {
 
 impl Kind {
     /// Returns the name with its article, for messages.
-    pub(crate) fn name(self) -> &'static str {
+    pub fn name(self) -> &'static str {
         match self {
             Self::Text => "a text",
             Self::Number => "a number",
@@ -43,7 +43,7 @@ impl Kind {
 }
 
 /// Returns the kind of a TOML value.
-pub(crate) fn kind_of(value: &DeValue) -> Kind {
+pub fn kind_of(value: &DeValue) -> Kind {
     match value {
         DeValue::String(_) => Kind::Text,
         DeValue::Integer(_) | DeValue::Float(_) => Kind::Number,
@@ -55,13 +55,13 @@ pub(crate) fn kind_of(value: &DeValue) -> Kind {
 }
 
 /// Returns the alternative of an optional value that is not null.
-pub(crate) fn resolved(schema: &Value) -> &Value {
+pub fn resolved(schema: &Value) -> &Value {
     let real = schema["anyOf"].as_array().and_then(|all| all.iter().find(|s| s["type"] != "null"));
     real.map_or(schema, resolved)
 }
 
 /// Returns the kind that a schema asks for.
-pub(crate) fn kind(schema: &Value) -> Kind {
+pub fn kind(schema: &Value) -> Kind {
     let named = |name: &str| match name {
         "string" => Some(Kind::Text),
         "number" => Some(Kind::Number),
@@ -80,19 +80,19 @@ pub(crate) fn kind(schema: &Value) -> Kind {
 }
 
 /// Returns the smallest and the largest number that a schema allows; infinite without a bound.
-pub(crate) fn bounds(schema: &Value) -> (f64, f64) {
+pub fn bounds(schema: &Value) -> (f64, f64) {
     let bound = |key: &str| schema[key].as_f64();
     (bound("minimum").unwrap_or(f64::NEG_INFINITY), bound("maximum").unwrap_or(f64::INFINITY))
 }
 
 /// Returns what to write instead of a number outside a range.
-pub(crate) fn range_remedy(low: f64, high: f64, in_list: bool) -> String {
+pub fn range_remedy(low: f64, high: f64, in_list: bool) -> String {
     let values = if in_list && low.is_finite() && high.is_finite() { "numbers from " } else { "" };
     format!("use {values}{}", range_text(low, high))
 }
 
 /// Returns a range in words.
-pub(crate) fn range_text(low: f64, high: f64) -> String {
+pub fn range_text(low: f64, high: f64) -> String {
     match (low.is_finite(), high.is_finite()) {
         (true, true) => format!("{} to {}", number_text(low), number_text(high)),
         (true, false) => format!("{} or more", number_text(low)),
@@ -102,7 +102,7 @@ pub(crate) fn range_text(low: f64, high: f64) -> String {
 }
 
 /// Returns the texts that a schema allows; none if it allows every text.
-pub(crate) fn choices(schema: &Value) -> Vec<&str> {
+pub fn choices(schema: &Value) -> Vec<&str> {
     let listed = schema["enum"].as_array().into_iter().flatten();
     let alternatives = schema["oneOf"].as_array().into_iter().flatten();
     let grouped = alternatives.flat_map(|s| {
@@ -113,12 +113,12 @@ pub(crate) fn choices(schema: &Value) -> Vec<&str> {
 }
 
 /// Returns the description of a key as it is written.
-pub(crate) fn description(schema: &Value) -> Option<&str> {
+pub fn description(schema: &Value) -> Option<&str> {
     schema["description"].as_str().or_else(|| resolved(schema)["description"].as_str())
 }
 
 /// Returns what a key means, as part of a sentence.
-pub(crate) fn meaning(schema: &Value) -> String {
+pub fn meaning(schema: &Value) -> String {
     let text = description(schema).unwrap_or("see its format").replace('\n', " ");
     let text = text.trim_end_matches('.');
     let mut letters = text.chars();
@@ -132,19 +132,19 @@ pub(crate) fn meaning(schema: &Value) -> String {
 }
 
 /// Returns a line that could set a key.
-pub(crate) fn example(key: &str, schema: &Value) -> String {
+pub fn example(key: &str, schema: &Value) -> String {
     let value = stated_example(schema).map_or_else(|| stand_in(resolved(schema)), toml_text);
     format!("{key} = {value}")
 }
 
 /// Returns the example of a key, else its default; none if the schema states neither.
-pub(crate) fn stated_example(schema: &Value) -> Option<&Value> {
+pub fn stated_example(schema: &Value) -> Option<&Value> {
     let given = [schema, resolved(schema)].into_iter().find_map(|s| s["examples"].get(0));
     given.or_else(|| default(schema))
 }
 
 /// Returns the default of a key.
-pub(crate) fn default(schema: &Value) -> Option<&Value> {
+pub fn default(schema: &Value) -> Option<&Value> {
     [schema, resolved(schema)].into_iter().find_map(|s| s.get("default").filter(|d| !d.is_null()))
 }
 
@@ -164,13 +164,13 @@ fn stand_in(schema: &Value) -> String {
 }
 
 /// Returns the lines that set the required keys of a table.
-pub(crate) fn required_examples(table: &Value) -> Vec<String> {
+pub fn required_examples(table: &Value) -> Vec<String> {
     let required = table["required"].as_array().into_iter().flatten().filter_map(Value::as_str);
     required.map(|key| example(key, &table["properties"][key])).collect()
 }
 
 /// Returns a JSON value as TOML.
-pub(crate) fn toml_text(value: &Value) -> String {
+pub fn toml_text(value: &Value) -> String {
     match value {
         Value::Array(items) => format!("[{}]", items.iter().map(toml_text).collect::<Vec<_>>().join(", ")),
         Value::Object(entries) if entries.is_empty() => "{}".to_owned(),

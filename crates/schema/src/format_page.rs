@@ -2,9 +2,7 @@
 
 use serde_json::Value;
 
-use crate::data::schema_text::{
-    Kind, bounds, choices, default, description, kind, range_text, stated_example, toml_text,
-};
+use crate::schema_text::{Kind, bounds, choices, default, description, kind, range_text, stated_example, toml_text};
 
 /// Place of a name that the writer of a file chooses.
 const ANY_NAME: &str = "<name>";

@@ -4,10 +4,10 @@ use serde_json::Value;
 use toml::Spanned;
 use toml::de::{DeArray, DeFloat, DeInteger, DeTable, DeValue};
 
-use crate::data::finding::Finding;
-use crate::data::library_error::line_of;
-use crate::data::number_text::number_text;
-use crate::data::schema_text::{self, Kind};
+use crate::finding::Finding;
+use crate::library_error::line_of;
+use crate::number_text::number_text;
+use crate::schema_text::{self, Kind};
 
 /// A walk over a document, which collects what the schema refuses.
 pub(crate) struct SchemaWalk<'a> {

@@ -1,11 +1,8 @@
 //! Relations in food files.
 
-use saute_food::description::Composition;
-use saute_food::{FoodDescription, Form};
+use crate::description::{Composition, FoodDescription, Form};
 
-use crate::data::data_file::DataFile;
-use crate::data::format::Format;
-use crate::data::library_error::LibraryError;
+use saute_schema::{DataFile, Format, LibraryError};
 
 /// Largest deviation of a sum of mass fractions from 1 [-] (chosen: the rounding of food tables).
 const FRACTIONS_OFF: f64 = 0.005;
