@@ -1,6 +1,7 @@
 //! The file format of a half-mirror rig: its measured geometry, as TOML.
 
 use glam::{DQuat, DVec2, DVec3};
+use saute_schema::{InputError, InputText};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -46,15 +47,8 @@ const LARGEST_LENGTH_ERROR: f64 = 0.01;
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum RigFileError {
     /// The text is not a rig file.
-    #[error("{file}:{line}: {message}\n  remedy: write this key as data/rigs/flat-screen.toml has it")]
-    Format {
-        /// Which file.
-        file: String,
-        /// Line, from 1.
-        line: usize,
-        /// What is wrong.
-        message: String,
-    },
+    #[error(transparent)]
+    Format(#[from] InputError),
     /// The numbers do not describe a possible rig.
     #[error("{file}: {fault}")]
     Fault {
@@ -227,12 +221,7 @@ struct SheetTable {
 
 /// Parses and checks a rig file. `file` is the name in error messages.
 pub fn parse(text: &str, file: &str) -> Result<Rig, RigFileError> {
-    let format = |e: toml::de::Error| {
-        let before = e.span().map_or(0, |span| span.start.min(text.len()));
-        let line = 1 + text.as_bytes()[..before].iter().filter(|&&b| b == b'\n').count();
-        RigFileError::Format { file: file.to_owned(), line, message: e.message().to_owned() }
-    };
-    let read: RigFile = toml::from_str(text).map_err(format)?;
+    let read: RigFile = InputText { text, file }.parse("write this key as data/rigs/flat-screen.toml has it")?;
     read.rig().map_err(|fault| RigFileError::Fault { file: file.to_owned(), fault })
 }
 
@@ -244,18 +233,16 @@ pub fn shipped(name: &str) -> Option<Result<Rig, RigFileError>> {
 
 impl RigFile {
     fn rig(self) -> Result<Rig, RigFault> {
-        let eye_distance = 1e-3 * within("eye.distance_mm", self.eye.distance_mm, EYE_DISTANCE_MM)?;
+        let eye_distance = 1e-3 * self.eye.distance_mm;
         let (rig_from_kitchen, residual) = self.kitchen.transform()?;
-        let [width, depth] = self.sheet.size_m;
-        let size = DVec2::new(within("sheet.size_m", width, SHEET_M)?, within("sheet.size_m", depth, SHEET_M)?);
         let measured = Measured {
-            eye: point("eye.position_m", self.eye.position_m)?,
+            eye: DVec3::from_array(self.eye.position_m),
             eye_distance,
             mirror: self.mirror.plane("mirror")?,
             screen: screen(self.panel, self.projector)?,
             rig_from_kitchen,
             residual,
-            sheet: Sheet { middle: point("sheet.middle_m", self.sheet.middle_m)?, size },
+            sheet: Sheet { middle: DVec3::from_array(self.sheet.middle_m), size: DVec2::from_array(self.sheet.size_m) },
             name: self.name,
         };
         measured.rig()
@@ -276,22 +263,21 @@ fn screen(panel: Option<PanelTable>, projector: Option<ProjectorTable>) -> Resul
 
 impl PlaneTable {
     fn plane(&self, key: &str) -> Result<Plane, RigFault> {
-        let at = point(&format!("{key}.point_m"), self.point_m)?;
-        Ok(Plane { point: at, normal: direction(&format!("{key}.normal"), self.normal)? })
+        Ok(Plane { point: DVec3::from_array(self.point_m), normal: direction(&format!("{key}.normal"), self.normal)? })
     }
 }
 
 impl PanelTable {
     fn screen(&self) -> Result<Screen, RigFault> {
-        let first = point("panel.top_left_m", self.top_left_m)?;
-        let row = point("panel.top_right_m", self.top_right_m)? - first;
-        let column = point("panel.bottom_left_m", self.bottom_left_m)? - first;
+        let first = DVec3::from_array(self.top_left_m);
+        let row = DVec3::from_array(self.top_right_m) - first;
+        let column = DVec3::from_array(self.bottom_left_m) - first;
         let cosine_bound = LARGEST_COSINE * row.length() * column.length();
         if row.cross(column).length() < SMALLEST_PANEL || row.dot(column).abs() > cosine_bound {
             let message = "the three corners do not form a right angle";
             return Err(RigFault::new("panel.top_left_m", message, "measure the corners of the lit area again"));
         }
-        Ok(Screen::Panel(Panel { pixels: pixels("panel.pixels", self.pixels)?, first, row, column }))
+        Ok(Screen::Panel(Panel { pixels: pixels(self.pixels), first, row, column }))
     }
 }
 
@@ -302,16 +288,12 @@ impl ProjectorTable {
         let across = (right - right.dot(axis) * axis).try_normalize();
         let along =
             || RigFault::new("projector.right", "it is parallel to the axis", "give the direction of a pixel row");
-        let focal = within("projector.focal_px", self.focal_px, FOCAL_PX)?;
-        let [x, y] = self.principal_px;
-        let centre = DVec2::new(
-            within("projector.principal_px", x, PRINCIPAL_PX)?,
-            within("projector.principal_px", y, PRINCIPAL_PX)?,
-        );
-        let k = [within("projector.k1", self.k1, DISTORTION)?, within("projector.k2", self.k2, DISTORTION)?];
+        let focal = self.focal_px;
+        let centre = DVec2::from_array(self.principal_px);
+        let k = [self.k1, self.k2];
         Ok(Screen::Projector(Projector {
-            pixels: pixels("projector.pixels", self.pixels)?,
-            position: point("projector.position_m", self.position_m)?,
+            pixels: pixels(self.pixels),
+            position: DVec3::from_array(self.position_m),
             axis,
             right: across.ok_or_else(along)?,
             focal,
@@ -334,21 +316,17 @@ impl KitchenTable {
                 let message = "its length is not 1";
                 return Err(RigFault::new("kitchen.home.rotation_xyzw", message, "write a unit quaternion x, y, z, w"));
             }
-            let home = Rigid { rotation: turn.normalize(), shift: point("kitchen.home.position_m", home.position_m)? };
+            let home = Rigid { rotation: turn.normalize(), shift: DVec3::from_array(home.position_m) };
             // In its home pose the pan is at the centre of the hob.
             return Ok((Rigid::from_home(&home, &Rigid::IDENTITY), None));
         }
-        let turn = within("kitchen.turn_deg", self.turn_deg, TURN_DEG)?.to_radians();
-        let shift = point("kitchen.origin_m", self.origin_m)?;
+        let turn = self.turn_deg.to_radians();
+        let shift = DVec3::from_array(self.origin_m);
         Ok((Rigid { rotation: DQuat::from_rotation_z(turn), shift }, None))
     }
 
     fn touched(&self) -> Result<(Rigid, Option<f64>), RigFault> {
-        let mut pairs = Vec::new();
-        for (number, touched) in self.touched.iter().enumerate() {
-            let key = format!("kitchen.touched[{number}]");
-            pairs.push([point(&key, touched.kitchen_m)?, point(&key, touched.rig_m)?]);
-        }
+        let pairs: Vec<_> = self.touched.iter().map(|t| [t.kitchen_m, t.rig_m].map(DVec3::from_array)).collect();
         let refused = |e: RegistrationError| {
             RigFault::new("kitchen.touched", e.to_string(), "touch three or more points spread over pan and table")
         };
@@ -365,30 +343,13 @@ impl KitchenTable {
     }
 }
 
-fn within(key: &str, value: f64, [least, most]: [f64; 2]) -> Result<f64, RigFault> {
-    if (least..=most).contains(&value) {
-        return Ok(value);
-    }
-    Err(RigFault::new(key, format!("{value} is out of range"), &format!("write a number from {least} to {most}")))
-}
-
-fn point(key: &str, at: [f64; 3]) -> Result<DVec3, RigFault> {
-    for value in at {
-        within(key, value, PLACE_M)?;
-    }
-    Ok(DVec3::from_array(at))
-}
-
 fn direction(key: &str, along: [f64; 3]) -> Result<DVec3, RigFault> {
     let none = || RigFault::new(key, "it has no direction", "write three numbers that are not all 0");
     DVec3::from_array(along).try_normalize().ok_or_else(none)
 }
 
-fn pixels(key: &str, sides: [u32; 2]) -> Result<DVec2, RigFault> {
-    for side in sides {
-        within(key, f64::from(side), PIXELS)?;
-    }
-    Ok(DVec2::from_array(sides.map(f64::from)))
+fn pixels(sides: [u32; 2]) -> DVec2 {
+    DVec2::from_array(sides.map(f64::from))
 }
 
 #[cfg(test)]
@@ -435,7 +396,12 @@ mod tests {
     #[test]
     fn a_bad_number_is_refused_with_file_key_and_remedy() {
         let said = refused("position_m = [0.0, -0.35, 0.55]", "position_m = [0.0, -350.0, 550.0]");
-        assert!(said.contains("flat-screen") && said.contains("eye.position_m") && said.contains("remedy"), "{said}");
+        assert!(
+            said.contains("flat-screen")
+                && said.contains("position_m = -350 is out of range")
+                && said.contains("remedy"),
+            "{said}"
+        );
         let said = refused("normal = [0.0, 0.1736, 0.9848]", "normal = [0.0, 0.0, 0.0]");
         assert!(said.contains("mirror.normal"), "{said}");
         let said = refused("position_m = [0.0, -0.35, 0.55]", "position_m = [0.0, -0.35, 0.05]");

@@ -5,6 +5,10 @@
 //! that are not finite or out of range, and lists of a wrong length. Relations between keys are functions
 //! ([`Format::relations`]).
 
+use std::any::TypeId;
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex, PoisonError};
+
 use schemars::generate::SchemaSettings;
 use schemars::{JsonSchema, Schema};
 use serde::de::DeserializeOwned;
@@ -35,6 +39,13 @@ impl FormatSchema {
     pub fn of<T: JsonSchema>() -> Self {
         let settings = SchemaSettings::draft2020_12().with(|s| s.inline_subschemas = true);
         Self { root: settings.into_generator().into_root_schema_for::<T>() }
+    }
+
+    /// Returns the schema of a format, which is made once in a program.
+    pub fn kept<T: JsonSchema + 'static>() -> Arc<Self> {
+        static KEPT: Mutex<BTreeMap<TypeId, Arc<FormatSchema>>> = Mutex::new(BTreeMap::new());
+        let mut kept = KEPT.lock().unwrap_or_else(PoisonError::into_inner);
+        Arc::clone(kept.entry(TypeId::of::<T>()).or_insert_with(|| Arc::new(Self::of::<T>())))
     }
 
     /// Returns the schema as JSON.
@@ -80,5 +91,10 @@ impl FormatSchema {
 
 fn syntax(text: &str, error: &toml::de::Error) -> Finding {
     let line = line_of(text, error.span().map_or(0, |s| s.start));
-    Finding::new(line, "", error.message().trim().to_owned(), "write it as TOML: key = value, text in \"quotes\"")
+    let message = error.message().trim();
+    let remedy = match message.contains("duplicate key") {
+        true => "leave one of the lines out",
+        false => "write it as TOML: key = value, text in \"quotes\"",
+    };
+    Finding::new(line, "", message.to_owned(), remedy)
 }

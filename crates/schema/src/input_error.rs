@@ -1,10 +1,15 @@
 //! What is wrong with a file of the user's.
 
+use schemars::JsonSchema;
+use serde::de::DeserializeOwned;
 use toml::Spanned;
 
 use crate::echo::shortened;
+use crate::finding::Finding;
+use crate::format::FormatSchema;
 use crate::library_error::line_of;
 use crate::number_text::number_text;
+use crate::schema_text::range_remedy;
 
 /// A file that cannot be used: where, what is wrong, and what to write instead.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -38,17 +43,13 @@ impl InputText<'_> {
         Err(InputError { file: self.file.to_owned(), line, message, remedy })
     }
 
-    /// A number in its range.
+    /// A number in a range that depends on more than its key.
     pub fn ranged(&self, key: &str, value: &Spanned<f64>, low: f64, high: f64) -> Result<f64, InputError> {
         let v = *value.get_ref();
         if (low..=high).contains(&v) {
             return Ok(v);
         }
-        let range = if high >= f64::MAX {
-            format!("{key} may be {} and more", number_text(low))
-        } else {
-            format!("{key} may be {} to {}", number_text(low), number_text(high))
-        };
+        let range = range_remedy(low, if high < f64::MAX { high } else { f64::INFINITY }, false);
         self.error(value.span().start, format!("{key} = {} is out of range", number_text(v)), range)
     }
 
@@ -59,11 +60,16 @@ impl InputText<'_> {
         key.filter(|k| !k.is_empty()).map_or_else(String::new, |k| format!("{k}: "))
     }
 
-    /// Reads the text as TOML; `remedy` says where the keys are listed.
-    pub fn parse<T: serde::de::DeserializeOwned>(&self, remedy: &str) -> Result<T, InputError> {
+    /// Reads the text as TOML of a format: what its schema refuses first; `listed` says where its keys are listed.
+    pub fn parse<T: DeserializeOwned + JsonSchema + 'static>(&self, listed: &str) -> Result<T, InputError> {
+        if let Some(Finding { line, message, remedy, .. }) =
+            FormatSchema::kept::<T>().findings(self.text).into_iter().next()
+        {
+            return Err(InputError { file: self.file.to_owned(), line, message, remedy });
+        }
         toml::from_str(self.text).or_else(|e| {
             let at = e.span().map_or(0, |s| s.start);
-            self.error(at, format!("{}{}", self.key_at(at), e.message().trim()), remedy)
+            self.error(at, format!("{}{}", self.key_at(at), e.message().trim()), listed)
         })
     }
 }

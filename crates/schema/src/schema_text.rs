@@ -42,6 +42,13 @@ impl Kind {
     }
 }
 
+impl Kind {
+    /// Returns true if a value of a kind will do where this kind is asked for.
+    pub fn takes(self, value: &DeValue) -> bool {
+        self == Self::Any || self == kind_of(value) || (self == Self::Integer && matches!(value, DeValue::Integer(_)))
+    }
+}
+
 /// Returns the kind of a TOML value.
 pub fn kind_of(value: &DeValue) -> Kind {
     match value {
@@ -58,6 +65,14 @@ pub fn kind_of(value: &DeValue) -> Kind {
 pub fn resolved(schema: &Value) -> &Value {
     let real = schema["anyOf"].as_array().and_then(|all| all.iter().find(|s| s["type"] != "null"));
     real.map_or(schema, resolved)
+}
+
+/// Returns what a value may be: the alternatives of a schema that are not null, or the schema itself.
+pub fn alternatives(schema: &Value) -> Vec<&Value> {
+    match schema["anyOf"].as_array() {
+        Some(all) => all.iter().filter(|s| s["type"] != "null").flat_map(alternatives).collect(),
+        None => vec![schema],
+    }
 }
 
 /// Returns the kind that a schema asks for.
@@ -141,6 +156,11 @@ pub fn example(key: &str, schema: &Value) -> String {
 pub fn stated_example(schema: &Value) -> Option<&Value> {
     let given = [schema, resolved(schema)].into_iter().find_map(|s| s["examples"].get(0));
     given.or_else(|| default(schema))
+}
+
+/// Returns what a schema itself says to write instead of what it refuses.
+pub fn stated_remedy(schema: &Value) -> Option<&str> {
+    schema["x-remedy"].as_str()
 }
 
 /// Returns the default of a key.

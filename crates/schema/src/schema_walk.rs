@@ -6,6 +6,7 @@ use toml::de::{DeArray, DeFloat, DeInteger, DeTable, DeValue};
 
 use crate::finding::Finding;
 use crate::library_error::line_of;
+use crate::nearest::nearest;
 use crate::number_text::number_text;
 use crate::schema_text::{self, Kind};
 
@@ -74,10 +75,11 @@ impl<'a> SchemaWalk<'a> {
     fn unknown<'s>(&mut self, at: At, schema: &'s Value) -> Option<&'s str> {
         let known: Vec<&str> =
             schema["properties"].as_object().into_iter().flatten().map(|(k, _)| k.as_str()).collect();
-        let near = nearest(at.key(), &known);
+        let near = nearest(at.key(), known.iter().copied());
         let remedy = match near {
             Some(near) => format!("write {near}"),
-            None => format!("leave it out; there are: {}", known.join(", ")),
+            None => schema_text::stated_remedy(schema)
+                .map_or_else(|| format!("leave it out; there are: {}", known.join(", ")), str::to_owned),
         };
         self.find(at, format!("{} is no key of the {} format", at.path, self.format), remedy);
         near
@@ -86,11 +88,16 @@ impl<'a> SchemaWalk<'a> {
     fn missing(&mut self, at: At, schema: &Value) {
         let resolved = schema_text::resolved(schema);
         let meaning = schema_text::meaning(schema);
-        if resolved["properties"].is_object() {
+        if resolved["properties"].is_object() || resolved["additionalProperties"].is_object() {
             let line = self.text.lines().count().max(1);
             let keys = schema_text::required_examples(resolved).join(", ");
             let message = format!("[{}] is missing: {meaning}", at.path);
-            self.find(At { line, ..at }, message, format!("write [{}] with {keys}", at.path));
+            let remedy = if keys.is_empty() {
+                format!("write [{}]", at.path)
+            } else {
+                format!("write [{}] with {keys}", at.path)
+            };
+            self.find(At { line, ..at }, message, remedy);
         } else {
             let remedy = format!("write {}", schema_text::example(at.key(), schema));
             self.find(at, format!("{} is missing: {meaning}", at.path), remedy);
@@ -98,22 +105,28 @@ impl<'a> SchemaWalk<'a> {
     }
 
     fn value(&mut self, at: At, schema: &Value, value: &Spanned<DeValue>) {
-        let resolved = schema_text::resolved(schema);
-        match (schema_text::kind(resolved), value.get_ref()) {
-            (Kind::Table, DeValue::Table(entries)) => self.table(at, resolved, entries),
-            (Kind::List, DeValue::Array(items)) => self.list(at, resolved, items),
-            (Kind::Number, DeValue::Float(number)) => self.number(at, resolved, float(number)),
-            (Kind::Number | Kind::Integer, DeValue::Integer(number)) => self.number(at, resolved, integer(number)),
-            (Kind::Text, DeValue::String(text)) => self.choice(at, resolved, text),
-            (Kind::Flag, DeValue::Boolean(_)) | (Kind::Any, _) => {}
-            (wanted, found) => self.mistyped(at, schema, wanted, schema_text::kind_of(found)),
+        let all = schema_text::alternatives(schema);
+        let Some(fitting) = all.iter().find(|s| schema_text::kind(s).takes(value.get_ref())) else {
+            return self.mistyped(at, schema, &all, schema_text::kind_of(value.get_ref()));
+        };
+        match (schema_text::kind(fitting), value.get_ref()) {
+            (Kind::Table, DeValue::Table(entries)) => self.table(at, fitting, entries),
+            (Kind::List, DeValue::Array(items)) => self.list(at, fitting, items),
+            (Kind::Number, DeValue::Float(number)) => self.number(at, fitting, float(number)),
+            (Kind::Number | Kind::Integer, DeValue::Integer(number)) => self.number(at, fitting, integer(number)),
+            (Kind::Text, DeValue::String(text)) => self.choice(at, fitting, text),
+            _ => {}
         }
     }
 
-    fn mistyped(&mut self, at: At, schema: &Value, wanted: Kind, found: Kind) {
+    fn mistyped(&mut self, at: At, schema: &Value, all: &[&Value], found: Kind) {
         let meaning = schema_text::meaning(schema);
-        let message = format!("{} is {} and must be {}: {meaning}", at.path, found.name(), wanted.name());
-        let remedy = if schema_text::resolved(schema)["properties"].is_object() {
+        let mut wanted: Vec<&str> = all.iter().map(|s| schema_text::kind(s).name()).collect();
+        wanted.dedup();
+        let message = format!("{} is {} and must be {}: {meaning}", at.path, found.name(), wanted.join(" or "));
+        let remedy = if let Some(stated) = schema_text::stated_remedy(schema) {
+            stated.to_owned()
+        } else if schema_text::resolved(schema)["properties"].is_object() {
             format!("write [{}] and its keys below it", at.path)
         } else {
             format!("write, for instance, {}", schema_text::example(at.key(), schema))
@@ -135,7 +148,8 @@ impl<'a> SchemaWalk<'a> {
                 Some(most) => format!("{least} to {most}"),
                 None => format!("{least} or more"),
             };
-            self.find(at, format!("{} has {count} entries", at.path), format!("write {wanted}"));
+            let remedy = schema_text::stated_remedy(schema).map_or_else(|| format!("write {wanted}"), str::to_owned);
+            self.find(at, format!("{} has {count} entries", at.path), remedy);
         }
         for item in items.iter() {
             self.value(At { line: line_of(self.text, item.span().start), in_list: true, ..at }, &schema["items"], item);
@@ -154,18 +168,18 @@ impl<'a> SchemaWalk<'a> {
             let shown: Vec<String> =
                 values.iter().map(|v| v.map_or_else(|| "?".to_owned(), |v| format!("{v:?}"))).collect();
             let noun = schema["title"].as_str().unwrap_or("list of the right form");
-            let remedy = schema["x-remedy"].as_str().unwrap_or("use the range of each place");
-            self.find(at, format!("{} = [{}] is no {noun}", at.key(), shown.join(", ")), remedy);
+            let remedy = schema_text::stated_remedy(schema).unwrap_or("use the range of each place");
+            self.find(at, format!("{} = [{}] is no {noun}", at.path, shown.join(", ")), remedy);
         }
     }
 
     fn number(&mut self, at: At, schema: &Value, value: f64) {
         let (low, high) = schema_text::bounds(schema);
         if !value.is_finite() {
-            let message = format!("{} = {value} is no finite number", at.key());
+            let message = format!("{} = {value} is no finite number", at.path);
             self.find(at, message, schema_text::range_remedy(low, high, at.in_list));
         } else if !(low..=high).contains(&value) {
-            let message = format!("{} = {} is out of range", at.key(), number_text(value));
+            let message = format!("{} = {} is out of range", at.path, number_text(value));
             self.find(at, message, schema_text::range_remedy(low, high, at.in_list));
         }
     }
@@ -173,11 +187,11 @@ impl<'a> SchemaWalk<'a> {
     fn choice(&mut self, at: At, schema: &Value, text: &str) {
         let choices = schema_text::choices(schema);
         if !choices.is_empty() && !choices.contains(&text) {
-            let remedy = match nearest(text, &choices) {
+            let remedy = match nearest(text, choices.iter().copied()) {
                 Some(near) => format!("write \"{near}\"; there are: {}", choices.join(", ")),
                 None => format!("use one of: {}", choices.join(", ")),
             };
-            self.find(at, format!("{} = \"{text}\" is unknown", at.key()), remedy);
+            self.find(at, format!("{} = \"{text}\" is unknown", at.path), remedy);
         }
     }
 }
@@ -199,10 +213,4 @@ fn finite(value: &DeValue) -> Option<f64> {
         _ => return None,
     };
     number.is_finite().then_some(number)
-}
-
-/// Returns the known name with the smallest Levenshtein distance to another name, if the distance is small.
-fn nearest<'n>(name: &str, known: &[&'n str]) -> Option<&'n str> {
-    let near = known.iter().map(|k| (strsim::levenshtein(name, k), *k)).min()?;
-    (near.0 <= 2.max(name.len() / 3)).then_some(near.1)
 }

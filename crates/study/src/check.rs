@@ -9,8 +9,8 @@ use toml::Spanned;
 
 use super::protocol::{Answering, Condition, CookForReal, Item, Phase, Protocol, Questionnaire, Simulate, Task};
 use super::protocol_file::{
-    AnswerKind, ConditionEntry, CookForRealEntry, ItemEntry, LONGEST_S, MOST_CONDITIONS, MOST_ITEMS, MOST_PHASES,
-    MOST_TRIALS, PhaseEntry, ProtocolFile, QuestionnaireEntry, SimulateEntry,
+    AnswerKind, ConditionEntry, CookForRealEntry, ItemEntry, MOST_CONDITIONS, MOST_ITEMS, MOST_PHASES, PhaseEntry,
+    ProtocolFile, QuestionnaireEntry, SimulateEntry,
 };
 use crate::set_out::SetOut;
 use saute_plan::Aimed;
@@ -84,19 +84,14 @@ impl Check<'_> {
         let raw = entry.get_ref();
         let set_out = SetOut::named(self.input, entry.span().start, raw.recipe.as_ref(), raw.scenario.as_ref())?;
         let recipe = set_out.recipe(self.input, self.library)?;
-        let (trials, at) = (*raw.trials.get_ref(), raw.trials.span().start);
-        if !(1..=MOST_TRIALS).contains(&trials) {
-            let range = format!("trials may be 1 to {MOST_TRIALS}");
-            return self.input.error(at, format!("trials = {trials} is out of range"), range);
-        }
-        let max_s = raw.max_s.as_ref().map_or(Ok(USUAL_MAX_S), |s| self.input.ranged("max_s", s, 10.0, LONGEST_S))?;
+        let max_s = raw.max_s.as_ref().map_or(USUAL_MAX_S, |s| *s.get_ref());
         let goal = self.goal(&raw.goal)?;
         self.fits(&raw.goal, &goal, &recipe)?;
         Ok(Simulate {
             goal,
             recipe: Arc::new(recipe),
-            trials: trials as u32,
-            speed: self.input.ranged("speed", &raw.speed, 1.0, 20.0)?,
+            trials: *raw.trials.get_ref(),
+            speed: *raw.speed.get_ref(),
             max_s,
             information: raw.information,
             feedback: raw.feedback,

@@ -106,8 +106,8 @@ pub struct SimulateEntry {
     #[schemars(with = "String")]
     pub goal: Spanned<String>,
     /// Number of trials.
-    #[schemars(with = "i64", range(min = 1, max = MOST_TRIALS))]
-    pub trials: Spanned<i64>,
+    #[schemars(with = "u32", range(min = 1, max = MOST_TRIALS))]
+    pub trials: Spanned<u32>,
     /// Simulated time over wall time [-]; fixed for the participant.
     #[schemars(with = "f64", range(min = 1, max = 20))]
     pub speed: Spanned<f64>,

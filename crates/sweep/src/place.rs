@@ -4,7 +4,7 @@ use serde_json::Value as Json;
 use toml::Value;
 
 use crate::documents::{self, Documents, FOLDERS, SINGLE};
-use crate::spec::spec_file::nearest;
+use saute_schema::nearest;
 
 /// Which text a path leads into.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]

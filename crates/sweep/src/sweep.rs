@@ -10,7 +10,6 @@ use saute_formats::{Heading, Kind, Table, Value};
 use saute_kitchen::{Library, OwnFiles};
 use saute_recipe::{Cook, Recipe, StoppedBy, Summary};
 use saute_schema::{InputError, InputText};
-use toml::Spanned;
 
 use crate::documents::Documents;
 use crate::identity::hash;
@@ -75,13 +74,10 @@ impl Sweep {
         let factors = factors(input, &spec, &documents)?;
         let design = design(input, &spec, &factors)?;
         let rows = size(input, &spec, &design)?;
-        let ranged = |key, value: &Option<Spanned<f64>>, default, low, high| {
-            value.as_ref().map_or(Ok(default), |value| input.ranged(key, value, low, high))
-        };
         let varied = factors.iter().map(|f| f.path.clone()).collect();
         let mut sweep = Self {
-            for_s: ranged("for_s", &spec.for_s, f64::INFINITY, 0.1, 86_400.0)?,
-            coarseness: spec.coarseness.as_ref().map(|c| input.ranged("coarseness", c, 1.0, 8.0)).transpose()?,
+            for_s: spec.for_s.unwrap_or(f64::INFINITY),
+            coarseness: spec.coarseness,
             manifest: Manifest::new(hash(text, &base, &documents), spec.recipe.get_ref(), varied, design, rows),
             text: text.to_owned(),
             file: file.to_owned(),

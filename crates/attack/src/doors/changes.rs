@@ -222,14 +222,14 @@ pub const CHANGES: &[Change] = &[
     },
     Change {
         name: "shake: duration [s]",
-        recipe: step("shake = #", &["shake.for_s"], within(FOR_S)),
+        recipe: step("shake = #", &["step.shake"], within(FOR_S)),
         entry: entry(|v| done(Command::Shake { amplitude: 0.02, hz: 3.0, for_s: v }), &["shake.for_s"], within(FOR_S)),
         python: Some(("shake(for_s)", within(FOR_S))),
         ..IN_PAN
     },
     Change {
         name: "tilt: angle [°]",
-        recipe: step("tilt = #", &["tilt.deg"], between(TILT_DEG)),
+        recipe: step("tilt = #", &["step.tilt"], between(TILT_DEG)),
         entry: entry(
             |v| done(Command::Tilt { angle: v.to_radians(), towards: 0.0 }),
             &["tilt.deg"],

@@ -21,10 +21,10 @@ const ARROWS: [(&str, &[&str]); 33] = [
     ("saute-study", &["saute-schema", "saute-kitchen", "saute-plan", "saute-recipe"]),
     ("saute-formats", &["saute-kitchen", "saute-recipe"]),
     ("saute-sweep", &["saute-schema", "saute-formats", "saute-kitchen", "saute-recipe"]),
-    ("saute-sweep-folder", &["saute-files", "saute-formats", "saute-kitchen", "saute-sweep"]),
+    ("saute-sweep-folder", &["saute-files", "saute-formats", "saute-sweep"]),
     ("saute-surface", &["saute-heat"]),
     ("saute-scene", &["wgpu"]),
-    ("saute-mirror", &[]),
+    ("saute-mirror", &["saute-schema"]),
     ("saute-sound", &[]),
     // What plays: a sound card of this machine, a page's worklet. Neither knows a kitchen.
     ("saute-speaker", &["saute-sound"]),

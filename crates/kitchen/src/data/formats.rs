@@ -156,22 +156,22 @@ fn a_number_out_of_range_or_not_finite_is_refused_with_the_range() {
     refused::<PanDescription>(
         pan,
         ["pitch_mm = 12.0", "pitch_mm = 0"],
-        ["pitch_mm = 0 is out of range", "use 2 to 50"],
+        ["ridges.pitch_mm = 0 is out of range", "use 2 to 50"],
     );
     refused::<PanDescription>(
         pan,
         ["metalness = 0.35", "metalness = nan"],
-        ["metalness = NaN is no finite number", "use 0 to 1"],
+        ["look.metalness = NaN is no finite number", "use 0 to 1"],
     );
     refused::<OilDescription>(
         "oils/olive.toml",
         ["[190, 172, 40]", "[190, 372, 40]"],
-        ["colour_srgb = 372 is out of range", "use numbers from 0 to 255"],
+        ["look.colour_srgb = 372 is out of range", "use numbers from 0 to 255"],
     );
     refused::<Kinetics>(
         "kinetics/beef.toml",
         ["across = { myosin = 0.050", "across = { myosin = inf"],
-        ["myosin = inf is no finite number", "use -0.5 to 0.5"],
+        ["shrinkage.across.myosin = inf is no finite number", "use -0.5 to 0.5"],
     );
 }
 
@@ -185,7 +185,7 @@ fn a_list_of_the_wrong_length_is_refused() {
     refused::<FoodDescription>(
         "foods/beef-lean.toml",
         ["char = [14.0, 1.0, 1.0]", "char = [14.0, 1.0]"],
-        ["char = [14.0, 1.0] is no colour", "use L* 0 to 100, a* and b* -128 to 127"],
+        ["colour.char = [14.0, 1.0] is no colour", "use L* 0 to 100, a* and b* -128 to 127"],
     );
 }
 

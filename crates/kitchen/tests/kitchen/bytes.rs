@@ -6,7 +6,7 @@ use saute_kitchen::dynamics::{Pose, Tool};
 use saute_kitchen::{Command, Kitchen, Library, OwnFiles, Place, RestOn, kelvin};
 use saute_recipe::Recipe;
 
-use crate::draws::{Draws, count, seed};
+use saute_fixtures::draws::{Draws, count, seed};
 
 /// The dish: a steak, eleven carrot coins and eleven leek rings.
 const DISH: &str = "steak-carrots-leeks";
@@ -119,7 +119,7 @@ fn a_kitchen_restored_at_any_instant_goes_on_as_the_one_that_never_stopped() {
             halved,
         ];
         seen.iter_mut().zip(states).for_each(|(seen, is_so)| *seen += u32::from(is_so));
-        let (seed, later) = (draws.next(), draws.below(DEEDS));
+        let (seed, later) = (draws.bits(), draws.below(DEEDS));
         for (tick, kind) in [(2, Some(later)), (3, None)] {
             for side in [&mut kitchen, &mut restored] {
                 if let Some(kind) = kind {

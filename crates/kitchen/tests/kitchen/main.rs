@@ -6,7 +6,6 @@ mod bytes;
 mod contact;
 mod doneness;
 mod door;
-mod draws;
 mod dynamics;
 mod fats;
 mod fond;

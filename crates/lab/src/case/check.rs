@@ -5,7 +5,7 @@ use toml::Spanned;
 
 use crate::case::case_file::{CaseFile, Physics, RuleEntry};
 use crate::case::lab_case::{Case, CookingCase, ProbeCase};
-use crate::case::ranges::{DURATION_S, LEAST_INTERVAL, REACHED_C, STEP_FACTOR};
+use crate::case::ranges::LEAST_INTERVAL;
 use saute_kitchen::data::library::Library;
 use saute_kitchen::kelvin;
 use saute_schema::{InputError, InputText};
@@ -23,7 +23,7 @@ pub(super) struct Check<'a> {
 impl Check<'_> {
     pub(super) fn case(&self) -> Checked<Case> {
         let raw: CaseFile = self.input.parse("the keys and their types are listed by: saute schema lab")?;
-        let duration = self.ranged("duration_s", &raw.duration_s, DURATION_S)?;
+        let duration = *raw.duration_s.get_ref();
         let (shape, bodies) = self.bodies(&raw)?;
         let pan = raw.pan.as_ref().map(|p| self.pan(p)).transpose()?;
         let probes: Vec<ProbeCase> = self.probes(&raw, shape, &bodies)?;
@@ -35,13 +35,13 @@ impl Check<'_> {
                 RuleEntry::ShapeFunctions => Rule::ShapeFunctions,
                 RuleEntry::Segments => Rule::Segments,
             },
-            step_factor: self.optional("step_factor", raw.solver.step_factor.as_ref(), STEP_FACTOR)?.unwrap_or(1.0),
+            step_factor: raw.solver.step_factor.as_ref().map_or(1.0, |v| *v.get_ref()),
             materials: self.materials(&raw, bodies.len())?,
             cooking: self.cooking(&raw, bodies.len())?,
             phases: self.phases(&raw, shape, duration)?,
             flips: self.flips(&raw, shape, duration)?,
-            stop_at: self.stop_at(&raw)?,
-            volume_above_c: self.volume_above(&raw)?,
+            stop_at: raw.stop.as_ref().map(|stop| kelvin(*stop.when_every_point_has_reached_c.get_ref())),
+            volume_above_c: raw.report.volume_above_c.iter().map(|c| *c.get_ref()).collect(),
             peak_of: self.peak_of(&raw)?,
             compare: None,
             source: raw.source.clone().unwrap_or_default(),
@@ -63,11 +63,6 @@ impl Check<'_> {
     /// Returns a number, or an error if it is outside of its range.
     pub(super) fn ranged(&self, key: &str, value: &Spanned<f64>, [least, most]: [f64; 2]) -> Checked<f64> {
         self.input.ranged(key, value, least, most)
-    }
-
-    /// Returns an optional number, or an error if it is outside of its range.
-    pub(super) fn optional(&self, key: &str, value: Option<&Spanned<f64>>, range: [f64; 2]) -> Checked<Option<f64>> {
-        value.map(|v| self.ranged(key, v, range)).transpose()
     }
 
     /// Returns the data for cooking, which needs one body of one food, without a pan below it.
@@ -93,16 +88,6 @@ impl Check<'_> {
             components: self.library.components.clone(),
             room: self.library.room.clone(),
         }))
-    }
-
-    fn volume_above(&self, raw: &CaseFile) -> Checked<Vec<f64>> {
-        raw.report.volume_above_c.iter().map(|c| self.ranged("volume_above_c", c, REACHED_C)).collect()
-    }
-
-    fn stop_at(&self, raw: &CaseFile) -> Checked<Option<f64>> {
-        let Some(stop) = &raw.stop else { return Ok(None) };
-        let key = "when_every_point_has_reached_c";
-        self.ranged(key, &stop.when_every_point_has_reached_c, REACHED_C).map(|c| Some(kelvin(c)))
     }
 
     fn peak_of(&self, raw: &CaseFile) -> Checked<Option<usize>> {

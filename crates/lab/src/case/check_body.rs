@@ -7,10 +7,7 @@ use crate::case::body_file::{BodyEntry, PanEntry, Shape};
 use crate::case::case_file::CaseFile;
 use crate::case::check::{Check, Checked, cooks};
 use crate::case::lab_case::{BodyCase, PanCase};
-use crate::case::ranges::{
-    AMBIENT_C, CONDUCTIVITY_W_MK, CONTACT_W_M2K, DENSITY_KG_M3, GRADING, H_W_M2K, INITIAL_C, Q_W_M2, RESOLUTION_MM,
-    SIZE_MM, SPECIFIC_HEAT_J_KGK, THICKNESS_MM,
-};
+use crate::case::ranges::{RESOLUTION_MM, SIZE_MM};
 use crate::solve::body::{node_count, sizes, vertical};
 use saute_kitchen::data::library::Library;
 use saute_kitchen::kelvin;
@@ -81,9 +78,9 @@ impl Check<'_> {
         let default_grading = if cooks { COOKING_MESH } else { DEFAULT_MESH }[1];
         Ok(BodyCase {
             resolution: self.resolution(entry, &size, cooks)?,
-            grading: self.optional("grading", entry.grading.as_ref(), GRADING)?.unwrap_or(default_grading),
-            initial: kelvin(self.ranged("initial_c", &entry.initial_c, INITIAL_C)?),
-            contact: self.optional("contact_h_w_m2k", entry.contact_h_w_m2k.as_ref(), CONTACT_W_M2K)?,
+            grading: entry.grading.as_ref().map_or(default_grading, |v| *v.get_ref()),
+            initial: kelvin(*entry.initial_c.get_ref()),
+            contact: entry.contact_h_w_m2k.as_ref().map(|v| *v.get_ref()),
             size,
         })
     }
@@ -141,11 +138,10 @@ impl Check<'_> {
     pub(super) fn pan(&self, entry: &Spanned<PanEntry>) -> Checked<(PanCase, Boundary)> {
         let pan = entry.get_ref();
         let [thickness, density, specific_heat] = self.plate(entry)?;
-        let initial = kelvin(self.ranged("initial_c", &pan.initial_c, INITIAL_C)?);
-        self.optional("conductivity_w_mk", pan.conductivity_w_mk.as_ref(), CONDUCTIVITY_W_MK)?;
-        let q = self.optional("q_w_m2", pan.q_w_m2.as_ref(), Q_W_M2)?.unwrap_or(0.0);
-        let h = self.optional("h_w_m2k", pan.h_w_m2k.as_ref(), H_W_M2K)?.unwrap_or(0.0);
-        let outside = self.optional("ambient_c", pan.ambient_c.as_ref(), AMBIENT_C)?.map_or(initial, kelvin);
+        let initial = kelvin(*pan.initial_c.get_ref());
+        let q = pan.q_w_m2.as_ref().map_or(0.0, |v| *v.get_ref());
+        let h = pan.h_w_m2k.as_ref().map_or(0.0, |v| *v.get_ref());
+        let outside = pan.ambient_c.as_ref().map_or(initial, |c| kelvin(*c.get_ref()));
         let plate = PanCase { capacity: thickness * density * specific_heat, initial, thickness };
         Ok((plate, Boundary::Exchange { h, source: h * outside + q }))
     }
@@ -159,9 +155,9 @@ impl Check<'_> {
     fn plate(&self, entry: &Spanned<PanEntry>) -> Checked<[f64; 3]> {
         let pan = entry.get_ref();
         let own = [
-            self.optional("thickness_mm", pan.thickness_mm.as_ref(), THICKNESS_MM)?.map(|mm| mm * 1e-3),
-            self.optional("density_kg_m3", pan.density_kg_m3.as_ref(), DENSITY_KG_M3)?,
-            self.optional("specific_heat_j_kgk", pan.specific_heat_j_kgk.as_ref(), SPECIFIC_HEAT_J_KGK)?,
+            pan.thickness_mm.as_ref().map(|mm| mm.get_ref() * 1e-3),
+            pan.density_kg_m3.as_ref().map(|v| *v.get_ref()),
+            pan.specific_heat_j_kgk.as_ref().map(|v| *v.get_ref()),
         ];
         if let [Some(thickness), Some(density), Some(specific_heat)] = own {
             return Ok([thickness, density, specific_heat]);

@@ -8,7 +8,6 @@ use crate::case::boundary_file::{BoundaryEntry, Contact};
 use crate::case::case_file::CaseFile;
 use crate::case::check::{Check, Checked, cooks};
 use crate::case::lab_case::{Medium, Radiation};
-use crate::case::ranges::{AMBIENT_C, EMISSIVITY, H_W_M2K, HUMIDITY_PCT, Q_W_M2};
 use saute_kitchen::kelvin;
 
 impl Check<'_> {
@@ -70,8 +69,8 @@ impl Check<'_> {
                 None => Ok(None),
             };
         };
-        let surroundings = kelvin(self.ranged("radiant_c", radiant, AMBIENT_C)?);
-        let own = self.optional("emissivity", b.emissivity.as_ref(), EMISSIVITY)?;
+        let surroundings = kelvin(*radiant.get_ref());
+        let own = b.emissivity.as_ref().map(|v| *v.get_ref());
         match own.or_else(|| self.emissivity_of_food(raw)) {
             Some(emissivity) => Ok(Some(Radiation { surroundings, emissivity })),
             None => {
@@ -92,8 +91,8 @@ impl Check<'_> {
     fn vapour_density(&self, b: &BoundaryEntry) -> Checked<Option<f64>> {
         let Some(humidity) = &b.humidity_pct else { return Ok(None) };
         let at = humidity.span().start;
-        let share = self.ranged("humidity_pct", humidity, HUMIDITY_PCT)? / 100.0;
-        let Some(ambient) = self.optional("ambient_c", b.ambient_c.as_ref(), AMBIENT_C)? else {
+        let share = humidity.get_ref() / 100.0;
+        let Some(ambient) = b.ambient_c.as_ref().map(|v| *v.get_ref()) else {
             let remedy = "write ambient_c, the temperature of the air";
             return self.input.error(at, "humidity_pct needs ambient_c", remedy);
         };
@@ -109,9 +108,9 @@ impl Check<'_> {
 
     fn condition(&self, entry: &Spanned<BoundaryEntry>) -> Checked<Boundary> {
         let b = entry.get_ref();
-        let flux = self.optional("q_w_m2", b.q_w_m2.as_ref(), Q_W_M2)?;
-        let outside = self.optional("ambient_c", b.ambient_c.as_ref(), AMBIENT_C)?.map(kelvin);
-        let h = self.optional("h_w_m2k", b.h_w_m2k.as_ref(), H_W_M2K)?;
+        let flux = b.q_w_m2.as_ref().map(|v| *v.get_ref());
+        let outside = b.ambient_c.as_ref().map(|c| kelvin(*c.get_ref()));
+        let h = b.h_w_m2k.as_ref().map(|v| *v.get_ref());
         match (h, b.fixed, outside, flux) {
             // The contact model computes the coefficient; 1 is a placeholder.
             (None, false, Some(outside), None) if b.contact == Some(Contact::Pan) => {

@@ -7,7 +7,7 @@ use crate::case::case_file::CaseFile;
 use crate::case::check::{Check, Checked};
 use crate::case::expect_file::{ExpectEntry, ProbeEntry, Quantity};
 use crate::case::lab_case::{BodyCase, ProbeCase};
-use crate::case::ranges::{AT_MM, EXPECTED, TIME_S, TOLERANCE, TOLERANCE_PCT};
+use crate::case::ranges::AT_MM;
 use crate::result::verdict::{Expectation, Subject};
 use crate::solve::body::{on_axes, vertical};
 
@@ -61,7 +61,7 @@ impl Check<'_> {
 
     pub(super) fn expectation(&self, entry: &Spanned<ExpectEntry>, raw: &CaseFile) -> Checked<Expectation> {
         let e = entry.get_ref();
-        let value = self.ranged("value", &e.value, EXPECTED)?;
+        let value = *e.value.get_ref();
         let tolerance = self.tolerance(entry, value)?;
         Ok(Expectation { subject: self.subject(entry, raw)?, value, tolerance })
     }
@@ -70,8 +70,8 @@ impl Check<'_> {
     fn tolerance(&self, entry: &Spanned<ExpectEntry>, value: f64) -> Checked<f64> {
         let e = entry.get_ref();
         match (&e.tolerance, &e.tolerance_pct) {
-            (Some(t), None) => self.ranged("tolerance", t, TOLERANCE),
-            (None, Some(pct)) => Ok(value.abs() * self.ranged("tolerance_pct", pct, TOLERANCE_PCT)? / 100.0),
+            (Some(t), None) => Ok(*t.get_ref()),
+            (None, Some(pct)) => Ok(value.abs() * pct.get_ref() / 100.0),
             _ => {
                 let remedy = "write tolerance = 0.1 or tolerance_pct = 1";
                 self.input.error(entry.span().start, "the expectation needs exactly one tolerance", remedy)
@@ -89,7 +89,7 @@ impl Check<'_> {
                     let message = format!("the probe \"{name}\" does not report its flux");
                     return self.input.error(at, message, "give it flux = true");
                 }
-                Ok(Subject::Probe(e.quantity, name.clone(), self.ranged("at_s", time, TIME_S)?))
+                Ok(Subject::Probe(e.quantity, name.clone(), *time.get_ref()))
             }
             _ if of_probe => {
                 let remedy = "write probe = \"centre\" and at_s = 60";

@@ -7,10 +7,7 @@ use toml::Spanned;
 use crate::case::body_file::{Juice, MaterialEntry};
 use crate::case::case_file::CaseFile;
 use crate::case::check::{Check, Checked};
-use crate::case::ranges::{
-    CONDUCTIVITY_W_MK, DEFAULT_BOILING_C, DEFAULT_LATENT_J_KG, DENSITY_KG_M3, INITIAL_C, LATENT_J_KG,
-    SPECIFIC_HEAT_J_KGK, WATER_KG_M3,
-};
+use crate::case::ranges::{DEFAULT_BOILING_C, DEFAULT_LATENT_J_KG};
 use crate::solve::material::{Boiling, Material, Solid};
 use saute_kitchen::data::library::Library;
 use saute_kitchen::kelvin;
@@ -44,9 +41,8 @@ impl Check<'_> {
     fn material(&self, m: &MaterialEntry, at: usize) -> Checked<Material> {
         match (&m.conductivity_w_mk, &m.density_kg_m3, &m.specific_heat_j_kgk, &m.food) {
             (Some(k), Some(rho), Some(c), None) => {
-                let conductivity = self.ranged("conductivity_w_mk", k, CONDUCTIVITY_W_MK)?;
-                let capacity = self.ranged("density_kg_m3", rho, DENSITY_KG_M3)?
-                    * self.ranged("specific_heat_j_kgk", c, SPECIFIC_HEAT_J_KGK)?;
+                let conductivity = *k.get_ref();
+                let capacity = rho.get_ref() * c.get_ref();
                 let boiling = self.boiling(m, conductivity, at)?;
                 Ok(Material { solid: Solid::Constant(Constants { conductivity, capacity }), boiling })
             }
@@ -63,7 +59,7 @@ impl Check<'_> {
         if !has_water(m) {
             return Ok(None);
         }
-        let water = self.optional("water_kg_m3", m.water_kg_m3.as_ref(), WATER_KG_M3)?;
+        let water = m.water_kg_m3.as_ref().map(|v| *v.get_ref());
         let unlimited = m.juice == Some(Juice::Unlimited);
         if water.is_none() && !unlimited {
             return self.input.error(
@@ -74,11 +70,9 @@ impl Check<'_> {
         }
         Ok(Some(Boiling {
             water: water.filter(|_| !unlimited),
-            at: kelvin(self.optional("boiling_c", m.boiling_c.as_ref(), INITIAL_C)?.unwrap_or(DEFAULT_BOILING_C)),
-            latent: self.optional("latent_j_kg", m.latent_j_kg.as_ref(), LATENT_J_KG)?.unwrap_or(DEFAULT_LATENT_J_KG),
-            crust_conductivity: self
-                .optional("crust_conductivity_w_mk", m.crust_conductivity_w_mk.as_ref(), CONDUCTIVITY_W_MK)?
-                .unwrap_or(conductivity),
+            at: kelvin(m.boiling_c.as_ref().map_or(DEFAULT_BOILING_C, |v| *v.get_ref())),
+            latent: m.latent_j_kg.as_ref().map_or(DEFAULT_LATENT_J_KG, |v| *v.get_ref()),
+            crust_conductivity: m.crust_conductivity_w_mk.as_ref().map(|v| *v.get_ref()).unwrap_or(conductivity),
         }))
     }
 

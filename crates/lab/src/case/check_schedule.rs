@@ -8,7 +8,7 @@ use crate::case::boundary_file::{BoundaryEntry, Face, FlipsEntry, PhaseEntry};
 use crate::case::case_file::CaseFile;
 use crate::case::check::{Check, Checked, repeated};
 use crate::case::lab_case::{Phase, Until};
-use crate::case::ranges::{LEAST_INTERVAL, REACHED_C, TIME_S};
+use crate::case::ranges::{LEAST_INTERVAL, TIME_S};
 use crate::solve::body::{ends, vertical};
 use saute_kitchen::kelvin;
 
@@ -39,7 +39,7 @@ impl Check<'_> {
             None if last => Ok(Until::Forever),
             Some((Some(time), None, None)) => Ok(Until::Time(self.ranged("at_s", time, [TIME_S[0], duration])?)),
             Some((None, Some(probe), Some(c))) => {
-                let target = kelvin(self.ranged("reaches_c", c, REACHED_C)?);
+                let target = kelvin(*c.get_ref());
                 Ok(Until::Probe(self.probe_index(raw, probe, at)?, target))
             }
             _ => self.input.error(

@@ -1,12 +1,13 @@
 //! The expected course of a colour over time in pictures of a cook: monotonically falling.
 
 use saute_food::Lab;
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::cook_case::file::SeenAt;
 
 /// A colour coordinate that is expected to fall monotonically.
-#[derive(Clone, Debug, Deserialize, PartialEq)]
+#[derive(Clone, Debug, Deserialize, JsonSchema, PartialEq)]
 #[serde(deny_unknown_fields)]
 pub struct Course {
     /// Name of the quantity.
@@ -28,7 +29,7 @@ pub struct Course {
 }
 
 /// A coordinate of a colour.
-#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq, Eq)]
 pub enum Coordinate {
     /// Lightness L*.
     #[serde(rename = "L*")]

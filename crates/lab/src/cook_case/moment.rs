@@ -2,6 +2,7 @@
 
 use saute_recipe::ActionKind;
 use saute_recipe::step_record::StepRecord;
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 /// A moment of a cook.
@@ -21,12 +22,16 @@ pub(super) enum Moment {
 }
 
 /// A moment as a file states it: `{ s = 150 }`, or `{ step = "flip", nth = 2, after_s = 60 }`.
-#[derive(Deserialize)]
+#[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-struct MomentEntry {
+pub(super) struct MomentEntry {
+    /// Time [s].
     s: Option<f64>,
+    /// Action of a step.
     step: Option<String>,
+    /// Number of that step among those with the same action, from 1.
     nth: Option<usize>,
+    /// Time after the step [s].
     after_s: Option<f64>,
 }
 

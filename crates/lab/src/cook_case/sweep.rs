@@ -1,20 +1,22 @@
 //! Cooks of one recipe with one parameter varied, and the trends that their results follow.
 
+use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::cook_case::moment::Moment;
+use crate::cook_case::moment::{Moment, MomentEntry};
 
 /// Values of a mark in the recipe's text.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Sweep {
     /// The mark, as `@hob_w@`.
     pub replace: String,
+    /// What replaces it, one cook for each.
     pub values: Vec<SweepValue>,
 }
 
 /// A value that replaces the mark.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(untagged)]
 pub(super) enum SweepValue {
     Number(f64),
@@ -37,16 +39,21 @@ impl Sweep {
 }
 
 /// A promise on a number of the summary along the values of the sweep.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(super) struct TrendEntry {
+    /// Name of the quantity.
     pub quantity: String,
+    /// Pointer to its number in the summary.
     pub pointer: String,
     /// Pointer to a number that is subtracted.
     pub less: Option<String>,
     /// Moment of the reading; the end of the cook by default.
+    #[schemars(with = "Option<MomentEntry>")]
     pub at: Option<Moment>,
+    /// Its unit.
     pub unit: String,
+    /// Direction of the values.
     pub direction: Direction,
     /// Largest change against the direction, in the number's unit.
     pub slack: Option<f64>,
@@ -57,15 +64,17 @@ pub(super) struct TrendEntry {
 }
 
 /// A number of the summary and its limit.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Guard {
+    /// Pointer to the number in the summary.
     pub pointer: String,
+    /// Its limit.
     pub limit: f64,
 }
 
 /// Direction of a trend.
-#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq, Eq)]
 #[serde(rename_all = "snake_case")]
 pub(super) enum Direction {
     NotFalling,

@@ -1,6 +1,7 @@
 //! Promise: fitted to logs of a simulated cook with noise, "my kitchen" finds the true values within its 90 % intervals as often as it
 //! says. Truths are drawn from the prior, noise from the stated standard deviations, both from one seed.
 
+use saute_fixtures::draws::Draws;
 use std::sync::Arc;
 
 use saute_kitchen::Library;
@@ -43,24 +44,6 @@ end = true
 /// Trials of `./test.sh`; the campaign makes as many as `SAUTE_FIT_TRIALS` says.
 const TRIALS: usize = 3;
 
-/// A stream of normal random numbers.
-struct Normal(u64);
-
-impl Normal {
-    fn uniform(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    fn next(&mut self) -> f64 {
-        let (a, b) = (1.0 - self.uniform(), self.uniform());
-        (-2.0 * a.ln()).sqrt() * (std::f64::consts::TAU * b).cos()
-    }
-}
-
 fn library() -> Arc<Library> {
     Arc::new(Library::embedded().expect("embedded data"))
 }
@@ -73,7 +56,7 @@ fn recipe(library: &Library) -> Recipe {
 
 /// What thermometers would have shown in a kitchen with the parameters: the pan until the food is in, the core every 10 s, the
 /// weight at the end.
-fn measured(truth: &Parameters, library: &Library, noise: &mut Normal) -> Observed {
+fn measured(truth: &Parameters, library: &Library, noise: &mut Draws) -> Observed {
     let (mut library, mut recipe) = (library.clone(), recipe(library));
     truth.set_in(&mut library);
     truth.set_in_recipe(&mut recipe);
@@ -83,9 +66,9 @@ fn measured(truth: &Parameters, library: &Library, noise: &mut Normal) -> Observ
         if cook.kitchen.tick().is_multiple_of(100) {
             let now = cook.kitchen.time_s();
             if now < 120.0 {
-                pan.push((now, cook.kitchen.pan_temperature() + PAN_SIGMA * noise.next()));
+                pan.push((now, cook.kitchen.pan_temperature() + PAN_SIGMA * noise.normal()));
             } else {
-                core.push((now, cook.kitchen.pieces()[0].core() + CORE_SIGMA * noise.next()));
+                core.push((now, cook.kitchen.pieces()[0].core() + CORE_SIGMA * noise.normal()));
             }
         }
         cook.advance().expect("a step");
@@ -93,13 +76,13 @@ fn measured(truth: &Parameters, library: &Library, noise: &mut Normal) -> Observ
     let mut observed = Observed::default();
     observed.add_curve(Quantity::Pan, &pan);
     observed.add_curve(Quantity::Core, &core);
-    observed.add_weight(cook.kitchen.time_s(), cook.kitchen.pieces()[0].mass() + WEIGHT_SIGMA * noise.next());
+    observed.add_weight(cook.kitchen.time_s(), cook.kitchen.pieces()[0].mass() + WEIGHT_SIGMA * noise.normal());
     observed
 }
 
-fn drawn(library: &Library, noise: &mut Normal) -> Parameters {
+fn drawn(library: &Library, noise: &mut Draws) -> Parameters {
     let middle = Parameters::of(&recipe(library), library).logs();
-    let away = Parameters::prior().component_mul(&Logs::from_fn(|_, _| noise.next()));
+    let away = Parameters::prior().component_mul(&Logs::from_fn(|_, _| noise.normal()));
     Parameters::from_logs(&(middle + away))
 }
 
@@ -107,7 +90,7 @@ fn drawn(library: &Library, noise: &mut Normal) -> Parameters {
 fn true_values_lie_within_the_stated_intervals() {
     let library = library();
     let trials = std::env::var("SAUTE_FIT_TRIALS").ok().and_then(|n| n.parse().ok()).unwrap_or(TRIALS);
-    let mut noise = Normal(20_131_120);
+    let mut noise = Draws(20_131_120);
     let mut hits = [0usize; 3];
     for trial in 0..trials {
         let begun = std::time::Instant::now();
@@ -141,7 +124,7 @@ fn true_values_lie_within_the_stated_intervals() {
 #[test]
 fn the_answer_does_not_depend_on_the_order_of_the_jobs() {
     let library = library();
-    let observed = measured(&drawn(&library, &mut Normal(7)), &library, &mut Normal(8));
+    let observed = measured(&drawn(&library, &mut Draws(7)), &library, &mut Draws(8));
     let fit = |reversed: bool| {
         let mut fit = Fit::coarse(recipe(&library), Arc::clone(&library), &observed).expect("a fit");
         while fit.found().is_none() {

@@ -7,11 +7,11 @@ use toml::Spanned;
 
 use crate::action::ActionKind;
 use crate::check::sequence_check::Sequence;
-use crate::file::recipe_file::{FoodEntry, MOST_PIECES, MeshName, PanEntry, Preset, RecipeFile};
+use crate::file::recipe_file::{FoodEntry, MeshName, PanEntry, Preset, RecipeFile};
 use crate::file::step_file::{StepEntry, StepKeys};
 use crate::recipe::{ALL, Group, Recipe, Step, Target, Trigger};
 use saute_kitchen::data::library::Library;
-use saute_kitchen::hands::ranges::{Limits, MAX_S, PAN_INITIAL_C, PAN_OIL_G};
+use saute_kitchen::hands::ranges::{MAX_S, PAN_INITIAL_C};
 use saute_kitchen::kelvin;
 use saute_kitchen::kitchen::PieceOrder;
 use saute_kitchen::piece::memory::Load;
@@ -32,7 +32,7 @@ impl Recipe {
     /// let text = "[[step]]\nhob_w = 9000\n[[step]]\nend = true";
     /// let error = Recipe::parse(text, "hot.toml", &Library::embedded()?).expect_err("the hob has 3500 W");
     /// assert_eq!((error.file.as_str(), error.line), ("hot.toml", 2));
-    /// assert_eq!(error.message, "hob_w = 9000 is out of range");
+    /// assert_eq!(error.message, "step.hob_w = 9000 is out of range");
     /// assert!(error.remedy.contains("0 to 3500"), "{}", error.remedy);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
@@ -78,8 +78,7 @@ impl Check<'_> {
     }
 
     fn with_hob(&self, raw: &RecipeFile) -> Checked<Recipe> {
-        let max_s =
-            raw.max_s.as_ref().map_or(Ok(MAX_S.default), |s| self.input.ranged("max_s", s, MAX_S.low, MAX_S.high))?;
+        let max_s = raw.max_s.as_ref().map_or(MAX_S.default, |s| *s.get_ref());
         let (pan_kind, pan_temperature) = self.pan(raw.pan.as_ref().map(Spanned::get_ref))?;
         let rules = if raw.preset == Some(Preset::Paper2013) { Rules::Paper2013 } else { Rules::Full };
         let names = self.food_names(&raw.food, rules)?;
@@ -105,9 +104,7 @@ impl Check<'_> {
     fn pan(&self, entry: Option<&PanEntry>) -> Checked<(String, f64)> {
         let default = PanEntry::default();
         let entry = entry.unwrap_or(&default);
-        let Limits { low, high, default } = PAN_INITIAL_C;
-        let initial =
-            entry.initial_c.as_ref().map_or(Ok(default), |c| self.input.ranged("pan.initial_c", c, low, high))?;
+        let initial = entry.initial_c.as_ref().map_or(PAN_INITIAL_C.default, |c| *c.get_ref());
         let Some(kind) = &entry.kind else { return Ok(("carbon-steel-26".into(), kelvin(initial))) };
         if !self.library.pans.contains_key(kind.get_ref()) {
             let remedy = format!("use one of: {}", Library::names(&self.library.pans));
@@ -121,7 +118,7 @@ impl Check<'_> {
     /// recipe states none.
     fn oil_at_start(&self, pan: Option<&PanEntry>, steps: &[Step]) -> Checked<Option<f64>> {
         if let Some(oil_g) = pan.and_then(|pan| pan.oil_g.as_ref()) {
-            return self.input.ranged("pan.oil_g", oil_g, PAN_OIL_G[0], PAN_OIL_G[1]).map(|g| Some(1e-3 * g));
+            return Ok(Some(1e-3 * oil_g.get_ref()));
         }
         let is_put = |step: &&Step| step.action.kind() != ActionKind::Put;
         let is_fat = |step: &Step| matches!(step.action.kind(), ActionKind::Oil | ActionKind::Butter);
@@ -134,7 +131,7 @@ impl Check<'_> {
         for entry in entries {
             let entry = entry.get_ref();
             let one = self.food(entry, rules)?;
-            let count = self.count(entry)?;
+            let count = entry.count.as_ref().map(|count| count.get_ref().unsigned_abs());
             self.check_memory(&mut load, entry, &one, count)?;
             let Some(count) = count else {
                 names.foods.push(one);
@@ -162,9 +159,7 @@ impl Check<'_> {
         self.check_id(&entry.id)?;
         let size_mm = self.size(entry, description)?;
         let initial = self.initial_c(entry, description, rules)?;
-        let (finest, coarsest) = (*PieceOrder::COARSENESS.start(), *PieceOrder::COARSENESS.end());
-        let coarseness =
-            entry.coarseness.as_ref().map_or(Ok(1.0), |c| self.input.ranged("food.coarseness", c, finest, coarsest))?;
+        let coarseness = entry.coarseness.as_ref().map_or(1.0, |c| *c.get_ref());
         Ok(PieceOrder {
             id: entry.id.get_ref().clone(),
             kind: entry.kind.get_ref().clone(),
@@ -184,8 +179,7 @@ impl Check<'_> {
     /// Temperature of a food [°C]; below 0 only where it may be ice.
     fn initial_c(&self, entry: &FoodEntry, food: &FoodDescription, rules: Rules) -> Checked<f64> {
         let Some(given) = &entry.initial_c else { return Ok(5.0) };
-        let [least, most] = PieceOrder::INITIAL_C;
-        let celsius = self.input.ranged("food.initial_c", given, least, most)?;
+        let celsius = *given.get_ref();
         if celsius >= 0.0 || food.may_be_ice(rules) {
             return Ok(celsius);
         }
@@ -214,16 +208,6 @@ impl Check<'_> {
             return self.input.error(at, message, "use letters, digits, - and _, as in id = \"steak\"");
         }
         Ok(())
-    }
-
-    /// Returns the number of pieces of a group; none for a single piece.
-    fn count(&self, entry: &FoodEntry) -> Checked<Option<u64>> {
-        let Some(count) = &entry.count else { return Ok(None) };
-        if (1..=MOST_PIECES).contains(count.get_ref()) {
-            return Ok(Some(count.get_ref().unsigned_abs()));
-        }
-        let message = format!("count = {} is out of range", count.get_ref());
-        self.input.error(count.span().start, message, format!("a group has 1 to {MOST_PIECES} pieces"))
     }
 
     fn size(&self, entry: &FoodEntry, description: &FoodDescription) -> Checked<[f64; 3]> {
@@ -283,8 +267,8 @@ impl Check<'_> {
     fn trigger(&self, at: usize, step: &StepKeys, names: &FoodNames) -> Checked<Trigger> {
         match (&step.at_s, &step.after_s, &step.when) {
             (None, None, None) => Ok(Trigger::After(0.0)),
-            (Some(s), None, None) => Ok(Trigger::At(self.input.ranged("at_s", s, 0.0, 86_400.0)?)),
-            (None, Some(s), None) => Ok(Trigger::After(self.input.ranged("after_s", s, 0.0, 86_400.0)?)),
+            (Some(s), None, None) => Ok(Trigger::At(*s.get_ref())),
+            (None, Some(s), None) => Ok(Trigger::After(*s.get_ref())),
             (None, None, Some(when)) => Ok(Trigger::When(self.condition("when", when, names)?)),
             _ => self.input.error(at, "the step has more than one trigger", "keep one of at_s, after_s, when"),
         }

@@ -7,8 +7,8 @@ use toml::Spanned;
 use crate::file::shorthand::{Shorthand, Written};
 use saute_kitchen::hands::command::RestOn;
 use saute_kitchen::hands::ranges::{
-    COOL_S, FAT_G, FOR_S, HALVE_AT_MM, LIFT_MM, PRESS_N, SHAKE_AMPLITUDE_MM, SHAKE_HZ, TILT_DEG, TOSS_HEIGHT_MM,
-    TOWARDS_DEG, WATER_G,
+    COOL_S, FAT_G, FOR_S, HALVE_AT_MM, LIFT_MM, PAN_MM, PLACE_MM, PRESS_N, SHAKE_AMPLITUDE_MM, SHAKE_HZ, TILT_DEG,
+    TOSS_HEIGHT_MM, TOWARDS_DEG, WATER_G,
 };
 
 /// Temperature at which the hob may hold the pan [°C]; the checked range is that of `hobs/induction.toml`.
@@ -34,8 +34,8 @@ pub struct PutTable {
     #[schemars(with = "String")]
     pub food: Spanned<String>,
     /// Place of its centre relative to the pan's, or that about which a group lies [mm]; [0, 0] by default.
-    #[schemars(with = "Option<[f64; 2]>", extend("default" = [0, 0]))]
-    pub at_mm: Option<Spanned<Vec<f64>>>,
+    #[schemars(with = "Option<[f64; 2]>", inner(range(min = PLACE_MM.low, max = PLACE_MM.high)), extend("default" = [0, 0], "x-remedy" = "write at_mm = [x, y], for instance [20, 0]"))]
+    pub at_mm: Option<Spanned<[f64; 2]>>,
     /// Drops it from above onto what lies there, one piece after the other; false by default.
     #[schemars(extend("default" = false))]
     pub heap: Option<bool>,
@@ -81,8 +81,8 @@ pub struct HalveTable {
 #[serde(deny_unknown_fields)]
 pub struct MovePanTable {
     /// Its centre relative to the ring's [mm]; [0, 0] by default.
-    #[schemars(with = "Option<[f64; 2]>", extend("default" = [0, 0]))]
-    pub at_mm: Option<Spanned<Vec<f64>>>,
+    #[schemars(with = "Option<[f64; 2]>", inner(range(min = PAN_MM.low, max = PAN_MM.high)), extend("default" = [0, 0], "x-remedy" = "write at_mm = [x, y], for instance [20, 0]"))]
+    pub at_mm: Option<Spanned<[f64; 2]>>,
     /// Its height above the glass [mm]; 0 by default.
     #[schemars(with = "Option<f64>", range(min = LIFT_MM.low, max = LIFT_MM.high), extend("default" = LIFT_MM.default))]
     pub lift_mm: Option<Spanned<f64>>,
@@ -196,8 +196,8 @@ pub struct MoveTable {
     #[schemars(with = "String")]
     pub food: Spanned<String>,
     /// Place of its centre relative to the pan's, or that about which a group lies [mm]; [0, 0] by default.
-    #[schemars(with = "Option<[f64; 2]>", extend("default" = [0, 0]))]
-    pub to_mm: Option<Spanned<Vec<f64>>>,
+    #[schemars(with = "Option<[f64; 2]>", inner(range(min = PLACE_MM.low, max = PLACE_MM.high)), extend("default" = [0, 0], "x-remedy" = "write to_mm = [x, y], for instance [20, 0]"))]
+    pub to_mm: Option<Spanned<[f64; 2]>>,
 }
 
 /// Lays the lid on, or takes it off.
@@ -253,9 +253,10 @@ impl<'de> Deserialize<'de> for OnOff {
 
 /// Implements [`Shorthand`] for tables whose other keys have defaults.
 macro_rules! shorthand {
-    ($($table:ident: $bare:ty = |$value:ident| $make:expr;)*) => {
+    ($($table:ident: $bare:ty [$sets:expr] = |$value:ident| $make:expr;)*) => {
         $(impl Shorthand for $table {
             type Bare = $bare;
+            const SETS: Option<&'static str> = $sets;
 
             fn from_bare($value: Spanned<$bare>) -> Result<Self, &'static str> {
                 $make
@@ -265,22 +266,22 @@ macro_rules! shorthand {
 }
 
 shorthand! {
-    HobTable: f64 = |w| Ok(Self { w, hold_c: None });
-    PutTable: String = |food| Ok(Self { food, at_mm: None, heap: None });
-    FlipTable: String = |food| Ok(Self { food });
-    RestTable: String = |food| Ok(Self { food, on: None });
-    HalveTable: String = |food| Ok(Self { food, at_mm: None });
-    MovePanTable: bool = |yes| yes.into_inner().then(Self::default).ok_or(NO_EFFECT);
-    CoolTable: CoolBy = |by| Ok(Self { by: by.into_inner(), for_s: None });
-    OilTable: f64 = |g| Ok(Self { g, kind: None });
-    ButterTable: f64 = |g| Ok(Self { g });
-    WaterTable: f64 = |g| Ok(Self { g });
-    TossTable: bool = |yes| yes.into_inner().then(Self::default).ok_or(NO_EFFECT);
-    ShakeTable: f64 = |for_s| Ok(Self { for_s: Some(for_s), ..Self::default() });
-    TiltTable: f64 = |deg| Ok(Self { deg, towards_deg: None });
-    PressTable: String = |food| Ok(Self { food, n: None, for_s: None });
-    MoveTable: String = |food| Ok(Self { food, to_mm: None });
-    LidTable: OnOff = |on| Ok(Self { on: on.into_inner() });
+    HobTable: f64 [Some("w")] = |w| Ok(Self { w, hold_c: None });
+    PutTable: String [Some("food")] = |food| Ok(Self { food, at_mm: None, heap: None });
+    FlipTable: String [Some("food")] = |food| Ok(Self { food });
+    RestTable: String [Some("food")] = |food| Ok(Self { food, on: None });
+    HalveTable: String [Some("food")] = |food| Ok(Self { food, at_mm: None });
+    MovePanTable: bool [None] = |yes| yes.into_inner().then(Self::default).ok_or(NO_EFFECT);
+    CoolTable: CoolBy [Some("by")] = |by| Ok(Self { by: by.into_inner(), for_s: None });
+    OilTable: f64 [Some("g")] = |g| Ok(Self { g, kind: None });
+    ButterTable: f64 [Some("g")] = |g| Ok(Self { g });
+    WaterTable: f64 [Some("g")] = |g| Ok(Self { g });
+    TossTable: bool [None] = |yes| yes.into_inner().then(Self::default).ok_or(NO_EFFECT);
+    ShakeTable: f64 [Some("for_s")] = |for_s| Ok(Self { for_s: Some(for_s), ..Self::default() });
+    TiltTable: f64 [Some("deg")] = |deg| Ok(Self { deg, towards_deg: None });
+    PressTable: String [Some("food")] = |food| Ok(Self { food, n: None, for_s: None });
+    MoveTable: String [Some("food")] = |food| Ok(Self { food, to_mm: None });
+    LidTable: OnOff [Some("on")] = |on| Ok(Self { on: on.into_inner() });
 }
 
 const NO_EFFECT: &str = "false does nothing: write true, or leave the step out";

@@ -2,7 +2,8 @@
 
 use saute_food::OutlineKind;
 use saute_kitchen::piece::memory;
-use schemars::JsonSchema;
+use schemars::transform::transform_subschemas;
+use schemars::{JsonSchema, Schema};
 use serde::Deserialize;
 use toml::Spanned;
 
@@ -92,6 +93,7 @@ pub struct FoodEntry {
     #[schemars(with = "Option<f64>", range(min = 0.5, max = 8))]
     pub coarseness: Option<Spanned<f64>>,
     /// Seed of its natural variation; 1 by default. The pieces of a group have seeds that follow each other.
+    #[schemars(range(max = u32::MAX))]
     pub seed: Option<u32>,
     /// Makes a group of so many pieces, which are called id.1, id.2 and so on; one piece with the plain id where it is not
     /// given.
@@ -124,33 +126,54 @@ pub enum MeshName {
 #[serde(deny_unknown_fields)]
 pub struct WhenEntry {
     /// Area mean of the pan's flat floor [°C].
+    #[schemars(transform = of_temperatures)]
     pub pan_c: Option<Entry<SideTable>>,
     /// Which food; of a group (or "all") the last piece must have met the condition while the step is waited for.
     #[schemars(with = "Option<String>")]
     pub food: Option<Spanned<String>>,
     /// Its core temperature [°C].
+    #[schemars(transform = of_temperatures)]
     pub core_c: Option<Entry<SideTable>>,
     /// Mean temperature of its upper face [°C].
+    #[schemars(transform = of_temperatures)]
     pub top_c: Option<Entry<SideTable>>,
     /// Mean temperature of its lower face [°C].
+    #[schemars(transform = of_temperatures)]
     pub bottom_c: Option<Entry<SideTable>>,
     /// Its mass [g].
     pub mass_g: Option<Entry<SideTable>>,
 }
 
+/// Largest mass of a condition [g] (chosen: beyond any food).
+const LARGEST_G: f64 = 5e5;
+/// Largest temperature of a condition [°C] (chosen: beyond any pan).
+const LARGEST_C: f64 = 500.0;
+
+/// Narrows the range of masses to that of temperatures, wherever it is stated in a schema.
+fn of_temperatures(schema: &mut Schema) {
+    if let Some(largest) = schema.get_mut("maximum") {
+        *largest = LARGEST_C.into();
+    }
+    transform_subschemas(&mut of_temperatures, schema);
+}
+
 /// The side of a value on which a quantity must be: one of the two keys.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(inline)]
 pub struct SideTable {
     /// The quantity is at this value or above it, in the unit of its key.
+    #[schemars(range(min = 0, max = LARGEST_G))]
     pub above: Option<f64>,
     /// The quantity is at this value or below it, in the unit of its key.
+    #[schemars(range(min = 0, max = LARGEST_G))]
     pub below: Option<f64>,
 }
 
 /// The side of a bare number depends on the quantity; the check chooses it.
 impl Shorthand for SideTable {
     type Bare = f64;
+    const SETS: Option<&'static str> = Some("above");
 
     fn from_bare(value: Spanned<f64>) -> Result<Self, &'static str> {
         Ok(Self { above: Some(value.into_inner()), below: None })

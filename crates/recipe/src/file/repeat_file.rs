@@ -42,7 +42,7 @@ pub struct RepeatKeys {
     pub until: Option<Spanned<WhenEntry>>,
     /// Ends it after so many repetitions.
     #[schemars(with = "Option<u32>", range(min = TIMES[0], max = TIMES[1]))]
-    pub times: Option<Spanned<i64>>,
+    pub times: Option<Spanned<u32>>,
 }
 
 /// A table, before its place in the text is known.

@@ -7,12 +7,15 @@ use std::borrow::Cow;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::value::{BoolDeserializer, F64Deserializer, MapAccessDeserializer, StrDeserializer};
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, Visitor};
+use serde_json::Value;
 use toml::Spanned;
 
 /// A table that can be written as a bare value.
 pub trait Shorthand: Sized {
     /// Type of the bare value.
     type Bare;
+    /// Key of the table that the bare value sets; none where it only has the table done.
+    const SETS: Option<&'static str>;
 
     /// Returns the table with the bare value and defaults.
     ///
@@ -107,6 +110,18 @@ impl<'de, B: Deserialize<'de>, T: Deserialize<'de>> Visitor<'de> for Either<B, T
     }
 }
 
+/// The schema of a key as that of a bare value: its kind and range, without its words and its default.
+fn one_value(key: &Value) -> Schema {
+    let mut value = key.clone();
+    if let Some(parts) = value.as_object_mut() {
+        parts.retain(|part, _| !matches!(part.as_str(), "description" | "default" | "examples"));
+    }
+    if let Some(kind) = value["type"].as_array().and_then(|kinds| kinds.iter().find(|kind| *kind != "null")).cloned() {
+        value["type"] = kind;
+    }
+    Schema::try_from(value).unwrap_or_default()
+}
+
 impl<T> JsonSchema for Entry<T>
 where
     T: Shorthand + JsonSchema,
@@ -121,6 +136,9 @@ where
     }
 
     fn json_schema(generator: &mut SchemaGenerator) -> Schema {
-        json_schema!({ "anyOf": [generator.subschema_for::<T::Bare>(), generator.subschema_for::<T>()] })
+        let table = T::json_schema(generator);
+        let key = T::SETS.and_then(|key| table.get("properties")?.get(key)).map(one_value);
+        let bare = key.unwrap_or_else(|| generator.subschema_for::<T::Bare>());
+        json_schema!({ "anyOf": [bare, generator.subschema_for::<T>()] })
     }
 }

@@ -11,6 +11,7 @@ use toml::Spanned;
 use crate::action::kind::{ActionEntry, ActionKind};
 use crate::file::recipe_file::WhenEntry;
 use saute_kitchen::hands::command::RestOn;
+use saute_kitchen::hands::ranges::{MAX_S, PLACE_MM};
 
 /// A step as the text has it. A valid step has at most one trigger and exactly one action.
 #[derive(Clone, Debug, Default)]
@@ -27,18 +28,18 @@ pub struct StepEntry {
 #[schemars(deny_unknown_fields)]
 pub struct StepKeys {
     /// Trigger: time from the start [s].
-    #[schemars(with = "Option<f64>")]
+    #[schemars(with = "Option<f64>", range(min = 0, max = MAX_S.high))]
     pub at_s: Option<Spanned<f64>>,
     /// Trigger: time from the step before [s], or from its end where it says how long it takes, at the earliest when the
     /// hands are done with it; 0 where no trigger is given.
-    #[schemars(with = "Option<f64>")]
+    #[schemars(with = "Option<f64>", range(min = 0, max = MAX_S.high))]
     pub after_s: Option<Spanned<f64>>,
     /// Trigger: a temperature or a mass is above or below a value; at once if it is already.
     #[schemars(with = "Option<WhenEntry>")]
     pub when: Option<Spanned<WhenEntry>>,
     /// With a bare `put`: place of its centre relative to the pan's [mm]; [0, 0] by default.
-    #[schemars(with = "Option<[f64; 2]>")]
-    pub at_mm: Option<Spanned<Vec<f64>>>,
+    #[schemars(with = "Option<[f64; 2]>", inner(range(min = PLACE_MM.low, max = PLACE_MM.high)), extend("x-remedy" = "write at_mm = [x, y], for instance [20, 0]"))]
+    pub at_mm: Option<Spanned<[f64; 2]>>,
     /// With a bare `rest`: onto what; the board by default.
     #[schemars(with = "Option<RestOn>")]
     pub on: Option<Spanned<RestOn>>,

@@ -92,6 +92,6 @@ fn a_step_with_an_unknown_key_names_the_actions() {
     let error = Recipe::parse(text, "fry.toml", &Library::embedded().unwrap()).expect_err("is refused");
     assert_eq!(error.line, 2, "{error}");
     for kind in ActionKind::ALL {
-        assert!(error.to_string().contains(&format!("`{kind}`")), "{kind}: {error}");
+        assert!(error.to_string().contains(kind.name()), "{kind}: {error}");
     }
 }

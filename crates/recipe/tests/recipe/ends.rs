@@ -15,7 +15,7 @@ use saute_recipe::{Cook, Recipe};
 use saute_schema::FormatSchema;
 use serde_json::Value;
 
-use crate::draws::Draws;
+use saute_fixtures::draws::Draws;
 
 /// A thin steak on the coarse mesh, from a hot pan over a flip to water under a lid.
 const SHORT: &str = r#"

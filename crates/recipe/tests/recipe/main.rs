@@ -2,8 +2,6 @@
 
 mod actions;
 mod conditions;
-#[path = "../../../kitchen/tests/kitchen/draws/mod.rs"]
-mod draws;
 mod ends;
 mod frozen;
 mod recipes;

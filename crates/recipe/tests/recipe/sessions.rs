@@ -9,7 +9,7 @@ use saute_kitchen::{Command, Library, PieceOrder, RestOn, kelvin};
 use saute_recipe::session::{SetOutFood, set_out};
 use saute_recipe::{Cook, Recipe, Recording, Replay};
 
-use crate::draws::{Draws, count, seed};
+use saute_fixtures::draws::{Draws, count, seed};
 
 /// A recipe that plays while a hand may take over.
 const RECIPE: &str = r#"

@@ -1,11 +1,8 @@
 //! Promise: whatever is undone, redone, turned to and done otherwise, what is shown is what its commands make of the beginning.
 
-#[path = "../../../kitchen/tests/kitchen/draws/mod.rs"]
-mod draws;
-
 use std::sync::Arc;
 
-use draws::{Draws, count, seed};
+use saute_fixtures::draws::{Draws, count, seed};
 use saute_kitchen::dynamics::Pose;
 use saute_kitchen::{Command, Library, RestOn};
 use saute_recipe::{Recipe, Replay};

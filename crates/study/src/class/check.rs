@@ -10,7 +10,7 @@ use toml::Spanned;
 use super::result_row::MOST_QUESTIONS;
 use super::scenario::{Ask, Predict, Scenario, When, Words};
 use super::scenario_file::{AskKind, PredictEntry, ScenarioFile, SetOutEntry};
-use crate::protocol_file::{Information, LONGEST_S};
+use crate::protocol_file::Information;
 use crate::set_out::SetOut;
 use saute_plan::Aimed;
 
@@ -53,9 +53,6 @@ impl Check<'_> {
                 format!("ask {MOST_QUESTIONS} questions at most"),
             );
         }
-        let ranged = |key, value: &Option<Spanned<f64>>, usual: f64, [low, high]: [f64; 2]| {
-            value.as_ref().map_or(Ok(usual), |value| self.input.ranged(key, value, low, high))
-        };
         Ok(Scenario {
             id: raw.id.get_ref().clone(),
             title,
@@ -64,8 +61,8 @@ impl Check<'_> {
             goal,
             locked: raw.lock.iter().copied().collect(),
             overlays: raw.overlays.unwrap_or(Information::Shown),
-            speed: ranged("speed", &raw.speed, 1.0, [1.0, 20.0])?,
-            max_s: ranged("max_s", &raw.max_s, USUAL_MAX_S, [10.0, LONGEST_S])?,
+            speed: raw.speed.as_ref().map_or(1.0, |speed| *speed.get_ref()),
+            max_s: raw.max_s.as_ref().map_or(USUAL_MAX_S, |s| *s.get_ref()),
             predictions: raw.predict.iter().map(|entry| self.predict(entry)).collect::<Checked<_>>()?,
             checksum: crc32fast::hash(self.input.text.as_bytes()),
         })
@@ -108,11 +105,10 @@ impl Check<'_> {
 
     fn predict(&self, entry: &Spanned<PredictEntry>) -> Checked<Predict> {
         let (raw, at) = (entry.get_ref(), entry.span().start);
-        let ranged = |key, value: &Spanned<f64>, low, high| self.input.ranged(key, value, low, high);
-        let after_s = raw.after_s.as_ref().map_or(Ok(0.0), |s| ranged("after_s", s, 0.0, LONGEST_S))?;
+        let after_s = raw.after_s.as_ref().map_or(0.0, |s| *s.get_ref());
         let when = match (&raw.at_s, &raw.core_c, raw.after) {
-            (Some(s), None, None) => When::At(ranged("at_s", s, 0.0, LONGEST_S)?),
-            (None, Some(c), None) => When::Core(kelvin(ranged("core_c", c, -10.0, 100.0)?)),
+            (Some(s), None, None) => When::At(*s.get_ref()),
+            (None, Some(c), None) => When::Core(kelvin(*c.get_ref())),
             (None, None, Some(deed)) => When::After(deed, after_s),
             _ => {
                 return self.input.error(
@@ -124,9 +120,7 @@ impl Check<'_> {
         };
         let ask = match raw.ask {
             AskKind::CoreNow => Ask::CoreNow,
-            AskKind::CoreIn => {
-                Ask::CoreIn(raw.in_s.as_ref().map_or(Ok(USUAL_AHEAD_S), |s| ranged("in_s", s, 5.0, 1200.0))?)
-            }
+            AskKind::CoreIn => Ask::CoreIn(raw.in_s.as_ref().map_or(USUAL_AHEAD_S, |s| *s.get_ref())),
             AskKind::CorePeak => Ask::CorePeak,
             AskKind::UndersideBrown => Ask::UndersideBrown,
             AskKind::ClassInTheEnd => Ask::ClassInTheEnd,

@@ -66,8 +66,14 @@ fn mistakes_in_a_protocol_are_named_with_line_key_and_remedy() {
         ("id = \"small\"", "id = \"sm all\"", 1, "id = \"sm all\"", "letters"),
         ("answer = \"likert\"", "answer = \"text\"", 35, "personal data", "allow_free_text"),
         ("answer = \"likert\"", "answer = \"number\"", 35, "range", "range = ["),
-        ("[phase.questionnaire]\n", "[phase.questionnaire]\ncolour = 1\n", 32, "colour", "saute schema study"),
-        ("information = \"hidden\"", "information = \"some\"", 9, "information", "saute schema study"),
+        (
+            "[phase.questionnaire]\n",
+            "[phase.questionnaire]\ncolour = 1\n",
+            32,
+            "colour is no key",
+            "there are: intro, item",
+        ),
+        ("information = \"hidden\"", "information = \"some\"", 9, "information = \"some\" is unknown", "shown"),
     ];
     for (from, to, line, message, remedy) in cases {
         let error = wrong(from, to);
@@ -130,7 +136,7 @@ fn mistakes_in_a_scenario_are_named_with_line_key_and_remedy() {
     for (from, to, message, remedy) in [
         ("food = \"beef-lean\"", "food = \"beef\"", "food = \"beef\"", "beef-lean"),
         ("goal = \"study-2013\"", "goal = \"crusty\"", "goal = \"crusty\"", "crust"),
-        ("ask = \"core_in\"", "ask = \"core\"", "ask", "saute schema scenario"),
+        ("ask = \"core_in\"", "ask = \"core\"", "ask = \"core\" is unknown", "core_in"),
         ("in_s = 120", "in_s = 2", "in_s = 2", "5 to 1200"),
         ("after = \"put\"\n", "", "when", "at_s, core_c and after"),
         ("speed = 5", "speed = 0.5", "speed = 0.5", "1 to 20"),

@@ -4,13 +4,10 @@ use saute_schema::{InputError, InputText};
 use toml::Value;
 
 use crate::design::DesignKind;
-use crate::spec::spec_file::nearest;
+use crate::spec::spec_file::{RangeEntry, VaryEntry};
 
 /// Most levels of a list or a range [-] (chosen: more are a range without `n`).
 const MOST_LEVELS: i64 = 1_000_000;
-
-/// Keys of a range.
-const RANGE_KEYS: [&str; 3] = ["from", "to", "n"];
 
 /// The values that a path takes.
 #[derive(Clone, Debug, PartialEq)]
@@ -41,17 +38,12 @@ impl Levels {
         input: InputText,
         at: usize,
         path: &str,
-        value: &Value,
+        value: &VaryEntry,
         kind: DesignKind,
     ) -> Result<Self, InputError> {
         match value {
-            Value::Array(items) => list(input, at, path, items),
-            Value::Table(table) => range(input, at, path, table, kind),
-            _ => {
-                let remedy =
-                    format!("write a list or a range, as \"{path}\" = [1, 2] or {{ from = 1, to = 2, n = 3 }}");
-                input.error(at, format!("\"{path}\" is one value"), remedy)
-            }
+            VaryEntry::Levels(items) => list(input, at, path, items),
+            VaryEntry::Range(ends) => range(input, at, path, ends, kind),
         }
     }
 
@@ -105,42 +97,16 @@ fn list(input: InputText, at: usize, path: &str, items: &[Value]) -> Result<Leve
     Ok(Levels::List(items.iter().map(number).collect()))
 }
 
-fn range(input: InputText, at: usize, path: &str, table: &toml::Table, kind: DesignKind) -> Result<Levels, InputError> {
-    if let Some(unknown) = table.keys().find(|key| !RANGE_KEYS.contains(&key.as_str())) {
-        let message = format!("{unknown} is no key of the range \"{path}\"");
-        return input.error(at, message, instead_of(path, unknown, &table[unknown]));
-    }
-    let number = |key: &str| {
-        let value = table.get(key);
-        value.and_then(|v| v.as_float().or_else(|| v.as_integer().map(|i| i as f64))).filter(|v| v.is_finite())
-    };
-    let (Some(from), Some(to)) = (number("from"), number("to")) else {
-        let remedy = format!("write finite numbers, as \"{path}\" = {{ from = 20, to = 60 }}");
-        return input.error(at, format!("the range \"{path}\" needs the numbers from and to"), remedy);
-    };
+fn range(input: InputText, at: usize, path: &str, ends: &RangeEntry, kind: DesignKind) -> Result<Levels, InputError> {
+    let RangeEntry { from, to, n } = *ends;
     if !(to - from).is_finite() {
         return input.error(at, format!("the range \"{path}\" is too wide"), "write numbers that are closer");
     }
-    match table.get("n").map(Value::as_integer) {
-        Some(Some(n)) if (2..=MOST_LEVELS).contains(&n) => Ok(Levels::Even { from, to, n: n.unsigned_abs() }),
-        Some(_) => {
-            let message = format!("n of the range \"{path}\" is out of range");
-            input.error(at, message, format!("write a whole number of 2 to {MOST_LEVELS}"))
-        }
+    match n {
+        Some(n) => Ok(Levels::Even { from, to, n }),
         None if kind == DesignKind::Grid => {
             input.error(at, format!("the range \"{path}\" has no n"), "a grid needs levels: add n = 3, for instance")
         }
         None => Ok(Levels::Range { from, to }),
     }
-}
-
-/// Returns what to write instead of an unknown key; a path without quotes looks like one.
-fn instead_of(path: &str, unknown: &str, value: &Value) -> String {
-    if let Some(near) = nearest(unknown, RANGE_KEYS.into_iter()) {
-        return format!("write {near}");
-    }
-    if matches!(value, Value::Array(_) | Value::Table(_)) {
-        return format!("write the whole path in quotes, as \"{path}.{unknown}\"");
-    }
-    "there are: from, to, n".to_owned()
 }

@@ -34,5 +34,5 @@ fn a_condition_that_no_cook_reaches_is_refused_with_its_range_before_anything_is
 fn a_condition_with_the_text_of_a_bad_recipe_is_refused_as_the_recipe_is() {
     let pose: Pose = serde_json::from_str(r#"{"recipe":"[[step]]\nhob_w = nan\n","at_s":1}"#).expect("is read");
     let refused = Recipe::parse(&pose.recipe, "pose.toml", &LIBRARY).expect_err("no power").to_string();
-    assert!(refused.contains("pose.toml:2") && refused.contains("hob_w may be 0 to 3500"), "{refused}");
+    assert!(refused.contains("pose.toml:2") && refused.contains("use 0 to 3500"), "{refused}");
 }

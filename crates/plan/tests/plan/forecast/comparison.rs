@@ -1,5 +1,6 @@
 //! Cooks of many kinds, each forecast at an instant for all questions and then cooked in full.
 
+use saute_fixtures::draws::Draws;
 use saute_kitchen::food::Rules;
 use saute_kitchen::reduced::Reductions;
 use saute_kitchen::{Command, Kitchen, Library, MeshSize, OutlineKind, PieceOrder, kelvin};
@@ -33,54 +34,32 @@ pub struct Miss {
     pub peak: Option<f64>,
 }
 
-/// Numbers that look random: the same for each number of a case.
-struct Draws(u64);
-
-impl Draws {
-    fn next(&mut self) -> f64 {
-        // SplitMix64.
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + self.next() * (high - low)
-    }
-
-    fn pick<T: Copy>(&mut self, all: &[T]) -> T {
-        all[(self.next() * all.len() as f64) as usize]
-    }
-}
-
 impl Case {
     /// The case with a number: foods, thickness 15 to 40 mm, pans, powers and instants all differ.
     pub fn numbered(number: u64) -> Self {
         let mut draws = Draws(number);
         (0..4).for_each(|_| {
-            draws.next();
+            draws.bits();
         });
         let kind = draws.pick(&["beef-lean", "beef-marbled", "beef-lean", "beef-patty"]);
-        let thickness = draws.between(15.0, 40.0);
-        let round = draws.between(85.0, 115.0);
+        let thickness = draws.within(15.0, 40.0);
+        let round = draws.within(85.0, 115.0);
         let size_mm = match kind {
             "beef-patty" => [round, round, thickness.min(30.0)],
-            _ => [draws.between(90.0, 140.0), draws.between(65.0, 95.0), thickness],
+            _ => [draws.within(90.0, 140.0), draws.within(65.0, 95.0), thickness],
         };
-        let at_s = draws.between(30.0, 60.0 + 10.0 * thickness);
-        let flips = draws.next() < 0.5 && at_s > 90.0;
+        let at_s = draws.within(30.0, 60.0 + 10.0 * thickness);
+        let flips = draws.unit() < 0.5 && at_s > 90.0;
         Self {
             number,
             kind,
             size_mm,
-            food_c: draws.between(3.0, 22.0),
+            food_c: draws.within(3.0, 22.0),
             pan: draws.pick(&["stainless-clad-26", "cast-iron-26", "carbon-steel-26", "aluminium-26"]),
-            pan_c: draws.between(150.0, 240.0),
-            power_w: draws.between(400.0, 1600.0),
-            held_c: (draws.next() < 0.25).then(|| draws.between(150.0, 220.0)),
-            flipped_at_s: flips.then(|| draws.between(0.3, 0.9) * at_s),
+            pan_c: draws.within(150.0, 240.0),
+            power_w: draws.within(400.0, 1600.0),
+            held_c: (draws.unit() < 0.25).then(|| draws.within(150.0, 220.0)),
+            flipped_at_s: flips.then(|| draws.within(0.3, 0.9) * at_s),
             at_s,
         }
     }
