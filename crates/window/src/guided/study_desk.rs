@@ -1,6 +1,5 @@
 //! A study in the window: the participant's way, the present trial, and where rows go.
 
-use saute_files::write_whole;
 use std::sync::Arc;
 
 use saute_study::protocol_file::Information;
@@ -307,7 +306,7 @@ impl StudyDesk {
         }
         let name = format!("study-{}-phase-{}-trial-{trial}.saute", self.study.participant(), phase + 1);
         let bytes = session.recording().clone().to_file();
-        match write_whole(&file.folder.join(&name), &bytes) {
+        match saute_files::write_whole(&file.folder.join(&name), &bytes) {
             Ok(()) => Some(name),
             Err(error) => {
                 self.trouble = Some(format!("{name}: {error}"));

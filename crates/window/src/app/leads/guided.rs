@@ -4,7 +4,6 @@ use crate::act::Act;
 use crate::act::GuidedAct;
 use crate::app::SauteApp;
 use crate::guided::{Guided, LessonDesk, LessonStart, StudyDesk, StudyStart};
-use saute_files::write_whole;
 use saute_picture::View;
 use saute_session::permits::{Permit, Permits};
 use saute_study::class::{Scenario, shipped, to_csv};
@@ -264,7 +263,7 @@ impl SauteApp {
     #[cfg(not(target_arch = "wasm32"))]
     fn save_text(&self, name: &str, text: &str) {
         let path = self.pictures_folder().join(name);
-        match write_whole(&path, text.as_bytes()) {
+        match saute_files::write_whole(&path, text.as_bytes()) {
             Ok(()) => {
                 let said = self.settings.language.fill("notice.cook_saved", &[("path", &path.display())]);
                 self.desk.notice.say_of(said, path);
