@@ -7,7 +7,8 @@
 #
 # A crate from a registry is read once. Lints and documentation need of it what is written of its types and functions, its metadata, and
 # the build wrote that already: where all arguments are those of the build, and all that the crate needs is what the build gave it, the
-# file is copied. Otherwise the compiler makes it.
+# file is copied. Otherwise the compiler makes it. For documentation the same holds for our own crates in a run that has built them
+# (SAUTE_BUILT).
 set -euo pipefail
 
 # arguments_that_count: those that decide what the metadata holds, one a line. A crate that it needs is told by the file of the build.
@@ -40,8 +41,12 @@ made_by_the_build() {
 line=" ${*:2} "
 case "$line" in
     *" --test "*) exec "$@" -C opt-level=1 -C codegen-units=16 ;;
-    *"/registry/src/"*" --crate-type lib --emit=dep-info,metadata"*" --out-dir "*) ;;
+    *" --crate-type lib --emit=dep-info,metadata"*" --out-dir "*) ;;
     *) exec "$@" ;;
+esac
+case "$line" in
+    *"/registry/src/"* | *" --emit=dep-info,metadata,link "*) ;;
+    *) [ -n "${SAUTE_BUILT:-}" ] && [[ $1 != *clippy-driver ]] || exec "$@" ;;
 esac
 name="${line#* --crate-name }"
 hash="${line#* extra-filename=}"

@@ -9,8 +9,8 @@ const MOST_LINES = 50;
 
 /** The page's side of the module. */
 export class Host {
-  constructor(keptCook, controls, errands, reportTo = "") {
-    Object.assign(this, { keptCook, keptStudy: null, controls, errands, reportTo: origin(reportTo) });
+  constructor(keptCook, controls, jobs, reportTo = "") {
+    Object.assign(this, { keptCook, keptStudy: null, controls, jobs, reportTo: origin(reportTo) });
     this.phone = new Tilt(document.getElementById("tilt"));
     this.sound = new Sound();
   }
@@ -52,12 +52,12 @@ export class Host {
 
   /** Gives the worker for a kind of work an order. The module's memory may move: the bytes are copied. */
   askWorker(kind, order) {
-    this.errands.ask(kind, order.slice());
+    this.jobs.ask(kind, order.slice());
   }
 
   /** What the worker for a kind of work answered; undefined if it is of no use. */
   workerAnswers(kind) {
-    return this.errands.take(kind);
+    return this.jobs.take(kind);
   }
 
   /** Shows the controls of the panels, from JSON. */

@@ -4,9 +4,9 @@
 // Files of one build belong together; the version keeps a browser's cache from mixing two.
 const version = new URL(import.meta.url).search;
 const place = (file) => new URL(`./${file}${version}`, import.meta.url).href;
-const FILES = ["download", "graphics", "cover", "words", "start_tiles", "host", "kept_cook", "kept_study", "controls", "offline", "errands", "entered"];
+const FILES = ["download", "graphics", "cover", "words", "start_tiles", "host", "kept_cook", "kept_study", "controls", "offline", "jobs", "entered"];
 const parts = await Promise.all(FILES.map((file) => import(place(`${file}.js`))));
-const { fetchFile, withProgress, backends, prepare, agreeOnPixels, Cover, words, StartTiles, Host, KeptCook, KeptStudy, Controls, Errands, takeNewVersion, keepForOffline, waitToBeEntered, letTabLeave } = Object.assign({}, ...parts);
+const { fetchFile, withProgress, backends, prepare, agreeOnPixels, Cover, words, StartTiles, Host, KeptCook, KeptStudy, Controls, Jobs, takeNewVersion, keepForOffline, waitToBeEntered, letTabLeave } = Object.assign({}, ...parts);
 
 const asked = new URLSearchParams(location.search);
 // Without a language in the address the kitchen takes the remembered one, else the browser's.
@@ -25,8 +25,8 @@ const controls = new Controls(document.getElementById("controls"), () => page);
 /** The compiled module and the address of its script, for the workers. */
 let giveProgram;
 const program = new Promise((resolve) => (giveProgram = resolve));
-const errands = new Errands(program, place("errand_worker.js"), () => page?.wake());
-const host = new Host(keptCook, controls, errands, asked.get("report") ?? "");
+const jobs = new Jobs(program, place("job_worker.js"), () => page?.wake());
+const host = new Host(keptCook, controls, jobs, asked.get("report") ?? "");
 const led = Object.fromEntries(["study", "participant", "machine", "scenario", "student"].map((key) => [key, asked.get(key) ?? ""]));
 const cover = new Cover(spoken, version.replace("?v=", ""));
 host.report = (said) => cover.report(said);

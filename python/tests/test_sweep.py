@@ -120,7 +120,7 @@ def test_mistakes_are_named_with_file_line_and_remedy(spec, tmp_path):
         saute.sweep(spec, tmp_path / "out")
     assert (raised.value.file, raised.value.line) == (str(spec), 7)
     assert "size_mm" in raised.value.remedy
-    with pytest.raises(saute.InputError, match="unknown field"):
+    with pytest.raises(saute.InputError, match="varry is no key"):
         saute.sweep({"recipe": "medium", "varry": {}}, tmp_path / "out")
     for wrong in ({"engine": "slurm"}, {"jobs": 0}, {"address": "10.0.0.1:6379"}):
         with pytest.raises(ValueError):

@@ -20,7 +20,7 @@ fn participant() -> Participant {
     "P01".parse().expect("a code")
 }
 
-/// Every refusal says where, what and what to write instead.
+/// Every refusal states where, what and what to write instead.
 fn check(refused: &InputError, file: &str) {
     let InputError { file: named, line, message, remedy } = refused;
     assert!(named == file && *line > 0 && !message.is_empty() && !remedy.is_empty(), "{refused:?}");

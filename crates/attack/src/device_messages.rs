@@ -19,7 +19,7 @@ use crate::text;
 
 /// Length of kind and payload of a message [bytes].
 const SPOKEN: usize = 1 + 64;
-/// Messages that a hostile device says in one input [-].
+/// Messages that a hostile device sends in one input [-].
 const MOST_SPOKEN: usize = 8;
 
 static DEVICE: LazyLock<Geometry> = LazyLock::new(|| {
@@ -27,7 +27,7 @@ static DEVICE: LazyLock<Geometry> = LazyLock::new(|| {
     devices.remove(library::DEFAULT_DEVICE).expect("is there")
 });
 
-/// A device that says what the input holds, in the session of the host.
+/// A device that states what the input holds, in the session of the host.
 struct Hostile {
     says: VecDeque<(u8, [u8; 64])>,
     session: u32,

@@ -1,6 +1,6 @@
 //! Files that change places together: written into a folder of their own first, then given their final names.
 //!
-//! A mark says that all of them are complete. If the program is killed after that, the next run gives the rest their names;
+//! A mark states that all of them are complete. If the program is killed after that, the next run gives the rest their names;
 //! before it, the next run removes them.
 
 use std::fs::{self, File};

@@ -26,7 +26,7 @@ pub fn write_by_way_of(part: &Path, path: &Path, bytes: &[u8]) -> io::Result<()>
     regular_file::check_place(part)?;
     let written = write_part(part, bytes).and_then(|()| fs::rename(part, path));
     if written.is_err() {
-        // What could not be written is of no use; the error that is returned says why.
+        // What could not be written is of no use; the error that is returned states why.
         let _ = fs::remove_file(part);
     }
     written

@@ -404,7 +404,7 @@ fn brown(model: &FoodModel, state: &mut FoodState, i: usize, dt: f64) {
         return;
     }
     let activity = model.water.isotherm.activity(state.water[i] / model.tissue.lean_solids[i]);
-    // What lies over a groove neither browns nor chars: both are means over the whole face.
+    // What is over a groove neither browns nor chars: both are means over the whole face.
     let (open, before) = (state.open[i], state.crust(i));
     let (browning, charring) =
         model.response.browning.advance(before, t, activity, model.tissue.charring_solids(i), dt);

@@ -3,7 +3,7 @@
 use saute_heat::{CellMeshError, MeshError};
 
 use crate::description::{FoodDescription, NoSuchChange};
-use crate::model::PieceSpec;
+use crate::piece_spec::PieceSpec;
 
 /// Error of building a piece.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

@@ -4,48 +4,21 @@
 //! method on tables of the components' enthalpies `[@choi-okos-1986]`.
 
 use saute_heat::{BodyMesh, Outline};
-use serde::{Deserialize, Serialize};
 
 use crate::Lab;
 use crate::body::rest_shape::RestShape;
 use crate::body::{Body, Patch, Surface};
-use crate::build_error::{check_composition, check_size};
+use crate::build_error::{BuildError, check_composition, check_size};
 use crate::change::browning::Browning;
 use crate::change::colour::{Appearance, Palette};
 use crate::change::response::HeatResponse;
 use crate::components::{Components, Masses, Properties};
-use crate::description::{FoodDescription, Kinetics, NaturalForm, OutlineKind};
-use crate::paper_2013::{MeshSize, Rules, simplified};
+use crate::description::{FoodDescription, Kinetics, NaturalForm};
+use crate::paper_2013::{Rules, simplified};
+use crate::piece_spec::PieceSpec;
 use crate::state::FoodState;
 use crate::tissue::{MarblingVolume, NodeTissue, TissueField};
 use crate::water::WaterTransport;
-
-pub use crate::build_error::BuildError;
-
-/// Size, seed and mesh of a piece to be built.
-#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
-pub struct PieceSpec {
-    /// Length, width, thickness [m].
-    pub size: [f64; 3],
-    /// Seed of the natural variation.
-    pub seed: u64,
-    /// Mesh spacing relative to the default [-]; 2 gives about an eighth of the nodes.
-    pub coarseness: f64,
-    /// Mesh to be built.
-    pub mesh: MeshSize,
-    /// Physical rules.
-    pub rules: Rules,
-    /// Outline to be cut.
-    pub outline: OutlineKind,
-}
-
-impl PieceSpec {
-    /// Returns the natural form of the piece, or none if it is plain, as every piece of 2013 is.
-    pub(crate) fn natural<'a>(&self, description: &'a FoodDescription) -> Option<&'a NaturalForm> {
-        let today = self.rules == Rules::Full && self.mesh == MeshSize::Default;
-        description.natural.as_ref().filter(|_| today && self.outline == OutlineKind::Natural)
-    }
-}
 
 /// A piece of food: rest shape, tissue, properties and rates; immutable after it is built.
 #[derive(Clone, Debug)]

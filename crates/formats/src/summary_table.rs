@@ -1,7 +1,7 @@
 //! The summary of a cook as one row of a table.
 //!
 //! A column is named as the number is in the summary's JSON, with dots between the keys: `pan_c.peak`, `liquids_g.oil`,
-//! `food.steak.core_c.end`. A food or group stands under its id after `food.`; of a group the means over its pieces are in the
+//! `food.steak.core_c.end`. A food or group is under its id after `food.`; of a group the means over its pieces are in the
 //! table. Every kind of event has its count. Units follow from the names. Wall time and steps are left out, so that the same cook
 //! gives the same row.
 

@@ -160,7 +160,7 @@ pub enum Advice {
 }
 
 impl Advice {
-    /// Returns true if it says that the goal is reached: take it out now.
+    /// Returns true if it states that the goal is reached: take it out now.
     pub fn is_goal(self) -> bool {
         matches!(self, Self::TakeOut { .. } | Self::Ready { .. })
     }

@@ -65,7 +65,7 @@ impl VirtualImage {
         self.right.cross(self.up)
     }
 
-    /// The plane that it lies in.
+    /// The plane that it is in.
     pub fn plane(&self) -> Plane {
         Plane { point: self.corner, normal: self.normal() }
     }

@@ -1,4 +1,4 @@
-//! A rig: eye, half mirror and screen round a real pan, and where the kitchen lies among them.
+//! A rig: eye, half mirror and screen round a real pan, and where the kitchen is among them.
 
 use glam::{DVec2, DVec3};
 

@@ -208,7 +208,7 @@ fn light_of_a_points_pixel_comes_to_the_eye_through_that_point() {
 fn a_real_pan_touched_with_half_a_millimetre_of_error_is_met_within_two_millimetres_as_the_eye_sees_it() {
     use crate::registration::{Rigid, register};
     let rig = shipped("flat-screen").expect("is there").expect("is read");
-    // How the kitchen really lies in the rig, and points of the pan touched there.
+    // How the kitchen really is in the rig, and points of the pan touched there.
     let turn = glam::DQuat::from_rotation_z(0.15);
     let really = Rigid { rotation: turn, shift: DVec3::new(0.012, -0.008, 0.003) };
     let mut hand = User { seed: 11 };

@@ -69,7 +69,7 @@ mod tests {
         assert!((left * DVec3::ONE + right * DVec3::ONE).distance(DVec3::ONE) < 1e-12, "white stays white");
     }
 
-    /// How far to the right of the left eye's the right eye shows a point that stands above the image's plane [pixels].
+    /// How far to the right of the left eye's the right eye shows a point that is above the image's plane [pixels].
     fn parallax(rig: &Rig, above: f64) -> f64 {
         let foot = rig.image.point(DVec2::splat(0.5));
         let middle = foot + rig.image.normal() * above;

@@ -50,7 +50,7 @@ impl Pose {
 }
 
 /// Poses of all pieces, in their order: those of the kitchen's rigid bodies; what waits lies on the board, and what is
-/// in a pan on the cloth lies there.
+/// in a pan on the cloth is there.
 pub fn poses(kitchen: &Kitchen) -> Vec<Pose> {
     let waiting = waiting_places(kitchen);
     let (bodies, drawn) = (body_of_pan(kitchen), pan_pose(kitchen));
@@ -80,7 +80,7 @@ impl Places {
         index.and_then(|i| self.all(kitchen).get(i).copied()).unwrap_or_default()
     }
 
-    /// Poses of all pieces, in their order; what lies in the pan is carried along with it.
+    /// Poses of all pieces, in their order; what is in the pan is carried along with it.
     pub fn all(&self, kitchen: &Kitchen) -> Vec<Pose> {
         let (stands, drawn) = (pan_pose(kitchen), self.pan(kitchen));
         let pose = |(piece, pose): (&Piece, Pose)| match self.pieces.get(&piece.id) {

@@ -43,7 +43,7 @@ pub fn waiting_places(kitchen: &Kitchen) -> BTreeMap<usize, Pose> {
     laid_out(pieces, &columns)
 }
 
-/// Length and width of a piece; its length lies across the board [m].
+/// Length and width of a piece; its length is across the board [m].
 fn extent(piece: &Piece) -> [f32; 2] {
     [piece.model.size()[0], piece.model.size()[1]].map(|v| v as f32)
 }

@@ -18,7 +18,7 @@ pub const DISTANCE_MIN: f32 = 0.14;
 /// Farthest eye [m].
 pub const DISTANCE_MAX: f32 = 1.5;
 /// How far from the middle the eye may go towards the wall behind the hob [m] (chosen: a hand's breadth before the plaster,
-/// which stands at 0.6 m).
+/// which is at 0.6 m).
 pub const WALL_FROM: f32 = 0.52;
 
 /// An eye that circles a target.

@@ -100,7 +100,7 @@ pub struct MirrorLook {
     pub eye: Vec3,
     /// Maps the world to clip space (depth 0–1); it replaces the camera's.
     pub clip_from_world: Mat4,
-    /// True if the virtual pan is drawn; otherwise it is black and hides what lies behind it.
+    /// True if the virtual pan is drawn; otherwise it is black and hides what is behind it.
     pub pan_shown: bool,
 }
 

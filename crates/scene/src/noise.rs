@@ -11,7 +11,7 @@ const BUNDLE_CELLS: i32 = 16;
 const NOISE_ORIGIN: f32 = 4.0;
 const BUNDLE_ORIGIN: f32 = 16.0;
 
-/// Where the middle of a texel lies in the pattern [cells].
+/// Where the middle of a texel is in the pattern [cells].
 fn place(index: u32, size: u32, cells: i32, origin: f32) -> f32 {
     (index as f32 + 0.5) * cells as f32 / size as f32 - 0.5 / origin
 }

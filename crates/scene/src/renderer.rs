@@ -403,7 +403,7 @@ impl SceneRenderer {
         self.history.drew_whole();
     }
 
-    /// Draws the static layer with anti-aliasing once the camera rests, and blurs what lies behind the pan.
+    /// Draws the static layer with anti-aliasing once the camera rests, and blurs what is behind the pan.
     fn refine_still(&mut self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder, key: StillKey) {
         self.pipelines.stock(device, Detail::Fine, std::iter::empty());
         self.targets.msaa(device);

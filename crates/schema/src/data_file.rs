@@ -23,7 +23,7 @@ impl DataFile<'_> {
         LibraryError { file: self.name.to_owned(), line: self.line_at(path), message }
     }
 
-    /// Returns an error if a number lies outside a range that depends on other fields.
+    /// Returns an error if a number is outside a range that depends on other fields.
     pub fn within(&self, path: &str, value: f64, low: f64, high: f64) -> Result<(), LibraryError> {
         if (low..=high).contains(&value) {
             return Ok(());

@@ -25,7 +25,7 @@ pub struct InputError {
     pub remedy: String,
 }
 
-/// A file's text with its name: says where something is wrong.
+/// A file's text with its name: states where something is wrong.
 #[derive(Clone, Copy, Debug)]
 pub struct InputText<'a> {
     /// Text.
@@ -60,7 +60,7 @@ impl InputText<'_> {
         key.filter(|k| !k.is_empty()).map_or_else(String::new, |k| format!("{k}: "))
     }
 
-    /// Reads the text as TOML of a format: what its schema refuses first; `listed` says where its keys are listed.
+    /// Reads the text as TOML of a format: what its schema refuses first; `listed` states where its keys are listed.
     pub fn parse<T: DeserializeOwned + JsonSchema + 'static>(&self, listed: &str) -> Result<T, InputError> {
         if let Some(Finding { line, message, remedy, .. }) =
             FormatSchema::kept::<T>().findings(self.text).into_iter().next()

@@ -5,7 +5,6 @@ mod choice;
 mod clock;
 mod deciding;
 pub mod easing;
-pub mod errand;
 pub mod export;
 pub mod forecasts;
 mod foresight;
@@ -16,6 +15,7 @@ mod kept_order;
 mod mark;
 pub mod permits;
 pub mod plan;
+pub mod playback;
 mod resumed;
 mod selection;
 mod stock;
@@ -82,7 +82,7 @@ pub struct Session<H = NoHands> {
     recording: Recording,
     timeline: Timeline,
     /// What is played elsewhere.
-    errands: errand::Errands,
+    playback: playback::Playback,
     forecasts: forecasts::Forecasts,
     owed_s: f64,
     selected: Option<String>,
@@ -122,7 +122,7 @@ impl<H: Hands> Session<H> {
             plays: false,
             recording,
             timeline: Timeline::default(),
-            errands: Default::default(),
+            playback: Default::default(),
             forecasts: Default::default(),
             owed_s: 0.0,
             selected: None,
@@ -144,7 +144,7 @@ impl<H: Hands> Session<H> {
         self.selected = None;
         self.start_mass_g.clear();
         self.timeline.begin();
-        self.errands.forget();
+        self.playback.forget();
         self.listen();
         self.recording.observe(&self.kitchen);
         self.weigh_new();
@@ -316,7 +316,7 @@ impl<H: Hands> Session<H> {
 
     /// Lets a helper play recorded cooks, long ways through time and ways beside the one that is shown.
     pub fn employ(&mut self, helper: Box<dyn crate::work::Helper>) {
-        self.errands.employ(helper);
+        self.playback.employ(helper);
     }
 
     /// What happened, from the beginning to the instant that is shown.

@@ -1,4 +1,4 @@
-//! Whether a site is already made of what stands in the repository now.
+//! Whether a site is already made of what is in the repository now.
 
 use std::fs;
 use std::path::{Path, PathBuf};

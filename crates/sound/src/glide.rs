@@ -31,7 +31,7 @@ impl Glide {
         self.value
     }
 
-    /// Returns true if it stands at 0.
+    /// Returns true if it is at 0.
     pub(crate) fn is_zero(&self) -> bool {
         self.left == 0 && self.value == 0.0
     }

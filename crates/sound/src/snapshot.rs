@@ -5,7 +5,7 @@
 pub enum Steam {
     /// Under food on the hot floor, through a thin film of oil.
     Floor,
-    /// From food that stands in oil.
+    /// From food that is in oil.
     Oil,
     /// From water that boils in the pan.
     Water,

@@ -106,7 +106,7 @@ impl Heard {
             });
             let Err(trouble) = played else { return };
             if !std::mem::replace(&mut is_said, true) {
-                // If the last one was not read yet, this one says the same.
+                // If the last one was not read yet, this one states the same.
                 drop(self.troubles.try_send(trouble.clone()));
             }
             if !trouble.may_pass() {

@@ -11,7 +11,7 @@ use crate::string_drive::StringDrive;
 
 /// Time step [s] (chosen: a sixth of the motor currents' time constant).
 const STEP_S: f64 = 2e-4;
-/// Time that the pan stands in each place of the jig [s] (chosen: the fifth of a second that the protocol asks for).
+/// Time that the pan is in each place of the jig [s] (chosen: the fifth of a second that the protocol asks for).
 const STANDING_S: f64 = 0.2;
 /// Time between two places of the jig [s] (chosen: short, so that a test need not wait).
 const MOVING_S: f64 = 0.05;

@@ -109,7 +109,7 @@ impl Rows<'_> {
     }
 }
 
-/// What stands between the columns of the first line: commas, or what a spreadsheet has put there.
+/// What is between the columns of the first line: commas, or what a spreadsheet has put there.
 fn separator_of(text: &str) -> u8 {
     let first = text.lines().next().unwrap_or_default();
     let count = |separator: char| first.matches(separator).count();

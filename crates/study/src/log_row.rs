@@ -19,7 +19,7 @@ pub enum RowKind {
     Answer,
 }
 
-/// A row of a participant's log. What a kind of row does not have is empty. [`COLUMNS`](super::dictionary::COLUMNS) says what each
+/// A row of a participant's log. What a kind of row does not have is empty. [`COLUMNS`](super::dictionary::COLUMNS) states what each
 /// column means; its order is that of the fields.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 #[serde(deny_unknown_fields)]

@@ -35,7 +35,7 @@ impl Pace {
     }
 }
 
-/// Measures a pace. It has no clock: who drives it says how much time has passed.
+/// Measures a pace. It has no clock: who drives it states how much time has passed.
 #[derive(Clone, Debug, Default)]
 pub struct PaceMeter {
     set: f64,

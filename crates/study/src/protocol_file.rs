@@ -125,7 +125,7 @@ pub struct SimulateEntry {
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CookForRealEntry {
-    /// What to do; it is shown as it stands here.
+    /// What to do; it is shown as it is here.
     #[schemars(with = "String")]
     pub instructions: Spanned<String>,
     /// Id of the goal, whose classes `class` is chosen from.

@@ -10,7 +10,7 @@ use super::participant::Participant;
 use super::protocol::{Answering, CookForReal, LIKERT_STEPS, Phase, Protocol, Questionnaire, Simulate, Task};
 use super::protocol_file::{Entered, Information};
 
-/// A participant's way through a protocol. It has no clock: who drives it says how much time has passed.
+/// A participant's way through a protocol. It has no clock: who drives it states how much time has passed.
 #[derive(Clone, Debug)]
 pub struct Study {
     protocol: Arc<Protocol>,

@@ -1,7 +1,7 @@
 //! The folder of a sweep: what is in it, what is missing, and its files.
 //!
 //! `rows/` has one Parquet file for each complete part; `unfinished/` has journals of the others, a lock, and files on their way to
-//! their final names. `sweep.json` says which sweep it is, beside copies of specification and recipe.
+//! their final names. `sweep.json` states which sweep it is, beside copies of specification and recipe.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs::{self, File};

@@ -1,6 +1,6 @@
 //! Sweeps: one recipe cooked many times with values that vary by a design.
 //!
-//! A [`SpecFile`] says what varies; a [`Sweep`] joins it with its recipe and data and has numbered rows. [`Sweep::run_row`] is a
+//! A [`SpecFile`] states what varies; a [`Sweep`] joins it with its recipe and data and has numbered rows. [`Sweep::run_row`] is a
 //! pure function of the row's number, so it does not matter who runs which rows, where and in what order. Rows form parts
 //! ([`Sweep::part_rows`]); [`Sweep::part_file`] turns the results of a part into a Parquet file. [`Sweep::to_bytes`] takes a sweep to another machine. A [`Manifest`] says which sweep a
 //! folder holds. This crate opens no file and starts no thread: a shell does.

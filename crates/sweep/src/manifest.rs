@@ -49,7 +49,7 @@ impl Manifest {
         serde_json::to_string_pretty(self).unwrap_or_default() + "\n"
     }
 
-    /// Reads a manifest; says why it cannot be used.
+    /// Reads a manifest; states why it cannot be used.
     ///
     /// # Errors
     /// If the text is no manifest of this version of the program.

@@ -12,7 +12,7 @@ pub enum Status {
     MaxS,
     /// The sweep's `for_s` ended it.
     ForS,
-    /// It could not be cooked; the message says why.
+    /// It could not be cooked; the message states why.
     Failed,
 }
 

@@ -229,7 +229,7 @@ impl Sweep {
         Ok(Some((cook.summary(0.0), status)))
     }
 
-    /// Returns recipe and library with values set; says why they cannot be used.
+    /// Returns recipe and library with values set; states why they cannot be used.
     fn set<'a>(
         &self,
         values: impl Iterator<Item = (&'a Factor, &'a toml::Value)>,
@@ -289,7 +289,7 @@ impl Sweep {
         Ok((columns.into_values().collect(), doubts))
     }
 
-    /// Tries values of one path; says why some cannot be cooked. The ends of numbers and all texts are built: they may differ in
+    /// Tries values of one path; states why some cannot be cooked. The ends of numbers and all texts are built: they may differ in
     /// their columns.
     fn failures(&self, factor: &Factor, samples: &[toml::Value], columns: &mut Columns) -> Vec<String> {
         let attempt = |(i, value): (usize, &toml::Value)| {
@@ -305,7 +305,7 @@ impl Sweep {
 /// Columns by their names.
 type Columns = BTreeMap<String, Heading>;
 
-/// Adds the columns of a cook; says why it cannot begin.
+/// Adds the columns of a cook; states why it cannot begin.
 fn add_columns((recipe, library): (Recipe, Arc<Library>), columns: &mut Columns) -> Result<(), String> {
     let cook = Cook::new(recipe, &library).map_err(|e| e.to_string())?;
     let found = numbers(&cook.summary(0.0));

@@ -3,7 +3,7 @@
 #![cfg(target_arch = "wasm32")]
 
 mod backend;
-pub mod errand_bench;
+pub mod job_executor;
 mod led;
 mod options;
 pub mod page;

@@ -68,14 +68,14 @@ pub fn controls(update: &TreeUpdate) -> Vec<Control> {
     found
 }
 
-/// Switches off what lies under an open card, as the mouse does not reach it either.
+/// Switches off what is under an open card, as the mouse does not reach it either.
 pub fn under_card(controls: &mut [Control]) {
     if controls.iter().any(|control| control.is_over) {
         controls.iter_mut().filter(|control| !control.is_over).for_each(|control| control.off = true);
     }
 }
 
-/// What a control is by, when the panels have numbered their controls anew: they do when what stands above them changes.
+/// What a control is by, when the panels have numbered their controls anew: they do when what is above them changes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Identity {
     id: String,

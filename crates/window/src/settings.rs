@@ -81,11 +81,11 @@ pub struct Settings {
     pub goal_c: f64,
     /// Goals for the core by the ids of the scales that state one, in the unit of the scale [°C or %].
     pub goals: BTreeMap<String, f64>,
-    /// Id of the goal that a cook is judged by; none for the class that the goal of the core lies in.
+    /// Id of the goal that a cook is judged by; none for the class that the goal of the core is in.
     pub goal_id: Option<String>,
     /// Marks of cooks by their goals, the last at the end [points].
     pub marks: BTreeMap<String, Vec<f64>>,
-    /// True if the coach says what happens, what to perceive next, and when the goal is reached.
+    /// True if the coach states what happens, what to perceive next, and when the goal is reached.
     pub coach: bool,
     /// True if the result opens by itself when the food has rested.
     pub result_opens: bool,

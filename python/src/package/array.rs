@@ -1,7 +1,7 @@
 //! NumPy arrays that show memory of the simulator without a copy.
 //!
 //! An array takes the address, the shape and the strides of a field by NumPy's array interface and keeps the [`Memory`] as its
-//! base. This is the one place where an address leaves Rust's care: no word `unsafe` stands here, because telling an address is
+//! base. This is the one place where an address leaves Rust's care: no word `unsafe` is here, because telling an address is
 //! safe and NumPy does the reading, so it must be shown by hand that the address stays good. It does:
 //!
 //! - The address is that of a slice inside of a value behind an [`Arc`], and the memory holds a clone of that [`Arc`]. While an
@@ -10,7 +10,7 @@
 //!   `Arc::make_mut`, which then copies it first. So nobody writes to what an array shows, in no thread.
 //! - Nothing shown has interior mutability: the slices are numbers in vectors of plain data.
 //! - The interface says "read only", and the memory offers no buffer, so NumPy refuses to make the array writeable.
-//! - Shape and strides come from the slice itself ([`Memory::rows`]), so that no element lies outside of it.
+//! - Shape and strides come from the slice itself ([`Memory::rows`]), so that no element is outside of it.
 
 use std::any::Any;
 use std::sync::Arc;

@@ -42,7 +42,7 @@ fn chosen(mask: Option<Vec<bool>>, count: usize) -> PyResult<Vec<bool>> {
     }
 }
 
-/// Reads a number for each kitchen, or one for all; `form` says what they are.
+/// Reads a number for each kitchen, or one for all; `form` states what they are.
 pub(crate) fn each<T>(value: &Bound<'_, PyAny>, count: usize, form: &str) -> PyResult<Vec<T>>
 where
     T: Clone + for<'a, 'py> FromPyObject<'a, 'py>,

@@ -11,7 +11,7 @@ pub(crate) fn type_name(value: &Bound<'_, PyAny>) -> String {
     value.get_type().name().map_or_else(|_| "?".to_owned(), |name| name.to_string())
 }
 
-/// Reads so many finite numbers; `form` says how they are written.
+/// Reads so many finite numbers; `form` states how they are written.
 pub(crate) fn numbers<const N: usize>(value: &Bound<'_, PyAny>, what: &str, form: &str) -> PyResult<[f64; N]> {
     let expected = || format!("{what} must be {form}, {N} finite numbers");
     let list: Vec<f64> =

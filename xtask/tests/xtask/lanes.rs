@@ -1,5 +1,5 @@
 //! Promises of steps side by side (`scripts/lanes.sh`): they run at the same time and in the order of what they need; the first failure
-//! ends the others and says how to run that step alone; each leaves its times.
+//! ends the others and states how to run that step alone; each leaves its times.
 
 // A test that fails at an unwrap names its line.
 #![allow(clippy::unwrap_used)]

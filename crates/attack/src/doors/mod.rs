@@ -82,7 +82,7 @@ pub struct Change {
     pub entry: Option<Way<DeedOf>>,
     /// As a call of Python, with the number's range.
     pub python: Option<(&'static str, Range)>,
-    /// By phone, OSC and device: true where a pose says it.
+    /// By phone, OSC and device: true where a pose states it.
     pub posed: bool,
 }
 
@@ -95,7 +95,7 @@ pub struct Start {
     pub recipe: Way<Part>,
 }
 
-/// How a stream says a number.
+/// How a stream states a number.
 #[derive(Clone, Copy, Debug)]
 pub enum Streamed {
     /// A phone's message; `#` stands for the number.

@@ -16,7 +16,7 @@ use crate::output::{json, stderr, stdout};
 /// `saute bench heat`.
 #[derive(Debug, clap::Args)]
 pub struct BenchHeatArgs {
-    /// Measures the brick alone: a second that says how fast a machine is.
+    /// Measures the brick alone: a second that states how fast a machine is.
     #[arg(long)]
     pub brick: bool,
     /// Prints the numbers as JSON.

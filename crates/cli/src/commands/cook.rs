@@ -62,7 +62,7 @@ struct Onlookers<'a> {
 impl Onlookers<'_> {
     /// Cooks to the end; returns it with its pictures and the wall time of the simulation, without pictures and fields.
     ///
-    /// A signal ends a cook early, with an error that says what is left; later it is too late to matter.
+    /// A signal ends a cook early, with an error that states what is left; later it is too late to matter.
     fn cook(mut self, mut cook: Cook) -> Result<(Cook, Vec<Snapshot>, Duration), CliError> {
         let interruption = Interruption::watch();
         let progress = Progress::start(&cook);

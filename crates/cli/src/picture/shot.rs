@@ -66,7 +66,7 @@ pub struct ShotArgs {
     /// Exposure over the usual one, from -2 to 2; each 1 doubles the light.
     #[arg(long, value_name = "EV", default_value_t = 0.0, value_parser = exposure, allow_hyphen_values = true, conflicts_with_all = ["flat", "mirror"])]
     pub exposure: f32,
-    /// Blur of what lies behind the food over the usual one, from 0 (all is sharp) to 4; seen with --quality best.
+    /// Blur of what is behind the food over the usual one, from 0 (all is sharp) to 4; seen with --quality best.
     #[arg(long, value_name = "FACTOR", default_value_t = 1.0, value_parser = blur, conflicts_with_all = ["flat", "mirror"])]
     pub blur: f32,
     /// Rendering quality.

@@ -3,7 +3,7 @@
 /// Allowed lengths of the sides [px] (chosen: every graphics adapter can render 4096).
 const SIDES: std::ops::RangeInclusive<u32> = 64..=4096;
 /// Most pixels of a picture [px] (chosen: those of 2560 × 1440, which take 510 MB in the best quality; 90 bytes a pixel were measured on
-/// a processor that stands in for the graphics adapter).
+/// a processor that is in for the graphics adapter).
 const MOST_PIXELS: u32 = 2560 * 1440;
 
 /// Reads a width and a height [px].

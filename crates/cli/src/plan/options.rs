@@ -94,7 +94,7 @@ pub fn order(args: &PlanArgs, data: &DataLibrary) -> Result<Order, CliError> {
         hob_w: powers(args, library)?,
         most_flips,
         plain: args.plain,
-        // Replaced below: only a food that was built says which scales fit it.
+        // Replaced below: only a food that was built states which scales fit it.
         goal: Goal::new(&Wish::Core(60.0), &Scale::clone(&library.scales[0]), crust_pct)
             .map_err(|e| of_target(args, &e))?,
     };

@@ -19,7 +19,7 @@ use crate::wording::duration;
 /// Style of the pages.
 pub const STYLE: &str = include_str!("report.css");
 
-/// Returns a whole page with what stands in its `main`; `own_style` follows the style that all pages share.
+/// Returns a whole page with what is in its `main`; `own_style` follows the style that all pages share.
 pub fn whole(title: &str, own_style: &str, content: &Markup) -> String {
     let page = html! {
         (DOCTYPE)

@@ -33,7 +33,7 @@ impl CaseFolder {
         }
     }
 
-    /// Reads the cases of a folder. Its list is optional; the changelog lies next to the folder.
+    /// Reads the cases of a folder. Its list is optional; the changelog is next to the folder.
     pub fn read(folder: &Path) -> Result<Self, CliError> {
         let unreadable = |e: std::io::Error| {
             CliError::place(folder.display(), format!("cannot be read: {e}"), "name a folder with .toml files")

@@ -17,7 +17,7 @@ fn map() -> String {
     read_to_string(root().join(MAP)).unwrap()
 }
 
-/// What stands between backticks.
+/// What is between backticks.
 fn names(text: &str) -> Vec<&str> {
     text.split('`').skip(1).step_by(2).collect()
 }

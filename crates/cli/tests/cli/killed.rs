@@ -70,7 +70,7 @@ fn a_window_that_is_killed_loses_at_most_a_second() {
     let data = tempfile::tempdir().expect("folder");
     let folder = data.path().join("saute");
     std::fs::create_dir_all(&folder).expect("folder");
-    // No card of first steps stands before the hob.
+    // No card of first steps is before the hob.
     std::fs::write(folder.join("app.ron"), r#"{"saute.settings": "{\"introduced\":true}"}"#).expect("settings");
     let mut command = Command::new(env!("CARGO_BIN_EXE_saute"));
     command.env("DISPLAY", &display).env("XDG_DATA_HOME", data.path()).env_remove("WAYLAND_DISPLAY");

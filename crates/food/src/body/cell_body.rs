@@ -1,17 +1,14 @@
-//! Bodies of cells inside a closed surface: mesh, shrinkage and readings.
+//! Bodies of cells inside a closed surface: their meshes.
 
 use saute_heat::mesh::cells::Weights;
-use saute_heat::vector::{Vec3, cross, scale, sub};
+use saute_heat::vector::{Vec3, cross, sub};
 use saute_heat::{BodyMesh, CellMesh, Fineness, Outline, Surface};
 
 use crate::body::Body;
 use crate::body::patch::{Face, Patch};
-use crate::body::solid::Solid;
-use crate::change::doneness::{MOST_CLASSES, Scale, Shares};
+use crate::build_error::BuildError;
 use crate::description::FoodDescription;
-use crate::model::{BuildError, FoodModel, PieceSpec};
-use crate::state::FoodState;
-use crate::water::juice::Runoff;
+use crate::piece_spec::PieceSpec;
 
 /// Cosine between a patch's normal and the vertical beyond which it is a big face of the rest shape [-] (chosen: 45°).
 const BIG_FACE: f64 = 0.7;
@@ -75,7 +72,7 @@ fn silhouette(points: &[Vec3]) -> Outline {
     Outline { points: hull }
 }
 
-/// Weights at the core of a body of cells: at its centroid, or at its deepest node if the centroid lies outside [-].
+/// Weights at the core of a body of cells: at its centroid, or at its deepest node if the centroid is outside [-].
 pub(crate) fn cell_core(cells: &CellMesh) -> Weights {
     let deepest = (0..cells.node_count()).max_by(|a, b| cells.depth[*a].total_cmp(&cells.depth[*b]));
     let centre = [0.0; 3];
@@ -92,64 +89,4 @@ pub(crate) fn middle_cut(cells: &CellMesh) -> Vec<(u32, f64)> {
         weights.iter().for_each(|(node, w)| areas[*node as usize] += w * area);
     }
     (0u32..).zip(areas).filter(|(_, area)| *area > 0.0).collect()
-}
-
-impl FoodModel {
-    /// Moves free juice outwards. Outer nodes come first, so that no juice moves by two nodes in one step.
-    pub(crate) fn drain_cells(&self, state: &mut FoodState, reach: f64, runoff: &mut Runoff) {
-        for &(from, to, distance) in &self.water.outwards {
-            let share = 1.0 - 1.0 / (1.0 + reach / distance);
-            let (nodes, mass) = ([from as usize, to as usize], share * state.juice[from as usize]);
-            if mass > 0.0 {
-                self.flow(state, nodes, mass, false, runoff);
-            }
-        }
-    }
-
-    /// Contracts the body isotropically to the sum of its nodes' volumes. Where a node has lost more or less than the mean,
-    /// its breadth follows the flesh around it and its axial stretch takes up the difference.
-    pub(crate) fn shrink_evenly(&self, state: &mut FoodState, relative_volume: impl Fn(&FoodState, usize) -> f64) {
-        let volume = self.shape.mesh.volumes();
-        let mut left = 0.0;
-        for (node, rest) in volume.iter().enumerate() {
-            state.stretch.axial[node] = relative_volume(state, node);
-            left += rest * state.stretch.axial[node];
-        }
-        let lateral = libm::cbrt(left / volume.iter().sum::<f64>());
-        state.stretch.lateral = lateral;
-        state.stretch.axial.iter_mut().for_each(|a| *a /= lateral * lateral);
-    }
-
-    /// Present positions: rest positions scaled about the centre [m].
-    pub(crate) fn cell_positions(&self, cells: &CellMesh, state: &FoodState, positions: &mut [[f64; 3]]) {
-        positions.iter_mut().zip(&cells.positions).for_each(|(p, rest)| *p = scale(*rest, state.stretch.lateral));
-    }
-
-    /// Shares of doneness by volume [%], of a field that the scale measures.
-    pub(crate) fn cell_volume_shares(&self, field: &[f64], scale: &Scale) -> Shares {
-        let mut sums = [0.0; MOST_CLASSES];
-        for (value, volume) in field.iter().zip(self.shape.mesh.volumes()) {
-            scale.add_stretch(&mut sums, *value, *value, *volume);
-        }
-        Shares::from_weights(sums)
-    }
-
-    /// Shares of doneness of the middle cut by area [%], of a field that the scale measures.
-    pub(crate) fn cell_cut_shares(&self, field: &[f64], scale: &Scale) -> Shares {
-        let mut sums = [0.0; MOST_CLASSES];
-        for &(node, area) in &self.shape.middle_cut {
-            let value = field[node as usize];
-            scale.add_stretch(&mut sums, value, value, area);
-        }
-        Shares::from_weights(sums)
-    }
-
-    /// The surface in its present shape.
-    pub(crate) fn cell_solid(&self, cells: &CellMesh, state: &FoodState) -> Solid {
-        let present = |p: &Vec3| scale(*p, state.stretch.lateral);
-        Solid::Surface {
-            points: cells.surface.vertices.iter().map(present).collect(),
-            triangles: cells.surface.triangles.clone(),
-        }
-    }
 }

@@ -64,7 +64,7 @@ impl FoodModel {
         self.shape.halving.as_ref().map(|h| h.cut)
     }
 
-    /// Returns true if a node of a halved piece lies in the half at the positive end of the long axis.
+    /// Returns true if a node of a halved piece is in the half at the positive end of the long axis.
     pub fn is_beyond_cut(&self, node: usize) -> bool {
         self.shape.halving.as_ref().is_some_and(|h| h.beyond[node])
     }

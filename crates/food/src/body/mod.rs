@@ -7,6 +7,7 @@
 //! and areas, never capacities.
 
 mod cell_body;
+mod cell_change;
 pub mod form;
 mod free_edge;
 pub mod halving;
@@ -28,10 +29,11 @@ pub mod surface;
 use saute_heat::{BodyMesh, Outline, Rule, SweptMesh};
 
 use crate::body::patch::patches;
+use crate::build_error::BuildError;
 use crate::build_error::check_size;
 use crate::description::FoodDescription;
-use crate::model::{BuildError, PieceSpec};
 use crate::paper_2013::{MeshSize, Rings, Rules};
+use crate::piece_spec::PieceSpec;
 use crate::tissue::noise::uniform;
 
 pub use form::Form;

@@ -41,7 +41,7 @@ impl Variation<'_> {
         outline
     }
 
-    /// Where a point of the plain outline lies in the natural one, before both have the same area [m].
+    /// Where a point of the plain outline is in the natural one, before both have the same area [m].
     fn moved(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         let [a, b] = [0.5 * self.size[0], 0.5 * self.size[1]];
         let (u, v) = (x / a, y / b);

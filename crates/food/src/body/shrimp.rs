@@ -7,8 +7,9 @@ use saute_heat::{Outline, Section, Station, SweptMesh};
 use crate::body::natural::Variation;
 use crate::body::rounded::{node_count, ring_shares, ringed};
 use crate::body::{Body, even_levels, paper_mesh, rule};
+use crate::build_error::BuildError;
 use crate::description::{FoodDescription, Spine};
-use crate::model::{BuildError, PieceSpec};
+use crate::piece_spec::PieceSpec;
 use crate::table::interpolate;
 use crate::tissue::noise::uniform;
 

@@ -4,8 +4,9 @@ use saute_heat::{MeshError, Outline, Section, SweptMesh, graded_levels};
 
 use crate::body::natural::Variation;
 use crate::body::{Body, even_levels, harmonics, paper_mesh, rule};
+use crate::build_error::BuildError;
 use crate::description::FoodDescription;
-use crate::model::{BuildError, PieceSpec};
+use crate::piece_spec::PieceSpec;
 use crate::tissue::noise::{fractal, uniform};
 
 /// In-plane spacing of the default mesh [m] (chosen: the gradient length √(αt) is 9 mm after 10 minutes).

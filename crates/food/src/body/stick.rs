@@ -6,8 +6,9 @@ use crate::body::natural::Variation;
 use crate::body::rounded::{node_count, ring_shares, ringed};
 use crate::body::slice::FIRST_LAYER;
 use crate::body::{Body, even_levels, harmonics, paper_mesh, rule};
+use crate::build_error::BuildError;
 use crate::description::FoodDescription;
-use crate::model::{BuildError, PieceSpec};
+use crate::piece_spec::PieceSpec;
 
 /// Nodes around a stick and rings below its skin (chosen: 1.6 mm apart on a baton of 10 mm).
 const STICK_AROUND: usize = 24;

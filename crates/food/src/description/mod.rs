@@ -117,7 +117,7 @@ pub struct FoodDescription {
 }
 
 impl FoodDescription {
-    /// Returns true if a piece may begin as ice: its file says how it freezes, and its rules know ice.
+    /// Returns true if a piece may begin as ice: its file states how it freezes, and its rules know ice.
     pub fn may_be_ice(&self, rules: Rules) -> bool {
         rules == Rules::Full && self.freezing.is_some()
     }

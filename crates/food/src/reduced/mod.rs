@@ -15,7 +15,8 @@ use saute_heat::{Coarsening, Layout, MeshError, Section, SweptMesh};
 
 use crate::body::rest_shape::RestShape;
 use crate::body::{Body, rule_of};
-use crate::model::{BuildError, FoodModel};
+use crate::build_error::BuildError;
+use crate::model::FoodModel;
 use crate::paper_2013::Rings;
 use crate::water::WaterTransport;
 
@@ -94,7 +95,7 @@ impl Reduction {
 fn coarse_mesh(fine: &FoodModel, mesh: &SweptMesh) -> Result<SweptMesh, MeshError> {
     let outline = &fine.shape.outline;
     let narrow = Section::concentric(outline, RINGS)?;
-    // The polygon of the rim lies within the outline: it is widened to the area of the section.
+    // The polygon of the rim is within the outline: it is widened to the area of the section.
     let wider = libm::sqrt(mesh.section.area() / narrow.area());
     let rings: Vec<(usize, f64)> = RINGS.iter().map(|(count, share)| (*count, share * wider)).collect();
     let section = Section::concentric(outline, &rings)?;

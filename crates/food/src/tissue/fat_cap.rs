@@ -87,7 +87,7 @@ impl FatCap {
     }
 }
 
-/// Where a point lies near a cap.
+/// Where a point is near a cap.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct NearCap {
     away: f64,

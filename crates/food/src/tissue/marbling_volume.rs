@@ -176,7 +176,7 @@ impl Grown for MarblingVolume {
         Self::at(self, p)
     }
 
-    // A trilinear value lies between the smallest and the largest of its cells.
+    // A trilinear value is between the smallest and the largest of its cells.
     fn even(&self, low: [f64; 3], high: [f64; 3]) -> Option<f64> {
         let cell =
             |p: f64, k: usize| ((p - self.low[k]) * self.per_cell[k] - 0.5).clamp(0.0, f64::from(self.size[k] - 1));

@@ -3,7 +3,7 @@
 use saute_formats::gltf::{Surface, glb};
 use serde_json::{Value, json};
 
-/// A tetrahedron that lies in a kitchen, turned a quarter about the vertical.
+/// A tetrahedron that is in a kitchen, turned a quarter about the vertical.
 fn tetrahedron() -> Surface {
     let half = std::f64::consts::FRAC_1_SQRT_2;
     Surface {

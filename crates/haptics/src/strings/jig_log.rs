@@ -1,4 +1,4 @@
-//! Averages encoder readings while the pan stands in the places of its jig.
+//! Averages encoder readings while the pan is in the places of its jig.
 
 use saute_kitchen::dynamics::Pose;
 

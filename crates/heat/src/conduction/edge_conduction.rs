@@ -63,7 +63,7 @@ impl Conduction {
 
     /// Sets the conductances of a layered body from the thermal conductivity by layer and node [W/(m·K)].
     ///
-    /// Same rule as [`Self::refresh`]. Each edge lies in one layer; the shape of a contact is its conductance.
+    /// Same rule as [`Self::refresh`]. Each edge is in one layer; the shape of a contact is its conductance.
     pub fn refresh_layers(&mut self, edges: &LayeredGraph, conductivity: impl Fn(usize, usize) -> f64) {
         let graph = &edges.graph;
         self.conductance.resize(graph.ends.len(), 0.0);

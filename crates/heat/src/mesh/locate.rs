@@ -13,7 +13,7 @@ pub struct Located {
 }
 
 impl Located {
-    /// Returns the location of a point in a triangle, or `None` if the point lies outside.
+    /// Returns the location of a point in a triangle, or `None` if the point is outside.
     pub fn within(nodes: [u32; 3], corners: [[f64; 2]; 3], point: [f64; 2]) -> Option<Self> {
         let weights = shape_functions(corners, point);
         weights.iter().all(|&w| w >= -1e-9).then_some(Self { nodes, weights })
@@ -82,7 +82,7 @@ impl Locator {
         })
     }
 
-    /// Returns the triangle that contains a point [m], or the nearest node if the point lies outside.
+    /// Returns the triangle that contains a point [m], or the nearest node if the point is outside.
     pub fn locate_or_nearest(&self, section: &Section, point: [f64; 2]) -> Located {
         self.locate(section, point).unwrap_or_else(|| {
             let distance = |p: &[f64; 2]| libm::hypot(p[0] - point[0], p[1] - point[1]);

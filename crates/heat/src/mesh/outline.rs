@@ -81,7 +81,7 @@ impl Outline {
         self.points.iter().map(|&p| distance(p, centre)).fold(0.0, f64::max)
     }
 
-    /// Returns true if a point [m] lies inside, by the even–odd rule.
+    /// Returns true if a point [m] is inside, by the even–odd rule.
     pub fn contains(&self, point: [f64; 2]) -> bool {
         let [x, y] = point;
         let crossings = self

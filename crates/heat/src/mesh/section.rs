@@ -194,7 +194,7 @@ impl Section {
     }
 }
 
-/// Adds a point unless another lies within a distance [m].
+/// Adds a point unless another is within a distance [m].
 fn push_apart(points: &mut Vec<[f64; 2]>, p: [f64; 2], apart: f64) {
     if points.iter().all(|q| libm::hypot(p[0] - q[0], p[1] - q[1]) > apart) {
         points.push(p);

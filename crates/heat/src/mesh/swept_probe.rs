@@ -11,7 +11,7 @@ impl SweptMesh {
         self.locator.locate(&self.section, p)
     }
 
-    /// Returns the triangle of the section that contains a point [m], or the nearest node if the point lies outside.
+    /// Returns the triangle of the section that contains a point [m], or the nearest node if the point is outside.
     pub fn locate_or_nearest(&self, p: [f64; 2]) -> Located {
         self.locator.locate_or_nearest(&self.section, p)
     }

@@ -144,7 +144,7 @@ impl Cue {
     }
 }
 
-/// What a coach says of a piece: what happens and why, and what to perceive next.
+/// What a coach states of a piece: what happens and why, and what to perceive next.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Coaching {
     /// What happens now.
@@ -157,7 +157,7 @@ pub struct Coaching {
 #[derive(Clone, Copy, Debug)]
 struct Readings {
     situation: Situation,
-    /// True if oil lies in the pan.
+    /// True if oil is in the pan.
     oiled: bool,
     /// True if fat runs out of the piece, and it has much of it.
     renders: bool,

@@ -94,7 +94,7 @@ impl Library {
         self.home.as_deref()
     }
 
-    /// Sets hob and room as they are in a kitchen at home, else says why its hob cannot be used.
+    /// Sets hob and room as they are in a kitchen at home, else states why its hob cannot be used.
     pub(crate) fn settle(&mut self, at_home: &KitchenAtHome) -> Result<(), String> {
         let id = &at_home.hob;
         let Some(hob) = self.hobs.get(id) else {

@@ -245,7 +245,7 @@ pub(crate) fn with_body(
     Ok(food)
 }
 
-/// Closes the triangles of a surface file, given the millimetres in one of its units; else says what is wrong and what
+/// Closes the triangles of a surface file, given the millimetres in one of its units; else states what is wrong and what
 /// to do.
 fn close_surface(soup: &Soup, name: &str, scale_mm: Option<f64>) -> Result<Surface, String> {
     Surface::close(soup, 1e-3 * scale_mm.unwrap_or(soup.unit_mm))

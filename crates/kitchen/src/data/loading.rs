@@ -25,7 +25,7 @@ const GOALS_FILE: &str = "goals.toml";
 /// The file of what juice leaves on the pan.
 const FOND_FILE: &str = "fond.toml";
 
-/// The cause for which an entry is set aside, where its own file is broken. The error of that file says more.
+/// The cause for which an entry is set aside, where its own file is broken. The error of that file states more.
 const ITS_FILE: &str = "its file in the --data folder is broken";
 
 /// Files of a user, which are added to the shipped ones or replace those of the same path.

@@ -122,7 +122,7 @@ impl Kitchen {
         Ok(())
     }
 
-    /// Wipes the pan, if nothing lies in it.
+    /// Wipes the pan, if nothing is in it.
     fn wipe(&mut self) -> Result<(), Refused> {
         if let Some(piece) = self.pieces.iter().find(|piece| piece.in_pan()) {
             return Err(Refused::FoodToWipe(piece.id.clone()));

@@ -1,4 +1,4 @@
-//! Liquids as media: heat transfer from water and oil to food that stands in them, and mixing of a pool of water.
+//! Liquids as media: heat transfer from water and oil to food that is in them, and mixing of a pool of water.
 
 use saute_food::table::{Table, interpolate};
 use saute_food::{ZERO_C, sourced_table};

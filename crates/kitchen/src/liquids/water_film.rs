@@ -11,7 +11,7 @@ use crate::pan::bed::Bed;
 use crate::{celsius, kelvin};
 
 sourced_table! {
-    /// Water that lies in the pan.
+    /// Water that is in the pan.
     PuddleData {
         /// Depth to which a puddle spreads [mm].
         #[schemars(range(min = 1e-6, max = 100.0), example = 0.7)]

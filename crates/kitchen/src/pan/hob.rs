@@ -1,4 +1,4 @@
-//! A hob as its file describes it: its heater, what lies below the pan and, on an induction hob, its electronics.
+//! A hob as its file describes it: its heater, what is below the pan and, on an induction hob, its electronics.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -29,7 +29,7 @@ pub struct HobDescription {
     pub plate: Option<Plate>,
     /// Electronics of an induction hob.
     pub control: Option<Control>,
-    /// What lies below the pan.
+    /// What is below the pan.
     pub under: Under,
     /// Inferring that a pan on an induction hob overheats.
     pub overheat: Option<Overheat>,
@@ -143,7 +143,7 @@ impl HobDescription {
     }
 
     /// Share of the set power in each node of a pan's floor [-]. The shares of a coil sum to 1 on the ring, to less off it,
-    /// and to 0 if the pan is too far away to be detected; those of other heaters are what lies over them.
+    /// and to 0 if the pan is too far away to be detected; those of other heaters are what is over them.
     pub fn ring_shares(&self, points: &[[f64; 2]], areas: &[f64], pose: &PanPose) -> Vec<f64> {
         match self.heater() {
             Some(Heater::Coil(coil)) => self.coil_shares(coil, points, areas, pose),
@@ -164,7 +164,7 @@ impl HobDescription {
         let whole: f64 = weights([0.0; 2]).iter().sum();
         let coupling = self.control.as_ref().map_or(0.0, |control| coil.coupling(control, pose));
         if whole == 0.0 {
-            // A coil that lies between two rings of nodes heats the node in the middle.
+            // A coil that is between two rings of nodes heats the node in the middle.
             return (0..points.len()).map(|i| if i == 0 { coupling } else { 0.0 }).collect();
         }
         weights(pose.at).iter().map(|w| coupling * w / whole).collect()
@@ -186,7 +186,7 @@ impl HobDescription {
         heater + self.under.gap_conductance_w_m2k
     }
 
-    /// Longest stable step of what lies below the pan [s].
+    /// Longest stable step of what is below the pan [s].
     pub(crate) fn under_step_s(&self) -> f64 {
         let under = &self.under;
         let glow = self.element.as_ref().map_or(0.0, Element::steepest_w_m2k);

@@ -16,7 +16,7 @@ pub(crate) struct ObservedPan {
     rings: [f64; RINGS],
     /// Temperature of the glass below each ring of the floor [K].
     glass: [f64; FLOOR],
-    /// Heat flow from the floor into what lies in the pan [W].
+    /// Heat flow from the floor into what is in the pan [W].
     pub(crate) load_w: f64,
 }
 

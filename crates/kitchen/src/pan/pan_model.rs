@@ -63,7 +63,7 @@ pub struct PanState {
     pub temperature: Vec<f64>,
     /// Highest temperature of the metal so far at each node [K].
     pub peak: Vec<f64>,
-    /// Temperature of what lies under each floor node: the hob's glass, a burner's tray, the rim around a plate [K].
+    /// Temperature of what is under each floor node: the hob's glass, a burner's tray, the rim around a plate [K].
     pub glass: Vec<f64>,
     /// Temperature of what a stove without a coil heats: grate, element or plate [K].
     pub heater: f64,
@@ -473,7 +473,7 @@ impl PanModel {
         self.release(state, vapour, total);
     }
 
-    /// Heat from the heater, and between floor and what lies under it: contact conductance in series with the air under a
+    /// Heat from the heater, and between floor and what is under it: contact conductance in series with the air under a
     /// lifted pan.
     fn add_hob(&self, state: &mut PanState, solver: &mut PanSolver, load: &PanLoad, dt: f64, total: &mut PanExchange) {
         let PanSolver { heat, into_glass, .. } = solver;

@@ -65,7 +65,7 @@ impl Ridges {
 
     /// Conductance from the bottom of a groove to the part of a patch over it [W/(m²·K)].
     pub fn over_groove(&self, gap: &ContactGap, face: &FaceContact, patch: &PatchGap, over: &AcrossGroove) -> f64 {
-        // Oil lies at the bottom of the groove, and a coating conducts better than the gap.
+        // Oil is at the bottom of the groove, and a coating conducts better than the gap.
         let dry = FaceContact { film: 0.0, ..*face };
         let [pan, food] = over.emissivity;
         let emissivity = 1.0 / (1.0 / pan + 1.0 / food - 1.0);

@@ -1,4 +1,4 @@
-//! What lies below a pan apart from the heater: the glass of a hob, the tray of a burner, the rim of a plate.
+//! What is below a pan apart from the heater: the glass of a hob, the tray of a burner, the rim of a plate.
 
 use saute_food::sourced_table;
 
@@ -6,7 +6,7 @@ use saute_food::sourced_table;
 const AIR_CONDUCTIVITY: f64 = 0.031;
 
 sourced_table! {
-    /// What lies below a pan: the glass of a hob, the tray of a burner, the rim around a plate.
+    /// What is below a pan: the glass of a hob, the tray of a burner, the rim around a plate.
     Under {
         /// Conductance between pan and glass [W/(m²·K)].
         #[schemars(range(min = 0.1, max = 1e6), example = 200.0)]

@@ -1,7 +1,7 @@
 //! Contact conductance between food and pan: asperities, oil, steam and juice in the gap between them.
 //!
 //! A face lies on its asperities at a mean gap δ above the pan. Oil of film thickness f bridges the share φ = min(1, f/δ)
-//! of the gap; in the rest a wet face rides on a layer of steam that its own vapour keeps open, and a dry face stands in
+//! of the gap; in the rest a wet face rides on a layer of steam that its own vapour keeps open, and a dry face is in
 //! steam and air across the whole gap:
 //!
 //! h = a π l² h_a + φ k_o/δ + (1 − φ) (w h_wet + (1 − w) h_dry), in series with the pan's coating; a = 1 for a wet face and

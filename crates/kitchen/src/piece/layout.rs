@@ -63,7 +63,7 @@ impl Footprint {
         distance > self.inner + other.inner + GAP && (0..DIRECTIONS).any(parts)
     }
 
-    /// Returns true if it lies inside a circle about the origin.
+    /// Returns true if it is inside a circle about the origin.
     fn within(&self, radius: f64, at: [f64; 2]) -> bool {
         (0..DIRECTIONS).all(|k| {
             let [x, y] = direction(k);

@@ -21,7 +21,7 @@ use crate::tick::low_pass::low_pass;
 
 /// Temperature of steam below food [K].
 const STEAM: f64 = ZERO_C + 100.0;
-/// Depth of oil from which food stands in it [m] (chosen: the film under a lying face is shallower).
+/// Depth of oil from which food is in it [m] (chosen: the film under a lying face is shallower).
 const DEEP_OIL: f64 = 1.0e-3;
 /// Largest share of a pool's heat capacity that one piece couples to in a tick [-] (chosen: stable for the 200 pieces that a
 /// group may have).

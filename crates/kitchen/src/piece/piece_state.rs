@@ -374,7 +374,7 @@ impl Piece {
         }
     }
 
-    /// Oils the node of a patch that lies in a film; the film does not reach the share of a patch that is lifted off it.
+    /// Oils the node of a patch that is in a film; the film does not reach the share of a patch that is lifted off it.
     fn oil(&mut self, near: &NearPatch, lifted: f64, pan: &PanState, room: &Room) {
         let film = pan.oil_film(&near.located);
         let node = self.node_of(near.patch);

@@ -117,7 +117,7 @@ impl SearRecord {
         [0, patches].contains(&self.strips.len()) && self.seen.is_none_or(|(face, _)| face < self.faces.len())
     }
 
-    /// Returns the face that lies below, given the upward direction in the body's frame.
+    /// Returns the face that is below, given the upward direction in the body's frame.
     fn face_below(up: [f64; 3]) -> Option<Face> {
         if up[2] > FLAT {
             Some(Face::Bottom)
@@ -369,7 +369,7 @@ mod tests {
         off.min(lines.pitch - off) < 0.5 * lines.width
     }
 
-    /// A point is on a line exactly where a ridge lies under it, however the piece lies.
+    /// A point is on a line exactly where a ridge is under it, however the piece lies.
     #[test]
     fn lines_are_where_the_ridges_were() {
         for (x, turned, upside_down) in

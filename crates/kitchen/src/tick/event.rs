@@ -24,7 +24,7 @@ pub enum EventKind {
     SteamReleased,
     /// A food is halved on the board; amount: its mass [kg].
     Halved,
-    /// The hob says that the pan is as hot as it is to be held; amount: that temperature [K].
+    /// The hob states that the pan is as hot as it is to be held; amount: that temperature [K].
     DialReached,
     /// Water boils in a pan that is to be held hotter; amount: that temperature [K].
     BoilsBelowDial,

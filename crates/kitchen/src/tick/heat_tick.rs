@@ -104,7 +104,7 @@ impl Kitchen {
             class: &fixed.pan.class,
             largest: self.hob_w,
             given: self.hob_drawn_w(),
-            // The sensor sits in the centre of the coil; node 0 lies above it.
+            // The sensor sits in the centre of the coil; node 0 is above it.
             glass: self.pan.glass[0],
             ring: if detected { fixed.pan.heated_temperature(&self.pan) } else { None },
             boils: self.pan.liquids.boils(),
@@ -117,7 +117,7 @@ impl Kitchen {
         }
     }
 
-    /// The hob says where it stands.
+    /// The hob states where it stands.
     fn tell_of_hold(&mut self) {
         let kind = match self.hold.holding() {
             Some(Holding::Reached) => EventKind::DialReached,

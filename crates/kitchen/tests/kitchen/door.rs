@@ -1,4 +1,4 @@
-//! Promise: whatever number stands in a command, the kitchen carries it out within its ranges or refuses it and stays as it was: no
+//! Promise: whatever number is in a command, the kitchen carries it out within its ranges or refuses it and stays as it was: no
 //! panic, no value that is no number, no frozen food, and an energy balance that holds.
 
 use glam::{DQuat, DVec3};

@@ -223,7 +223,7 @@ fn the_same_recipe_gives_the_same_bytes_and_a_clone_goes_the_same_way() {
     assert_eq!(first, cook().0);
 }
 
-/// Every number of the data files says where it comes from: the parser refuses tables without source and confidence.
+/// Every number of the data files states where it comes from: the parser refuses tables without source and confidence.
 #[test]
 fn a_data_table_without_a_source_is_refused() {
     let pan = Library::embedded_files()["pans/carbon-steel-26.toml"].replace("source = ", "sauce = ");

@@ -104,7 +104,7 @@ fn ridges_leave_lines_on_the_faces_that_lay_on_them() {
         assert!((0.5..=1.0).contains(&lines.share), "{lines:?}");
         assert!((lines.width / lines.pitch / ridges.share() - 1.0).abs() < 1e-9);
         assert!((0.8..1.2).contains(&(lines.pitch / ridges.pitch)) && (0.0..lines.pitch).contains(&lines.phase));
-        // Laid and flipped about its long axis it still lies along x: the ridges run across it.
+        // Laid and flipped about its long axis it still is along x: the ridges run across it.
         assert!(lines.direction[1].abs() > 0.97, "{lines:?}");
     }
     assert!(piece.sear_lines(Face::Side).is_none());

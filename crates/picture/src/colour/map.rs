@@ -91,7 +91,7 @@ impl Tone {
         tones[class.min(tones.len() - 1)]
     }
 
-    /// Its colour: lightness differs as well as hue (chosen; medium-rare lies between its neighbours).
+    /// Its colour: lightness differs as well as hue (chosen; medium-rare is between its neighbours).
     pub fn colour(self) -> [u8; 3] {
         match self {
             Self::Raw => [120, 16, 40],

@@ -33,7 +33,7 @@ impl Steps {
         let (mut faces, mut sides): (Vec<_>, Vec<_>) =
             lines.into_iter().partition(|line| wide(line).abs() > 0.5 * most);
         let height = |line: &[FoodVertex]| line.iter().map(|v| v.rest[2]).sum::<f32>() / line.len() as f32;
-        // A wall between two sheaths may lean a little; along the cut no point lies before the last one.
+        // A wall between two sheaths may lean a little; along the cut no point is before the last one.
         faces.iter_mut().for_each(|line| {
             if wide(line) < 0.0 {
                 line.reverse();

@@ -122,7 +122,7 @@ struct Clip {
 }
 
 impl Clip {
-    /// Keeps the part of a triangle that lies behind the plane: a triangle or a quadrilateral.
+    /// Keeps the part of a triangle that is behind the plane: a triangle or a quadrilateral.
     fn keep(&mut self, t: &[u32; 3]) {
         let mut kept = Vec::with_capacity(4);
         for k in 0..3 {

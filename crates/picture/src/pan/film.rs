@@ -57,7 +57,7 @@ impl PanFilm {
     }
 }
 
-/// Thickness of butter on which foam stands at its full strength [m] (chosen).
+/// Thickness of butter on which foam is at its full strength [m] (chosen).
 const FOAMING: f64 = 0.06e-3;
 /// Density of water in a film [kg/m³].
 const WATER_DENSITY: f64 = 1000.0;

@@ -46,7 +46,7 @@ pub(crate) fn grain_volume(model: &FoodModel) -> GrainVolume {
     if !marbling.holds_fat() && !model.tissue_field().is_plain() {
         size = [TISSUE_CELLS; 3];
         size[grown] = 1;
-        // What grew along its length lies in the middle of its frame.
+        // What grew along its length is in the middle of its frame.
         if grown == 0 {
             (low, extent) = (model.size().map(|v| -0.5 * v), model.size());
         }

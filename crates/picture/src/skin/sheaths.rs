@@ -27,7 +27,7 @@ pub(crate) fn stands_in_steps(model: &FoodModel) -> bool {
     sheaths && model.natural().is_some_and(|form| form.slip_mm > 0.0)
 }
 
-/// The surface of a slice that stands in steps; none of other pieces.
+/// The surface of a slice that is in steps; none of other pieces.
 pub(crate) fn sheathed(model: &FoodModel) -> Option<Fine> {
     let slip = 1e-3 * model.natural()?.slip_mm;
     let mesh = model.mesh().swept().filter(|mesh| mesh.is_upright() && !mesh.section.triangles.is_empty())?;
@@ -42,7 +42,7 @@ pub(crate) fn sheathed(model: &FoodModel) -> Option<Fine> {
     Some(ring.fine)
 }
 
-/// A vertex around the slice: where it lies in the section, outwards of it, and the node of the rim that feeds it.
+/// A vertex around the slice: where it is in the section, outwards of it, and the node of the rim that feeds it.
 struct EdgePoint {
     at: Vec2,
     out: Vec3,

@@ -29,7 +29,7 @@ const APART: f32 = 10.0;
 const MOST_MEAN: f64 = 1.0;
 const MOST_OF_NINE: f64 = 2.5;
 
-/// A cut of a food whose heated face lies above, near by.
+/// A cut of a food whose heated face is above, near by.
 struct Rim {
     scene: SceneInput,
     /// The rim that the eye sees from both sides, in the world [m].
@@ -79,7 +79,7 @@ impl Rim {
         };
         let (mut steps, mut next) = (Vec::new(), 0.0);
         // The wall of a step is seen edge-on: only one side of such a rim is in the picture, and a reading beside its foot
-        // or its crest falls on what lies behind.
+        // or its crest falls on what is behind.
         let wall = |pair: &[Vec3]| (pair[1].z - pair[0].z).abs() > pair[1].truncate().distance(pair[0].truncate());
         let walls: Vec<Vec2> =
             self.line.windows(2).filter(|pair| wall(pair)).flatten().filter_map(|p| pixel(*p)).collect();

@@ -43,7 +43,7 @@ fn pixel(picture: &Picture, [x, y]: [usize; 2]) -> [u8; 3] {
 
 /// A plane of the rest frame (origin: centre of the bottom face) on which points are taken.
 enum Plane {
-    /// The face that lies above.
+    /// The face that is above.
     Upper,
     /// The cut.
     Cut(f64),

@@ -6,7 +6,7 @@ use saute_recipe::{Recipe, Trigger};
 use super::log::reading::Reading;
 use super::observed::{Observed, Quantity};
 
-/// The part of a log that is compared, and where it lies in the cook.
+/// The part of a log that is compared, and where it is in the cook.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Compared {
     /// Time in the recipe at which the log begins [s].

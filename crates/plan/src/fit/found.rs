@@ -28,7 +28,7 @@ impl Estimate {
         Self { value: value(0.0), low: value(-Z90), high: value(Z90) }
     }
 
-    /// Returns true if a value lies within the 90 % interval.
+    /// Returns true if a value is within the 90 % interval.
     pub fn holds(&self, value: f64) -> bool {
         (self.low..=self.high).contains(&value)
     }

@@ -1,7 +1,7 @@
 //! How far a forecast on coarse meshes may be from a full cook.
 //!
 //! `data/forecast.toml` holds, for each question, the quantile of the errors of many forecasts against full cooks at some
-//! times ahead. `docs/forecast.md` says how they were found.
+//! times ahead. `docs/forecast.md` states how they were found.
 
 use serde::Deserialize;
 

@@ -1,4 +1,4 @@
-//! How a cook went, as far as it says what would have made it better.
+//! How a cook went, as far as it states what would have made it better.
 
 use saute_recipe::Recorder;
 

@@ -35,7 +35,7 @@ impl Draft {
         self.sears <= 1 || (changes && self.flips + 1 >= self.sears && self.change_s < self.shortest_s())
     }
 
-    /// Shortest time for which a face that is seared lies in the pan, but the last one [s].
+    /// Shortest time for which a face that is seared is in the pan, but the last one [s].
     pub(crate) fn shortest_s(&self) -> u32 {
         if self.sears > 2 { self.first_flip_s.min(self.every_s) } else { self.first_flip_s }
     }

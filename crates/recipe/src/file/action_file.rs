@@ -36,7 +36,7 @@ pub struct PutTable {
     /// Place of its centre relative to the pan's, or that about which a group lies [mm]; [0, 0] by default.
     #[schemars(with = "Option<[f64; 2]>", inner(range(min = PLACE_MM.low, max = PLACE_MM.high)), extend("default" = [0, 0], "x-remedy" = "write at_mm = [x, y], for instance [20, 0]"))]
     pub at_mm: Option<Spanned<[f64; 2]>>,
-    /// Drops it from above onto what lies there, one piece after the other; false by default.
+    /// Drops it from above onto what is there, one piece after the other; false by default.
     #[schemars(extend("default" = false))]
     pub heap: Option<bool>,
 }
@@ -137,7 +137,7 @@ pub struct WaterTable {
     pub g: Spanned<f64>,
 }
 
-/// Tosses what lies in the pan.
+/// Tosses what is in the pan.
 #[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct TossTable {

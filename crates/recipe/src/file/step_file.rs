@@ -30,7 +30,7 @@ pub struct StepKeys {
     /// Trigger: time from the start [s].
     #[schemars(with = "Option<f64>", range(min = 0, max = MAX_S.high))]
     pub at_s: Option<Spanned<f64>>,
-    /// Trigger: time from the step before [s], or from its end where it says how long it takes, at the earliest when the
+    /// Trigger: time from the step before [s], or from its end where it states how long it takes, at the earliest when the
     /// hands are done with it; 0 where no trigger is given.
     #[schemars(with = "Option<f64>", range(min = 0, max = MAX_S.high))]
     pub after_s: Option<Spanned<f64>>,

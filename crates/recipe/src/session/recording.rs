@@ -33,7 +33,7 @@ pub(super) struct Saved {
     pub(super) entries: usize,
     /// Frame up to which hashes are stored.
     pub(super) hashes_below: u64,
-    /// Instant up to which the file says that the session came.
+    /// Instant up to which the file states that the session came.
     pub(super) reached: Option<(u64, bool)>,
     /// Entries that stay of those in the file, if some were undone since it was written.
     pub(super) cut: Option<usize>,

@@ -1,7 +1,7 @@
 //! Session files (`.saute`): a first line of text, then records that are appended one after another, each with its length and a checksum.
 //!
 //! A program that is killed leaves at most a part of a last record. Reading stops at the first record that does not hold, and says so;
-//! what stands before it opens. Undone entries stay in the file until it is written anew: a record says how many of them count.
+//! what is before it opens. Undone entries stay in the file until it is written anew: a record states how many of them count.
 
 use std::borrow::Cow;
 
@@ -147,7 +147,7 @@ impl Recording {
         };
     }
 
-    /// Reads a session file. A damaged end is reported, and what stands before it is returned.
+    /// Reads a session file. A damaged end is reported, and what is before it is returned.
     ///
     /// # Errors
     ///
@@ -266,7 +266,7 @@ mod tests {
         Recording::begin(&Recipe::parse(text, "dish.toml", &library).expect("parses"), true, &library)
     }
 
-    /// A session of twenty minutes as it stands in its file; `deed` says what is done at each frame.
+    /// A session of twenty minutes as it is in its file; `deed` states what is done at each frame.
     fn file_of(deed: impl Fn(u64) -> Option<Command>) -> (Recording, Vec<u8>) {
         let (mut recording, mut file) = (begun(), Vec::new());
         for frame in 0..=TWENTY_MINUTES {

@@ -1,6 +1,6 @@
 //! Promises about every action of a recipe, checked for all members of `ActionKind::ALL`.
 
-// A test that unwraps in vain says where.
+// A test that unwraps in vain states where.
 #![allow(clippy::unwrap_used)]
 
 use saute_kitchen::Library;

@@ -1,6 +1,6 @@
 //! Promises of conditions: two explicit forms, what a bare number means, and that none of them waits for ever.
 
-// A test that unwraps in vain says where.
+// A test that unwraps in vain states where.
 #![allow(clippy::unwrap_used)]
 
 use saute_kitchen::{Library, kelvin};

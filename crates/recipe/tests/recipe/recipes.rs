@@ -1,6 +1,6 @@
 //! Promises of the recipe format: defaults of every action, groups, conditions on groups, and errors.
 
-// A test that unwraps in vain says where.
+// A test that unwraps in vain states where.
 #![allow(clippy::unwrap_used)]
 
 use saute_kitchen::food::Rules;

@@ -1,6 +1,6 @@
 //! Promises of `repeat`: its rhythm, its end at any tick, its records and its errors.
 
-// A test that unwraps in vain says where.
+// A test that unwraps in vain states where.
 #![allow(clippy::unwrap_used)]
 
 use saute_kitchen::Library;

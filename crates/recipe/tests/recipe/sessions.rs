@@ -210,7 +210,7 @@ fn random_sessions_are_played_again_bit_by_bit_from_their_files() {
         assert_eq!(cook.departure(), None, "session {session}");
         assert_eq!(cook.kitchen.state_hash(), live.here.kitchen.state_hash(), "session {session}");
         serde_json::to_string(&cook.summary(0.0)).expect("numbers");
-        // The whole file, written anew, says the same.
+        // The whole file, written anew, states the same.
         let anew = Recording::from_file(&live.recording.to_file()).expect("opens").recording;
         assert_eq!((anew.entries(), anew.hashes()), (read.entries(), read.hashes()));
         entries += read.entries().len();
@@ -235,7 +235,7 @@ fn a_keyframe_leads_to_the_same_instant_as_the_beginning() {
     assert!(saute_kitchen::Kitchen::from_bytes(&bytes, &library).is_ok());
 }
 
-/// The kitchen of a window's choice is the kitchen of the recipe that says it.
+/// The kitchen of a window's choice is the kitchen of the recipe that states it.
 #[test]
 fn a_choice_is_set_out_as_a_recipe() {
     let library = Library::embedded().expect("embedded data");

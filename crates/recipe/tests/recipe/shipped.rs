@@ -1,7 +1,7 @@
 //! Promise: the shipped recipes fire their steps when they did before conditions had sides: no bare temperature is passed when
 //! its step is reached, and each fires at the tick at which it is crossed.
 
-// A test that unwraps in vain says where.
+// A test that unwraps in vain states where.
 #![allow(clippy::unwrap_used)]
 
 use saute_kitchen::Library;

@@ -128,7 +128,7 @@ fn a_session_on_gas_is_replayed_on_gas_and_its_recipe_names_it() {
     assert_eq!(stored.state_hash(), again.kitchen.state_hash());
 }
 
-/// A recipe has the oil that it states, or the usual 5 g; its summary says which.
+/// A recipe has the oil that it states, or the usual 5 g; its summary states which.
 #[test]
 fn the_summary_says_with_which_oil_a_cook_began() {
     let library = library();

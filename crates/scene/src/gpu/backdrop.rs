@@ -7,7 +7,7 @@ use crate::gpu::targets::COLOUR_FORMAT;
 const SHADER: &str = concat!(include_str!("../shaders/post/lens.wgsl"), include_str!("../shaders/post/backdrop.wgsl"));
 const NEAREST: wgpu::BindingType = wgpu::BindingType::Sampler(wgpu::SamplerBindingType::NonFiltering);
 
-/// A pass that blurs what lies behind the sharp part of a picture.
+/// A pass that blurs what is behind the sharp part of a picture.
 pub(crate) struct Backdrop {
     layout: wgpu::BindGroupLayout,
     pipeline: wgpu::RenderPipeline,

@@ -1,4 +1,4 @@
-//! Clips the outside of a food at the plane of a cut: its edge then lies in the plane, smooth and without holes.
+//! Clips the outside of a food at the plane of a cut: its edge then is in the plane, smooth and without holes.
 
 use std::collections::HashMap;
 

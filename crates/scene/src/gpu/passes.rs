@@ -186,7 +186,7 @@ pub(crate) fn draw_whole_depth(
 }
 
 /// What does not move, nearest first. The pan's floor is drawn with the foods; a picture that is kept needs it all the
-/// same, so that the smoothed edge of the wall round it is not mixed with what lies under the pan.
+/// same, so that the smoothed edge of the wall round it is not mixed with what is under the pan.
 pub(crate) fn draw_still(
     pass: &mut wgpu::RenderPass<'_>,
     pipelines: &ColourPipelines,
@@ -264,7 +264,7 @@ pub(crate) fn draw_whole(
 }
 
 /// What a half mirror can show: on black, without room, hob and board. The pan is black unless it is to be seen, and
-/// hides what lies behind its wall.
+/// hides what is behind its wall.
 pub(crate) fn draw_mirror(
     encoder: &mut wgpu::CommandEncoder,
     to: &Attachments<'_>,

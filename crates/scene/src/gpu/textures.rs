@@ -130,7 +130,7 @@ impl SceneTextures {
         }
     }
 
-    /// Takes another picture of what lies in the pan.
+    /// Takes another picture of what is in the pan.
     pub fn set_film(&mut self, queue: &wgpu::Queue, texels: &[[u8; 4]]) {
         write_picture(queue, &self.film, texels);
     }

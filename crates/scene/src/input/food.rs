@@ -164,7 +164,7 @@ pub struct FoodVertex {
     pub seared: f32,
     /// Position in the present shape, in the same frame [m].
     pub position: [f32; 3],
-    /// Juice that lies on the face over the most that stays there (0–1): it stands in beads.
+    /// Juice that lies on the face over the most that stays there (0–1): it is in beads.
     pub juice: f32,
 }
 

@@ -37,7 +37,7 @@ pub struct PanLook {
     pub position: Vec3,
     /// Rotation about that point.
     pub rotation: Quat,
-    /// True: a folded wet cloth lies under the pan (else it lies folded at the left of the hob).
+    /// True: a folded wet cloth is under the pan (else it lies folded at the left of the hob).
     pub on_cloth: bool,
     /// Field coordinate (0–1) on `FLOOR_FIELD_RINGS` equidistant radii from the centre to `floor_radius`.
     pub floor_field: [f32; FLOOR_FIELD_RINGS],

@@ -7,8 +7,8 @@ use std::ops::RangeInclusive;
 pub struct Photo {
     /// Exposure over the usual one [EV]: each 1 doubles the light.
     pub exposure_ev: f32,
-    /// Width of the aperture over the usual one [-]: what lies behind the food is blurred in proportion; at
-    /// the lower levels what lies behind the pan, once the eye rests.
+    /// Width of the aperture over the usual one [-]: what is behind the food is blurred in proportion; at
+    /// the lower levels what is behind the pan, once the eye rests.
     pub aperture: f32,
 }
 

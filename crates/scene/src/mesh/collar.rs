@@ -14,7 +14,7 @@ const CELLS_MAX: usize = 12_000;
 /// Vertices of all cells, at most.
 pub(crate) const COLLAR_VERTICES_MAX: usize = CELLS_MAX * 6;
 
-/// The liquid stands this much above the floor [m]: what lies in it is drawn over the floor.
+/// The liquid stands this much above the floor [m]: what is in it is drawn over the floor.
 const ABOVE: f32 = 4e-4;
 /// The dark film of juice at the foot reaches so far [m] (chosen).
 const FILM: f32 = 3.5e-3;
@@ -114,7 +114,7 @@ impl KeptFoot {
 }
 
 /// Width of the collar [m]; `flow` is steam along the edge [g/(s m)], `depth` that of the liquid [m]. Twice the steam
-/// stands in half as many more bubbles, for larger ones rise faster.
+/// is in half as many more bubbles, for larger ones rise faster.
 fn width(flow: f32, depth: f32) -> f32 {
     let wet = DRY + (1.0 - DRY) * (depth / FULL_FILM).min(1.0);
     (SEARED_WIDTH * (flow.max(0.0) / SEARING).sqrt() * wet).min(WIDEST) * (1.0 + depth / DOUBLING_DEPTH)

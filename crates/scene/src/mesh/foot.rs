@@ -58,7 +58,7 @@ pub(crate) struct Near {
     pub reach: f32,
     /// Width of the bubbles round it [m].
     pub bubbles: f32,
-    /// True if the point lies outside of that foot.
+    /// True if the point is outside of that foot.
     pub outside: bool,
 }
 

@@ -134,7 +134,7 @@ fn bottle(mesh: &mut Mesh, base: Vec3) {
     }
 }
 
-/// A slotted steel turner that lies behind the hob.
+/// A slotted steel turner that is behind the hob.
 pub(crate) fn turner() -> Mesh {
     let mut mesh = Mesh::default();
     let steel = Finish { colour: Vec3::splat(0.52), roughness: 0.34, metalness: 1.0, material: Material::Plain };

@@ -1,4 +1,4 @@
-//! The stoves: induction hob, gas burner with grate and flame, radiant glass-ceramic, iron plate. A pan stands at z = 0.
+//! The stoves: induction hob, gas burner with grate and flame, radiant glass-ceramic, iron plate. A pan is at z = 0.
 
 use std::f32::consts::TAU;
 
@@ -19,7 +19,7 @@ const PORTS: [f32; 2] = [0.043, -0.027];
 const FLAMES: u32 = 36;
 /// Length of the smallest and of the largest flame [m] (chosen).
 const FLAME_LENGTH: [f32; 2] = [0.012, 0.052];
-/// Highest middle of a flame, which spreads below the pan from there [m]: half its width lies above.
+/// Highest middle of a flame, which spreads below the pan from there [m]: half its width is above.
 const FLAME_TOP: f32 = -0.0046;
 /// Top of the enamelled sheet round an iron plate, and radius of the plate [m].
 const SHEET_Z: f32 = -0.0035;
@@ -141,7 +141,7 @@ fn ring_stations(radius: f32, z: f32) -> Vec<Station> {
 
 /// The flames of a burner at a share of its power: a cone from each port, which leans outwards and then up along the pan.
 ///
-/// The place along a flame, 0 at the port to 1 at the tip, stands in place of the roughness.
+/// The place along a flame, 0 at the port to 1 at the tip, is in place of the roughness.
 pub(crate) fn flames(power: f32) -> Mesh {
     let mut mesh = Mesh::default();
     if power <= 0.0 {

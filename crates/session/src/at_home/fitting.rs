@@ -3,8 +3,8 @@
 use saute_plan::fit::observed::Observed;
 use saute_plan::fit::run::Fitted;
 
-use super::craft::{FitAnswer, FitOrder, Told};
 use super::entered::Entered;
+use super::job::{FitAnswer, FitOrder, Reply};
 use super::why_not::WhyNot;
 use crate::work::Helper;
 
@@ -105,14 +105,14 @@ impl AtHome {
     }
 
     fn take(&mut self, bytes: &[u8]) {
-        let Ok(FitAnswer { number, told }) = postcard::from_bytes(bytes) else { return };
+        let Ok(FitAnswer { number, reply }) = postcard::from_bytes(bytes) else { return };
         if number != self.number || !self.is_fitting() {
             return;
         }
-        self.standing = match told {
-            Told::Progress(share) => Standing::Fitting(share),
-            Told::Found(fitted) => Standing::Found(fitted),
-            Told::Refused(why) => Standing::Refused(why),
+        self.standing = match reply {
+            Reply::Progress(share) => Standing::Fitting(share),
+            Reply::Found(fitted) => Standing::Found(fitted),
+            Reply::Refused(why) => Standing::Refused(why),
         };
     }
 }

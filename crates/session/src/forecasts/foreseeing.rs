@@ -8,7 +8,7 @@ use saute_plan::forecast::{Desk, Question, Wanted};
 use web_time::{Duration, Instant};
 
 use super::{Found, Present};
-use crate::work::bench::Craft;
+use crate::work::executor::Worker;
 
 /// Forecasts of one piece, with foods and pans of its own.
 pub struct Foreseeing {
@@ -80,7 +80,7 @@ impl Foreseeing {
     }
 }
 
-impl Craft for Foreseeing {
+impl Worker for Foreseeing {
     fn take(&mut self, order: &[u8]) {
         let present = self.begin(order);
         if present.is_none() {

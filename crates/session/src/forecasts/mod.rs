@@ -18,7 +18,7 @@ const APART_S: f64 = 0.5;
 /// How late a present may be that still counts as on time, so that frames that do not meet half a second make no round fewer [s] (chosen:
 /// some frames).
 const LATE_S: f64 = 0.1;
-/// Age from which an answer says how old it is [simulated s].
+/// Age from which an answer states how old it is [simulated s].
 const OLD_S: f64 = 2.0;
 
 /// An order: the present of a cook. Behind it come the bytes of the kitchen, which are not copied once more for that.

@@ -33,7 +33,7 @@ pub enum Caption {
 /// Level below which nothing counts as heard [dBFS] (chosen: a tenth of a milligram of steam a second).
 const HEARD_DB: f32 = -60.0;
 /// Flows of steam under food from which a sizzle is soft, steady and lively [kg/s]: below the first, bubbles are heard one by one; the
-/// others are those by which a plan says what is heard.
+/// others are those by which a plan states what is heard.
 const SIZZLES: [f32; 3] = [1e-5, 3e-5, 1e-4];
 /// Flow from water above which it boils rather than simmers [kg/s]: its bubbles become one noise.
 const BOILS: f32 = 1.3e-4;

@@ -7,7 +7,7 @@ use saute_plan::schedule::search::{PlanData, SearchProgress};
 
 use web_time::Instant;
 
-use super::craft::{PlanAnswer, PlanOrder, PlanProgress, Told};
+use super::job::{PlanAnswer, PlanOrder, PlanProgress, Reply};
 use super::why_not::WhyNot;
 use crate::work::Helper;
 
@@ -127,18 +127,18 @@ impl Planning {
     }
 
     fn take(&mut self, bytes: &[u8], library: &Library) {
-        let Ok(PlanAnswer { number, told }) = postcard::from_bytes(bytes) else { return };
+        let Ok(PlanAnswer { number, reply }) = postcard::from_bytes(bytes) else { return };
         if number != self.number || !self.is_searching() {
             return;
         }
         let Some(asked) = &self.asked else { return };
-        self.standing = match told {
-            Told::Progress(PlanProgress { search, so_far }) => {
+        self.standing = match reply {
+            Reply::Progress(PlanProgress { search, so_far }) => {
                 self.so_far = so_far;
                 Standing::Searching(Some(search))
             }
-            Told::Refused(why) => Standing::Refused(why),
-            Told::Found(data) => found(data, asked, library),
+            Reply::Refused(why) => Standing::Refused(why),
+            Reply::Found(data) => found(data, asked, library),
         };
     }
 }

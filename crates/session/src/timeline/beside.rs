@@ -14,8 +14,8 @@ use super::Course;
 use super::branches::{Branch, BranchName, Way, name_of, shared_entries};
 use super::travel::Travel;
 use crate::Session;
-use crate::errand::Purpose;
 use crate::hands::Hands;
+use crate::playback::Purpose;
 
 /// A way as it is seen beside the others.
 pub struct WayBeside<'a> {
@@ -53,7 +53,7 @@ pub(super) enum Beside {
     Shared(Moment, u64),
     /// An instant of its own.
     Own(Moment),
-    /// Its end, which lies before.
+    /// Its end, which is before.
     End(Moment),
 }
 
@@ -184,7 +184,7 @@ impl<H: Hands> Session<H> {
         }
         let mut travel = Travel::toward(to, seen, line, &self.library, (models, apart));
         let purpose = Purpose::Beside(way.id);
-        if self.errands.play_elsewhere(purpose, &mut travel, line, &self.library, models) {
+        if self.playback.play_elsewhere(purpose, &mut travel, line, &self.library, models) {
             *seen = Some(travel);
             return false;
         }

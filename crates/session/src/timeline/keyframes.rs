@@ -9,7 +9,7 @@ use saute_recipe::{Moment, Recipe, Replay, Runner};
 
 use super::Timeline;
 use super::packed::{Packed, Stored};
-use crate::errand::Stop;
+use crate::playback::Stop;
 
 /// Size of all keyframes at most [bytes] (chosen: a page has little memory, which never shrinks).
 pub const MOST_BYTES: usize = if cfg!(target_arch = "wasm32") { 8 << 20 } else { 256 << 20 };

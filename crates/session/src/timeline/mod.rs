@@ -37,7 +37,7 @@ const COMPUTED_PER_KEYFRAME: Duration = Duration::from_millis(250);
 /// Frames between two keyframes at least: one second (chosen: nobody aims finer).
 const FRAMES_PER_KEYFRAME: u64 = 60;
 
-/// Everything that lies beside the instant that is shown.
+/// Everything that is beside the instant that is shown.
 #[derive(Default)]
 pub(super) struct Timeline {
     course: Course,

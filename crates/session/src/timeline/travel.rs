@@ -8,8 +8,8 @@ use web_time::{Duration, Instant};
 use super::line::Line;
 use super::{Ahead, COMPUTED_PER_KEYFRAME};
 use crate::Session;
-use crate::errand::{Errands, Instant as ErrandInstant, Purpose, WORTH_FRAMES};
 use crate::hands::Hands;
+use crate::playback::{Instant as PlayedInstant, Playback, Purpose, WORTH_FRAMES};
 use saute_kitchen::bytes::Models;
 use saute_kitchen::{FRAMES_PER_TICK, Library};
 use saute_recipe::session::{Deed, Entry};
@@ -139,7 +139,7 @@ impl<H: Hands> Session<H> {
             }
         };
         self.show_traces(traces);
-        self.errands.forget();
+        self.playback.forget();
         let apart = self.timeline.apart();
         self.timeline.travel = Some(Travel { replay, to, computed: Duration::ZERO, apart });
     }
@@ -173,7 +173,7 @@ impl<H: Hands> Session<H> {
         // Who cannot wait plays it here.
         let waits = budget < Duration::MAX;
         if !waits {
-            self.errands.forget();
+            self.playback.forget();
         }
         if self.timeline.catches_up {
             if !(waits && self.catch_up_elsewhere()) {
@@ -185,7 +185,7 @@ impl<H: Hands> Session<H> {
         let Some(ahead) = &mut self.timeline.course.ahead else { return };
         let models = &mut self.timeline.course.models;
         let purpose = Purpose::Shown(travel.to);
-        if waits && self.errands.play_elsewhere(purpose, &mut travel, &mut ahead.line, &self.library, models) {
+        if waits && self.playback.play_elsewhere(purpose, &mut travel, &mut ahead.line, &self.library, models) {
             self.timeline.travel = Some(travel);
             return super::keyframes::thin(&mut self.timeline);
         }
@@ -291,7 +291,7 @@ impl<H: Hands> Session<H> {
     }
 }
 
-impl Errands {
+impl Playback {
     /// Lets the helper play a long way, and keeps the keyframes that come back; returns false where the way is short, or at its end.
     pub(super) fn play_elsewhere(
         &mut self,
@@ -305,7 +305,7 @@ impl Errands {
         if !self.has_helper() || rest < WORTH_FRAMES && !self.is_open(purpose) {
             return false;
         }
-        self.ask(purpose, travel.to, || (line.recording.to_file(), Some(ErrandInstant::of(&travel.replay))));
+        self.ask(purpose, travel.to, || (line.recording.to_file(), Some(PlayedInstant::of(&travel.replay))));
         let recipe = Arc::clone(travel.replay.runner.recipe());
         for stop in self.stops(purpose) {
             line.keyframes.keep_stop(&stop, &recipe);

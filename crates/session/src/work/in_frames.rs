@@ -5,42 +5,42 @@ use std::sync::Arc;
 use saute_kitchen::Library;
 use web_time::{Duration, Instant};
 
-use super::bench::Bench;
+use super::executor::Executor;
 use super::{Agency, Helper, Kind};
 
 /// How long a frame may work [ms] (chosen: a quarter of a frame at 60 frames a second).
 const FRAME_MS: u64 = 4;
 
-/// A bench in the window's own thread.
+/// An executor in the window's own thread.
 pub struct InFrames {
-    bench: Bench,
+    executor: Executor,
     rests_until: Option<Instant>,
 }
 
 impl InFrames {
-    /// A bench without an order.
+    /// An executor without an order.
     pub fn new(kind: Kind, library: &Arc<Library>) -> Self {
-        Self { bench: Bench::new(kind, Arc::clone(library)), rests_until: None }
+        Self { executor: Executor::new(kind, Arc::clone(library)), rests_until: None }
     }
 }
 
 impl Helper for InFrames {
     fn ask(&mut self, order: Vec<u8>) {
-        self.bench.take(&order);
+        self.executor.take(&order);
     }
 
     fn answers(&mut self) -> Option<Vec<Vec<u8>>> {
         let now = Instant::now();
-        if !self.bench.is_busy() || self.rests_until.is_some_and(|until| now < until) {
+        if !self.executor.is_busy() || self.rests_until.is_some_and(|until| now < until) {
             return Some(Vec::new());
         }
-        let answer = self.bench.go_on(Duration::from_millis(FRAME_MS));
-        self.rests_until = Some(Instant::now() + self.bench.rest());
+        let answer = self.executor.go_on(Duration::from_millis(FRAME_MS));
+        self.rests_until = Some(Instant::now() + self.executor.rest());
         Some(answer.into_iter().collect())
     }
 
     fn needs_frames(&self) -> bool {
-        self.bench.is_busy()
+        self.executor.is_busy()
     }
 }
 

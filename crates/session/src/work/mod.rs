@@ -1,19 +1,19 @@
 //! Heavy work off the frame: orders as bytes that go away, answers as bytes that come back.
 //!
 //! Each [`Kind`] of work has a worker of its own, so that none waits behind another. The window hires a [`Helper`] for a kind from
-//! its [`Agency`], gives it orders and goes on drawing. On the other side a [`Bench`](self::bench::Bench) does the work in slices:
+//! its [`Agency`], gives it orders and goes on drawing. On the other side an [`Executor`](self::executor::Executor) does the work in slices:
 //! on a thread in the native window, in a second instance of the program in a page's worker, or, where there is neither, in the
 //! window's own thread between frames. Nothing is shared: what an order needs is in its bytes, or in the embedded library.
 //!
-//! To add a kind of work: a variant of [`Kind`] with its name, and a [`Craft`] in `Kind::craft`. The page's
+//! To add a kind of work: a variant of [`Kind`] with its name, and a [`Worker`] in `Kind::worker`. The page's
 //! scripts take the name as it is. An order replaces the one before and an empty one ends the work, so answers state the number of
 //! their order: some of an earlier one may still be on their way.
 
-pub mod bench;
+pub mod executor;
 pub mod in_frames;
+pub mod job;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod thread;
-pub mod undertaking;
 
 use std::sync::Arc;
 
@@ -21,10 +21,10 @@ use saute_kitchen::Library;
 use saute_plan::fit::run::FitRun;
 use saute_plan::schedule::search::Search;
 
-use self::bench::Craft;
-use self::undertaking::Undertaken;
-use crate::errand::playing::Playing;
+use self::executor::Worker;
+use self::job::JobWorker;
 use crate::forecasts::foreseeing::Foreseeing;
+use crate::playback::playing::Playing;
 
 /// A kind of work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -59,12 +59,12 @@ impl Kind {
     }
 
     /// Who does it.
-    fn craft(self, library: Arc<Library>) -> Box<dyn Craft> {
+    fn worker(self, library: Arc<Library>) -> Box<dyn Worker> {
         match self {
             Self::Play => Box::new(Playing::new(library)),
             Self::Forecast => Box::new(Foreseeing::new(library)),
-            Self::Plan => Box::new(Undertaken::<Search>::new(library)),
-            Self::Fit => Box::new(Undertaken::<FitRun>::new(library)),
+            Self::Plan => Box::new(JobWorker::<Search>::new(library)),
+            Self::Fit => Box::new(JobWorker::<FitRun>::new(library)),
         }
     }
 

@@ -7,7 +7,7 @@ use std::thread;
 use saute_kitchen::Library;
 use web_time::Duration;
 
-use super::bench::Bench;
+use super::executor::Executor;
 use super::in_frames::InFrames;
 use super::{Agency, Helper, Kind};
 
@@ -39,7 +39,7 @@ impl Agency for Threads {
     }
 }
 
-/// A bench on a thread, which ends when the helper is dropped.
+/// An executor on a thread, which ends when the helper is dropped.
 pub struct OwnThread {
     orders: Sender<Vec<u8>>,
     answers: Receiver<Vec<u8>>,
@@ -56,8 +56,8 @@ impl OwnThread {
         let (library, wake, begins) = (Arc::clone(library), Arc::clone(&threads.wake), threads.begins);
         let work = move || {
             begins();
-            let mut bench = Bench::new(kind, library);
-            while work_on(&mut bench, &ordered, &done, &wake) {}
+            let mut executor = Executor::new(kind, library);
+            while work_on(&mut executor, &ordered, &done, &wake) {}
         };
         thread::Builder::new().name(kind.name().to_owned()).spawn(work)?;
         Ok(Self { orders, answers })
@@ -65,23 +65,23 @@ impl OwnThread {
 }
 
 /// Takes the last order, works for a slice and rests; returns false once nobody orders or listens any more.
-fn work_on(bench: &mut Bench, ordered: &Receiver<Vec<u8>>, done: &Sender<Vec<u8>>, wake: &Wake) -> bool {
+fn work_on(executor: &mut Executor, ordered: &Receiver<Vec<u8>>, done: &Sender<Vec<u8>>, wake: &Wake) -> bool {
     let first = match ordered.try_recv() {
-        Err(TryRecvError::Empty) if !bench.is_busy() => ordered.recv().map_err(|_| TryRecvError::Disconnected),
+        Err(TryRecvError::Empty) if !executor.is_busy() => ordered.recv().map_err(|_| TryRecvError::Disconnected),
         first => first,
     };
     match first {
-        Ok(order) => bench.take(&ordered.try_iter().last().unwrap_or(order)),
+        Ok(order) => executor.take(&ordered.try_iter().last().unwrap_or(order)),
         Err(TryRecvError::Empty) => {}
         Err(TryRecvError::Disconnected) => return false,
     }
-    if let Some(answer) = bench.go_on(Duration::from_millis(SLICE_MS)) {
+    if let Some(answer) = executor.go_on(Duration::from_millis(SLICE_MS)) {
         if done.send(answer).is_err() {
             return false;
         }
         wake();
     }
-    thread::sleep(bench.rest());
+    thread::sleep(executor.rest());
     true
 }
 

@@ -33,7 +33,7 @@ impl Guide {
         self.path.with_extension("html")
     }
 
-    /// Returns true if the file lies in a folder, not in one below it.
+    /// Returns true if the file is in a folder, not in one below it.
     pub fn is_in(&self, folder: &Path) -> bool {
         self.path.parent() == Some(folder)
     }

@@ -48,7 +48,7 @@ pub fn level(samples: &[f64]) -> f64 {
     10.0 * (samples.iter().map(|x| x * x).sum::<f64>() / samples.len() as f64).max(1e-30).log10()
 }
 
-/// What lies between two frequencies [Hz]: Butterworth filters of fourth order.
+/// What is between two frequencies [Hz]: Butterworth filters of fourth order.
 pub fn band(samples: &[f64], [low, high]: [f64; 2], rate: f64) -> Vec<f64> {
     let mut out = samples.to_vec();
     for quality in [0.541_196, 1.306_563] {

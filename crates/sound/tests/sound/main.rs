@@ -1,4 +1,4 @@
-//! Promises on rendered samples: each says why it matters to a cook.
+//! Promises on rendered samples: each states why it matters to a cook.
 
 mod ear;
 mod played;

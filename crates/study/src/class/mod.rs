@@ -1,6 +1,6 @@
 //! Lessons for a class: scenarios with locks, hidden read-outs and questions at which the cook pauses, and the results of a class.
 //!
-//! A [`Scenario`] is a checked scenario file. A [`Lesson`] watches a cook of it: it says when a question is due, keeps answers, and finds
+//! A [`Scenario`] is a checked scenario file. A [`Lesson`] watches a cook of it: it states when a question is due, keeps answers, and finds
 //! the truth to compare them with in the cook itself. [`ResultRow`] is what a student hands in, [`ClassSummary`] what a class did. This module
 //! has no clock and opens no file.
 

@@ -38,7 +38,7 @@ impl Rest {
             return None;
         }
         let mut kitchen = kitchen.clone();
-        // Nobody stands at the stove any more.
+        // Nobody is at the stove any more.
         kitchen.apply(&Command::Hob(0.0)).ok()?;
         let began_s = kitchen.time_s();
         Some(Self { kitchen, began_s })

@@ -83,7 +83,7 @@ pub enum Locked {
     Rewind,
 }
 
-/// A question at which the cook pauses. One of `at_s`, `core_c` and `after` says when.
+/// A question at which the cook pauses. One of `at_s`, `core_c` and `after` states when.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PredictEntry {

@@ -1,4 +1,4 @@
-//! What the JSON of a glTF file says of its shape; the rest is skipped.
+//! What the JSON of a glTF file states of its shape; the rest is skipped.
 
 use serde::Deserialize;
 

@@ -111,7 +111,7 @@ impl<'a> Elements<'a> {
         self.checked(index, Dimensions::Scalar, &OF_INDICES)
     }
 
-    /// Checks that an accessor has one of the types that its use permits, and lies within its buffer.
+    /// Checks that an accessor has one of the types that its use permits, and is within its buffer.
     fn checked(&self, index: usize, dimensions: Dimensions, types: &[Component]) -> Result<Checked<'a>, ReadError> {
         let accessor = at(&self.document.accessors, index, "accessor")?;
         let component = Component::of(accessor.component_type, types).filter(|_| accessor.dimensions == dimensions);

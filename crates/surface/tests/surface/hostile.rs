@@ -1,4 +1,4 @@
-//! Promise: no surface file makes the reader panic, hang or take much memory; each found case (fuzz/found) gives an error that says why.
+//! Promise: no surface file makes the reader panic, hang or take much memory; each found case (fuzz/found) gives an error that states why.
 
 use std::time::Duration;
 

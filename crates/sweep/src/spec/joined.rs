@@ -11,7 +11,7 @@ use crate::place::Place;
 use crate::spec::spec_file::SpecFile;
 use crate::spec::varied::Levels;
 
-/// Fewest and most rows of a part unless the file says it [-] (chosen: a killed program loses little, and a folder has few files).
+/// Fewest and most rows of a part unless the file states it [-] (chosen: a killed program loses little, and a folder has few files).
 const PART: [u64; 2] = [16, 4096];
 /// Parts of a sweep of middle size [-] (chosen as above).
 const PARTS: u64 = 64;

@@ -1,10 +1,10 @@
-//! What lies over the scene.
+//! What is over the scene.
 
 use crate::act::Card;
 use crate::panels::memory::PanelMemory;
 use crate::ui::notice::Notice;
 
-/// What lies over the scene: a card, what was said, and what panels keep.
+/// What is over the scene: a card, what was said, and what panels keep.
 #[derive(Default)]
 pub(crate) struct Desk {
     /// The card that is open.

@@ -151,7 +151,7 @@ impl SauteApp {
         }
     }
 
-    /// Opens what was read of a recipe's or a session's file, or of a thermometer's log, or says why it cannot.
+    /// Opens what was read of a recipe's or a session's file, or of a thermometer's log, or states why it cannot.
     pub(crate) fn take_file(&mut self, name: &str, read: Result<Vec<u8>, String>) {
         if self.refuses(&Act::App(AppAct::ChooseFile)) {
             return;

@@ -61,7 +61,7 @@ impl SauteApp {
         self.settings.language = language;
     }
 
-    /// What the guide says in a cook that follows a plan.
+    /// What the guide states in a cook that follows a plan.
     pub fn guidance(&self) -> Option<saute_session::plan::live::Guidance> {
         let live = self.leads.live.as_ref().filter(|live| live.is_of(&self.session))?;
         Some(live.guidance(&self.session))

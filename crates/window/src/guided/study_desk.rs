@@ -279,7 +279,7 @@ impl StudyDesk {
         Ok(())
     }
 
-    /// Writes rows that are not kept yet; says why if it cannot.
+    /// Writes rows that are not kept yet; states why if it cannot.
     pub(crate) fn keep_rows(&mut self) {
         let rows = &self.rows[self.kept..];
         let kept = match &mut self.keeper {

@@ -29,7 +29,7 @@ pub(crate) fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, layout: &Layou
     if !state.session.hands.any() {
         return;
     }
-    // Beside what stands at the left; the scene has made room for it.
+    // Beside what is at the left; the scene has made room for it.
     let at =
         if layout.narrow { layout.free.left_top() } else { layout.free.left_top() - vec2(WIDTH + 24.0 + GAP, -24.0) };
     let at = at + vec2(if layout.narrow { GAP } else { 0.0 }, GAP);

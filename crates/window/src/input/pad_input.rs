@@ -16,7 +16,7 @@ pub(crate) struct Pad {
     pub(crate) before: PadState,
     /// What is felt when the goal is reached.
     pub(crate) pulse: DoublePulse,
-    /// True while the coach says that the food is to be taken out.
+    /// True while the coach states that the food is to be taken out.
     pub(crate) at_goal: bool,
 }
 

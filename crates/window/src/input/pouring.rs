@@ -1,4 +1,4 @@
-//! Oil, butter, water and the lid: what a cook adds at once, and what lies in the pan.
+//! Oil, butter, water and the lid: what a cook adds at once, and what is in the pan.
 
 use saute_kitchen::advice::SMOKE_SEEN_MG_S;
 use saute_kitchen::{EventKind, Kitchen};
@@ -73,7 +73,7 @@ impl Portion {
 /// Least mass that is named [g] (chosen: as it is shown).
 const NAMED_G: f64 = 0.1;
 
-/// What liquid lies in the pan.
+/// What liquid is in the pan.
 pub(crate) fn in_the_pan(kitchen: &Kitchen, l: Language) -> String {
     let pan = kitchen.pan_state();
     let lump = pan.liquids.butter.lump.as_ref().map_or(0.0, |lump| lump.mass);

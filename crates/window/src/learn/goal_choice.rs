@@ -1,4 +1,4 @@
-//! The goal by which a cook is judged: the one that was chosen by its name, else the class that the goal of the core lies in.
+//! The goal by which a cook is judged: the one that was chosen by its name, else the class that the goal of the core is in.
 
 use crate::session::Session;
 use crate::settings::Settings;

@@ -10,7 +10,7 @@ use saute_mirror::warp::Warp;
 const ARM: f32 = 16.0;
 /// Points along each line of the sheet (chosen: a bow shows).
 const STEPS: u32 = 24;
-/// Height of a number on the sheet, in halves of its depth, and where it stands beside its mark (chosen: 7 mm).
+/// Height of a number on the sheet, in halves of its depth, and where it is beside its mark (chosen: 7 mm).
 const DIGIT: f64 = 0.07;
 
 /// Strokes of the digits 1 to 9 in a box one wide and two high, from the upper left (the seven segments).

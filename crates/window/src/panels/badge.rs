@@ -45,7 +45,7 @@ pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, layout: &Layout) {
     }
 }
 
-/// Height of what stands at the edge from which messages begin: the ribbon of a study or a lesson, on a narrow window the legend.
+/// Height of what is at the edge from which messages begin: the ribbon of a study or a lesson, on a narrow window the legend.
 fn clear_of(state: &WindowState, layout: &Layout) -> f32 {
     match (state.guided.is_some(), layout.narrow && says_what_holds(state)) {
         (true, _) => RIBBON,
@@ -87,7 +87,7 @@ pub fn what_holds(state: &WindowState, ui: &mut Ui, acts: &mut Acts, width: f32)
 fn place(layout: &Layout, drop: f32) -> (egui::Pos2, Align2) {
     let below = |drop: f32| egui::vec2(0.0, drop);
     match &layout.ways {
-        // It covers no pan: it stands over the views, or over the curves.
+        // It covers no pan: it is over the views, or over the curves.
         Some(ways) if layout.narrow => (ways.ground.center_top() - below(drop), Align2::CENTER_BOTTOM),
         Some(ways) => (ways.ground.center_bottom() - below(drop), Align2::CENTER_BOTTOM),
         None if layout.narrow && layout.free.bottom() < layout.whole.bottom() => {

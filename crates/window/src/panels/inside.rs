@@ -89,7 +89,7 @@ fn result(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     }
 }
 
-/// What stands in place of all readings in skill mode.
+/// What is in place of all readings in skill mode.
 fn skill(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let l = state.settings.language;
     ui.label(RichText::new(l.text("skill.title")).size(16.0).strong());
@@ -254,7 +254,7 @@ fn goals(settings: &Settings, scale: &Scale, ui: &mut Ui, acts: &mut Acts) {
     }
 }
 
-/// What a coach says of the cook: what to perceive next, and what happens.
+/// What a coach states of the cook: what to perceive next, and what happens.
 fn coached(state: &WindowState, ui: &mut Ui) {
     // Always the same height, so that what is below stays where it is.
     let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), COACH_HEIGHT), egui::Sense::hover());

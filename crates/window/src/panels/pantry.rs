@@ -232,7 +232,7 @@ pub(super) fn slider(ui: &mut Ui, name: &str, value: &mut f64, low: f64, high: f
     spoken_value(ui, &response, format!("{shown:.0}{suffix}"));
 }
 
-/// Coldest start of a food [°C]: below 0 only where its file says how it freezes.
+/// Coldest start of a food [°C]: below 0 only where its file states how it freezes.
 pub(super) fn coldest(library: &Library, kind: &str) -> f64 {
     let freezes = library.foods.get(kind).is_some_and(|food| food.may_be_ice(Rules::Full));
     if freezes { PieceOrder::INITIAL_C[0] } else { 0.0 }

@@ -9,7 +9,7 @@ use crate::spoken::view_words::ViewWords;
 use crate::ui::theme;
 use saute_words::piece_words::{doneness, grams, name, place};
 
-/// How far it stands below a mouse, and above a finger [points].
+/// How far it is below a mouse, and above a finger [points].
 const BY_MOUSE: Vec2 = vec2(18.0, 14.0);
 const BY_FINGER: Vec2 = vec2(0.0, 48.0);
 

@@ -18,7 +18,7 @@ const LEARN: f32 = 64.0;
 /// Width of the speech bubble [points].
 const BUBBLE: f32 = 36.0;
 
-/// Shows the chips of the views, the switches of cut and split, and what stands at the right.
+/// Shows the chips of the views, the switches of cut and split, and what is at the right.
 pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
     if narrow {
         ui.horizontal_wrapped(|ui| {
@@ -181,7 +181,7 @@ fn chip(state: &WindowState, ui: &mut Ui, acts: &mut Acts, text: &str, on: bool,
     let size = egui::vec2(38.0, fingers::height(ui, HEIGHT));
     let palette = theme::of(ui);
     let words = egui::RichText::new(text).size(15.0).strikethrough().color(palette.quiet);
-    // What skill mode hides can still be clicked: it says why it is off.
+    // What skill mode hides can still be clicked: it states why it is off.
     let button = if is_off(state, &act) { egui::Button::new(words) } else { palette.button(text, on) };
     let response = ui.add_enabled(!state.forbids(&act), button.min_size(size));
     control_place::note(ui, &act, response.rect);

@@ -76,9 +76,9 @@ pub struct WindowState<'a> {
     pub quality: Quality,
     /// What to do next with the piece that the panels are about, the most urgent first.
     pub advice: Vec<Advice>,
-    /// True while a plan is kept to: its guide alone says what to do.
+    /// True while a plan is kept to: its guide alone states what to do.
     pub guide_leads: bool,
-    /// What a coach says of that piece; none where the coach is off.
+    /// What a coach states of that piece; none where the coach is off.
     pub coaching: Option<Coaching>,
     /// True if the goal is reached, the food is still in the pan and the coach is on.
     pub alarm: bool,

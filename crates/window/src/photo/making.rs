@@ -56,14 +56,14 @@ impl Drop for Making {
 }
 
 /// What the thread tells the window.
-struct Bench {
+struct Executor {
     done: Arc<AtomicU32>,
     stopped: Arc<AtomicBool>,
     ctx: egui::Context,
     folder: PathBuf,
 }
 
-impl Bench {
+impl Executor {
     /// Writes a file into the folder of pictures under a name that is free.
     fn save(&self, ending: &str, bytes: &[u8]) -> Result<PathBuf, String> {
         write_picture(&self.folder, ending, bytes)
@@ -88,10 +88,10 @@ pub struct Maker {
 impl Maker {
     /// A picture of a scene at the best quality.
     pub fn photo(self, scene: Arc<SceneInput>, size: [u32; 2]) -> std::io::Result<Making> {
-        self.begin(1, move |bench| {
+        self.begin(1, move |executor| {
             let gpu = Gpu::open().map_err(|error| error.to_string())?;
             let drawn = picture(&gpu, &scene, size, Quality::Best);
-            bench.save("png", &png_bytes(&drawn).map_err(|error| error.to_string())?)
+            executor.save("png", &png_bytes(&drawn).map_err(|error| error.to_string())?)
         })
     }
 
@@ -105,34 +105,34 @@ impl Maker {
         let until_s = recording.moment().time_s();
         let every_s = (until_s / f64::from(FRAMES)).max(LEAST_EVERY_S);
         let count = (until_s / every_s + 1e-9).floor() as u32 + 1;
-        self.begin(count, move |bench| {
+        self.begin(count, move |executor| {
             let cook = Cook::again(recording, library).map_err(|error| error.to_string())?;
             let mut series = Series::of(cook, options, LAPSE_SIZE).map_err(|error| error.to_string())?;
             let mut frames = Vec::new();
             for k in 0..count {
                 let frame = series.at(f64::from(k) * every_s).map_err(|error| error.to_string())?;
                 frames.extend(frame);
-                if !bench.goes_on() {
+                if !executor.goes_on() {
                     return Err("the window was closed".to_owned());
                 }
             }
-            bench.save("gif", &animation(Format::Gif, &frames).map_err(|error| error.to_string())?)
+            executor.save("gif", &animation(Format::Gif, &frames).map_err(|error| error.to_string())?)
         })
     }
 
     fn begin(
         self,
         all: u32,
-        make: impl FnOnce(&Bench) -> Result<PathBuf, String> + Send + 'static,
+        make: impl FnOnce(&Executor) -> Result<PathBuf, String> + Send + 'static,
     ) -> std::io::Result<Making> {
         let (send, answer) = channel();
         let (done, stopped) = (Arc::default(), Arc::default());
         let making = Making { done: Arc::clone(&done), all, stopped: Arc::clone(&stopped), answer };
-        let bench = Bench { done, stopped, ctx: self.ctx, folder: self.folder };
+        let executor = Executor { done, stopped, ctx: self.ctx, folder: self.folder };
         std::thread::Builder::new().name("photo".to_owned()).spawn(move || {
             // Nobody waits for the answer once the window is closed.
-            let _ = send.send(make(&bench));
-            bench.ctx.request_repaint();
+            let _ = send.send(make(&executor));
+            executor.ctx.request_repaint();
         })?;
         Ok(making)
     }

@@ -4,7 +4,7 @@ use egui::{Context, Id, Ui};
 
 use crate::ui::theme::TOUCH;
 
-/// Notes that fingers use the window: a finger was seen, or `is_coarse`: the system says that the main pointer is none of a mouse.
+/// Notes that fingers use the window: a finger was seen, or `is_coarse`: the system states that the main pointer is none of a mouse.
 /// A machine with both keeps what fingers need.
 pub fn note(ctx: &Context, is_coarse: bool) {
     if (is_coarse || ctx.input(|i| i.has_touch_screen())) && !are_used(ctx) {

@@ -16,12 +16,12 @@ const RIGHT_WIDTH: f32 = 296.0;
 const LEFT_WIDTH: f32 = 276.0;
 /// Height of what is inside without the curves [points]; with them it takes the whole height.
 const INSIDE_HEIGHT: f32 = 410.0;
-/// Heights of the few controls of a first cook: of one row, and of what stands above them; and the width of *More* and its neighbours
+/// Heights of the few controls of a first cook: of one row, and of what is above them; and the width of *More* and its neighbours
 /// [points].
 const FEW_HEIGHT: f32 = 58.0;
 const FEW_TOP: Vec2 = vec2(252.0, 46.0);
 const FEW_TOP_NARROW: Vec2 = vec2(290.0, 58.0);
-/// Height of their drawer [points]: the line that says what to do and three rows for fingers.
+/// Height of their drawer [points]: the line that states what to do and three rows for fingers.
 const FEW_DRAWER: f32 = 240.0;
 /// Two rows of controls and a line of words.
 const BOTTOM_HEIGHT: f32 = 110.0;

@@ -14,7 +14,7 @@ const HEAD: f32 = 44.0;
 /// Height of its cut with the readings below it, and on a narrow window [points].
 const CUT: f32 = 84.0;
 const NARROW_CUT: f32 = 64.0;
-/// Height of the curves with what stands beside them, and width of that [points].
+/// Height of the curves with what is beside them, and width of that [points].
 const CURVES: f32 = 184.0;
 const BESIDE_CURVES: f32 = 268.0;
 /// Height of the buttons of the eye above that [points].
@@ -43,7 +43,7 @@ pub struct WaysLayout {
     live: usize,
     /// The curves; where it is narrow they are in the drawer.
     pub curves: Option<Rect>,
-    /// What stands beside the curves.
+    /// What is beside the curves.
     pub beside: Rect,
     /// The buttons of the eye; nothing where it is narrow.
     pub eye: Rect,

@@ -133,7 +133,7 @@ fn every_name_in_the_data_has_a_japanese_one() {
     }
 }
 
-/// One of each; a new kind of refusal does not compile until it stands here.
+/// One of each; a new kind of refusal does not compile until it is here.
 fn refusals() -> Vec<Refused> {
     let (food, other) = (|| "steak".to_owned(), || "carrots-2".to_owned());
     let next = |refused: &Refused| match refused {

@@ -161,7 +161,7 @@ fn the_light_theme_shows_everything_that_the_dark_one_does() {
     }
 }
 
-/// The last view's chip lies in its panel, and the drawer's last tab beside the gear.
+/// The last view's chip is in its panel, and the drawer's last tab beside the gear.
 #[track_caller]
 fn chips_have_room(harness: &Harness<'static, SauteApp>, size: egui::Vec2) {
     let whole = Rect::from_min_size(pos2(0.0, 0.0), size / harness.ctx.zoom_factor());

@@ -148,7 +148,7 @@ impl PyPiece {
         made(py, nodes)
     }
 
-    /// Its surface as it lies in the kitchen now, as a PyVista mesh with all fields (needs pyvista).
+    /// Its surface as it is in the kitchen now, as a PyVista mesh with all fields (needs pyvista).
     fn to_pyvista<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
         slf.py().import("saute._pyvista")?.call_method1("surface", (slf,))
     }

@@ -6,7 +6,7 @@ use saute_recipe::{Cook, Recipe};
 
 use super::{hostile, is_taken, names, sound};
 
-/// Time at which a change is due [s]: food lies in the pan, or on the board again.
+/// Time at which a change is due [s]: food is in the pan, or on the board again.
 fn due_s(before: Before) -> f64 {
     if before == Before::OnBoard { 8.0 } else { 0.5 }
 }

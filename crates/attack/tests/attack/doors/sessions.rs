@@ -130,7 +130,7 @@ fn in_kitchen(home: &str) -> Recording {
     /// Number of the record of the kitchen at home.
     const HOME: u32 = 5;
     let mut file = begun().to_file();
-    // The last record says how far it came; the kitchen at home follows the beginning.
+    // The last record states how far it came; the kitchen at home follows the beginning.
     file.truncate(super::other_version::record_end(&file));
     let body = postcard::to_allocvec(&(HOME, home)).expect("can be written");
     file.extend_from_slice(&(body.len() as u32).to_le_bytes());

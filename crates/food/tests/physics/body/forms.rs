@@ -99,7 +99,7 @@ fn natural_variation_keeps_the_mean_thickness() {
     }
 }
 
-/// The lower patches of a slice are the big face that lies below; those of a shrimp face downwards.
+/// The lower patches of a slice are the big face that is below; those of a shrimp face downwards.
 #[test]
 fn what_lies_below_is_what_looks_down() {
     let steak = model("beef-lean", 1.6, [0.12, 0.08, 0.025]);
@@ -193,7 +193,7 @@ fn solids_follow_the_mesh() {
     }
 }
 
-/// The capsules of a shrimp follow its curve: every node of its body lies within 2.5 mm of one of them.
+/// The capsules of a shrimp follow its curve: every node of its body is within 2.5 mm of one of them.
 #[test]
 fn rods_of_a_shrimp_follow_its_bow() {
     let shrimp = model("shrimp", 1.0, [0.075, 0.016, 0.016]);

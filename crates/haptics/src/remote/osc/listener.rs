@@ -156,7 +156,7 @@ impl Listener {
         }
     }
 
-    /// Counts a rejected message and says why, seldom enough that no flood gets an echo.
+    /// Counts a rejected message and states why, seldom enough that no flood gets an echo.
     fn reject(&mut self, why: &Rejection, from: SocketAddr, now: Instant) {
         self.incoming.rejected = self.incoming.rejected.wrapping_add(1);
         let told = self.rejections.tell(why, from, now);

@@ -6,7 +6,7 @@ use saute_kitchen::dynamics::pose::turn;
 use super::message::Measured;
 use crate::kitchen::kitchen_watch::GRAVITY;
 
-/// Largest tilt that can be set as level [rad] (chosen: 30°, as a phone lies in a hand).
+/// Largest tilt that can be set as level [rad] (chosen: 30°, as a phone is in a hand).
 const FLAT: f64 = 0.52;
 
 /// Returns the rotation from the phone's axes to east, north, up for the angles of a DeviceOrientation event [°].

@@ -43,7 +43,7 @@ impl<N: Fn(u32) -> (DVec3, u32), S: Fn(u32) -> Sample> Sites<'_, N, S> {
         cell
     }
 
-    /// Clips a cell at the plane of a sample, unless the node itself lies outside of it.
+    /// Clips a cell at the plane of a sample, unless the node itself is outside of it.
     fn clip_skin(&self, cell: &mut Cell, position: DVec3, sample: u32) {
         let plane = (self.sample)(sample);
         let offset = (plane.position - position).dot(plane.normal);

@@ -13,7 +13,7 @@ impl CellMesh {
         self.grid.nearest(p.into(), 0.5 * self.fineness.spacing, |_| true).unwrap_or(0)
     }
 
-    /// Returns true if a point [m] lies inside: below the surface plane over its nearest node.
+    /// Returns true if a point [m] is inside: below the surface plane over its nearest node.
     pub fn contains(&self, p: [f64; 3]) -> bool {
         let node = self.nearest(p) as usize;
         let above = (DVec3::from(p) - self.node(node)).dot(self.normals[node]);

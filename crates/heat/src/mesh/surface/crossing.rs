@@ -69,7 +69,7 @@ fn cross_each_other(surface: &Surface, s: usize, t: usize) -> bool {
     let (left, right) = (surface.triangles[s], surface.triangles[t]);
     let shared = left.iter().filter(|v| right.contains(v)).count();
     let (p, q) = (surface.corners(s), surface.corners(t));
-    // A common corner lies in the plane; the exact predicate takes longest to find that.
+    // A common corner is in the plane; the exact predicate takes longest to find that.
     let sides = [0, 1, 2].map(|k| if left.contains(&right[k]) { 0 } else { side(p[0], p[1], p[2], q[k]) });
     if sides == [0; 3] {
         return overlap_in_plane(left, right, p, q);

@@ -42,7 +42,7 @@ pub fn weld(soup: &Soup, metres: f64) -> Result<Surface, Defect> {
         }
     }
     if triangles.is_empty() {
-        // Every triangle of the file lies in one point or on one edge.
+        // Every triangle of the file is in one point or on one edge.
         return Err(Defect::Degenerate(Trouble::at(soup.triangles.len(), low.to_array())));
     }
     let surface = Surface { vertices: welder.vertices.iter().map(DVec3::to_array).collect(), triangles };

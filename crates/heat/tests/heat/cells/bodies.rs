@@ -90,7 +90,7 @@ pub fn cylinder(radius: f64, height: f64, sides: usize) -> Soup {
 /// Returns an L: a square prism without a quarter, so that one edge is re-entrant.
 pub fn angle_piece(edge: f64, height: f64) -> Soup {
     let e = edge;
-    // Star-shaped about the origin, which lies inside the corner of the L.
+    // Star-shaped about the origin, which is inside the corner of the L.
     let polygon = [[-e, -e], [e, -e], [e, 0.3 * e], [0.3 * e, 0.3 * e], [0.3 * e, e], [-e, e]];
     prism(&polygon, height)
 }

@@ -118,7 +118,7 @@ fn minutes_in_a_bath(model: &FoodModel, library: &Library) -> Option<f64> {
     let mut solver = FoodSolver::default();
     let touch =
         vec![Touch::Contact { conductance: BATH_CONDUCTANCE, temperature: kelvin(BATH_C) }; model.patches().len()];
-    // Every patch lies in water, so that the air passes nothing.
+    // Every patch is in water, so that the air passes nothing.
     let air = [library.room.still_air(); 3];
     let around = Surroundings { touch: &touch, air: &air, pressed: 0.0 };
     let mut time = 0.0;

@@ -1,4 +1,4 @@
-//! A heater that is a disc: how much of it lies under each place of a pan.
+//! A heater that is a disc: how much of it is under each place of a pan.
 
 use core::f64::consts::PI;
 

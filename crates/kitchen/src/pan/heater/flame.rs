@@ -43,7 +43,7 @@ sourced_table! {
 }
 
 sourced_table! {
-    /// Grate on which a pan stands over a flame.
+    /// Grate on which a pan is over a flame.
     Grate {
         /// Mass [kg].
         #[schemars(range(min = 0.01, max = 20.0), example = 0.9)]

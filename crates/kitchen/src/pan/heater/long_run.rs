@@ -13,9 +13,9 @@ const OVER_ROOM_K: f64 = 180.0;
 struct Way {
     /// Share of the power that leaves the heater towards the pan [-].
     efficiency: f64,
-    /// Loss of what lies between for each watt into the pan [-].
+    /// Loss of what is between for each watt into the pan [-].
     on_the_way: f64,
-    /// Loss of what lies between at the pan's temperature [W].
+    /// Loss of what is between at the pan's temperature [W].
     standing_w: f64,
 }
 

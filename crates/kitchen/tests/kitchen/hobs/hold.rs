@@ -115,7 +115,7 @@ fn steak(size: [f64; 3]) -> PieceOrder {
 
 const PANS: [&str; 5] = ["aluminium-26", "carbon-steel-26", "cast-iron-26", "cast-iron-grill-26", "stainless-clad-26"];
 
-/// What lies in the pan from the start.
+/// What is in the pan from the start.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Filled {
     Nothing,
@@ -142,7 +142,7 @@ fn filled(library: &Library, pan: &str, with: Filled) -> Kitchen {
     kitchen
 }
 
-/// Mean temperature of what is to have the dial's temperature: water where it lies in the pan, else floor or oil [°C].
+/// Mean temperature of what is to have the dial's temperature: water where it is in the pan, else floor or oil [°C].
 fn judged(kitchen: &Kitchen, with: Filled) -> f64 {
     let state = kitchen.pan_state();
     match with {
@@ -252,7 +252,7 @@ fn a_litre_of_water_has_the_temperature_of_the_dial_below_boiling() {
     }
 }
 
-/// The hob says that water boils, and that the pan is as hot as it is set once it has gone.
+/// The hob states that water boils, and that the pan is as hot as it is set once it has gone.
 #[test]
 fn a_pan_that_boils_dry_does_not_shoot_over() {
     let library = library();

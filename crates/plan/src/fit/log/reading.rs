@@ -72,7 +72,7 @@ pub struct Reading {
     pub time_column: String,
     /// What the times are.
     pub time_form: TimeForm,
-    /// The first time, as it stands in the log.
+    /// The first time, as it is in the log.
     pub begins: String,
     /// From the first row to the last [s].
     pub span_s: f64,

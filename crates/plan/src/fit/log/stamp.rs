@@ -11,7 +11,7 @@ pub(super) struct Stamp {
     pub span_s: Option<f64>,
     /// Numbers of a date, in their order.
     pub date: Vec<i64>,
-    /// Place of the month in the date, where its name stands there.
+    /// Place of the month in the date, where its name is there.
     pub month_at: Option<usize>,
     /// True if the date's first number has four digits.
     pub is_year_first: bool,

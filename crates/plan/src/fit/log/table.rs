@@ -1,4 +1,4 @@
-//! The table in the text of a log: below what stands above it, with its headers.
+//! The table in the text of a log: below what is above it, with its headers.
 
 use super::stamp::Stamp;
 use super::unit::Unit;
@@ -25,7 +25,7 @@ pub(super) struct Table {
     pub is_named: bool,
     /// True if it had a row for each value of each sensor: a field without one is then no loss.
     pub is_long: bool,
-    /// What stands above the headers.
+    /// What is above the headers.
     pub preamble: Vec<String>,
     /// Rows.
     pub rows: Vec<Row>,
@@ -75,7 +75,7 @@ fn no_rows(line: u64) -> NoTable {
     NoTable { line, message, remedy: "hand in the log as CSV, with a column of times and columns of temperatures" }
 }
 
-/// Separates columns: what gives the most rows the same number of columns, more than one. A first line `sep=;` says it.
+/// Separates columns: what gives the most rows the same number of columns, more than one. A first line `sep=;` states it.
 fn separator_of(text: &str) -> (u8, String) {
     if let Some(said) = text.lines().next().and_then(|line| line.trim().strip_prefix("sep=")) {
         let rest = text.split_once('\n').map_or("", |(_, rest)| rest);

@@ -21,7 +21,7 @@ const NEXT_SHARE: f64 = 0.9;
 /// warns of, so that a hand may be some seconds late).
 const TURN_DOWN_C: f64 = HOT_C - 10.0;
 
-/// Mesh spacing up to the coarse meshes relative to the default [-], and for how long food lies in the pan before it is carried over to them
+/// Mesh spacing up to the coarse meshes relative to the default [-], and for how long food is in the pan before it is carried over to them
 /// [s] (chosen: by then it lies still, and the mesh matters little to what happens in that time).
 const LAID_COARSE: f64 = 3.0;
 const LAID_S: u32 = 3;

@@ -1,4 +1,4 @@
-//! Promise: the desk answers all questions about the watched piece from one present, says how old the answers are, begins
+//! Promise: the desk answers all questions about the watched piece from one present, states how old the answers are, begins
 //! anew after something was done, and works no more than it was given time for.
 
 use saute_kitchen::{Command, FRAME_S, Kitchen, Library, TICK_S};

@@ -60,7 +60,7 @@ pub(crate) enum Post {
     Halve,
     /// A level of the glow with the coarser ones.
     Gather,
-    /// What lies behind the sharp part.
+    /// What is behind the sharp part.
     Behind,
     /// The picture.
     Develop,

@@ -1,4 +1,4 @@
-//! Oil, butter, water and the lid: what a cook adds at once, and what lies in the pan.
+//! Oil, butter, water and the lid: what a cook adds at once, and what is in the pan.
 
 use crate::app::SauteApp;
 use crate::input::pouring::Pourable;

@@ -1,10 +1,10 @@
-//! Puts pieces into the pan, and says what came of it.
+//! Puts pieces into the pan, and states what came of it.
 
 use crate::app::SauteApp;
 use saute_kitchen::{Command, Place};
 
 impl SauteApp {
-    /// Lays pieces onto the floor of the pan, as many as fit, and says how many that are.
+    /// Lays pieces onto the floor of the pan, as many as fit, and states how many that are.
     pub(crate) fn lay_in(&mut self, ids: &[String]) {
         let wanted = self.outside(ids);
         match wanted.len() {
@@ -50,7 +50,7 @@ impl SauteApp {
         ids.iter().filter(outside).cloned().collect()
     }
 
-    /// The kitchen says why a piece cannot be put in.
+    /// The kitchen states why a piece cannot be put in.
     fn put_at_middle(&mut self, food: String) {
         self.command(&Command::Put { food, at: [0.0, 0.0], heap: false });
     }

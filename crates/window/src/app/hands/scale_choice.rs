@@ -10,7 +10,7 @@ impl SauteApp {
         self.session.scale(&self.settings.scale)
     }
 
-    /// Selects a scale of doneness, with a notice; of a food that has one scale only, the notice says which.
+    /// Selects a scale of doneness, with a notice; of a food that has one scale only, the notice states which.
     pub(crate) fn choose_scale(&mut self, scale: &Scale) {
         let l = self.settings.language;
         let spoken = match self.scale() {

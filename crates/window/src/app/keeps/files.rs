@@ -92,7 +92,7 @@ impl SauteApp {
         }
     }
 
-    /// Writes a file that is made of the cook, and says so; or says why it cannot.
+    /// Writes a file that is made of the cook, and says so; or states why it cannot.
     pub fn save_export(&mut self, what: Export, path: &Path) {
         let path = if path.extension().is_some() { path.to_owned() } else { path.with_extension(what.ending()) };
         self.export_to(what, &path, COOK_SAID);
@@ -111,7 +111,7 @@ impl SauteApp {
         self.export_by(what, path, said, |bytes| write_whole(path, bytes).map_err(|error| error.to_string()));
     }
 
-    /// Writes a file that is made of a plan, and says so; or says why it cannot.
+    /// Writes a file that is made of a plan, and says so; or states why it cannot.
     pub fn save_plan_at(&mut self, file: PlanFile, path: &Path) {
         let path = if path.extension().is_some() { path.to_owned() } else { path.with_extension(file.ending()) };
         self.write_plan(file, &path, PlanFile::SAID);
@@ -129,7 +129,7 @@ impl SauteApp {
         self.say_written(path, written, said);
     }
 
-    /// A free place in the folder of pictures; says why there is none.
+    /// A free place in the folder of pictures; states why there is none.
     fn place_without_dialog(&self, name: &str) -> Option<PathBuf> {
         free_path(&self.pictures_folder(), name).map_err(|error| self.say_trouble(&error)).ok()
     }

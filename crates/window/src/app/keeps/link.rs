@@ -5,7 +5,7 @@ use crate::kept::link::{LONGEST, fragment, page_address, read};
 use saute_session::permits::Permit;
 
 impl SauteApp {
-    /// Copies an address that holds the cook, and says how long it is; one that is too long to be sent is not copied.
+    /// Copies an address that holds the cook, and states how long it is; one that is too long to be sent is not copied.
     pub(crate) fn copy_link(&mut self) {
         let Some(address) = page_address() else { return };
         let link = format!("{address}#{}", fragment(&self.session.whole_recording()));

@@ -1,11 +1,11 @@
-//! The goal by which a cook is judged: the one that was chosen by its name, else the class that the goal of the core lies in.
+//! The goal by which a cook is judged: the one that was chosen by its name, else the class that the goal of the core is in.
 
 use crate::app::SauteApp;
 use saute_kitchen::advice::class_goal;
 use saute_kitchen::food::Scale;
 use saute_plan::goal::Goal;
 
-/// Goal for the core in a class: the one that its scale states, if that lies in it.
+/// Goal for the core in a class: the one that its scale states, if that is in it.
 fn usual_goal(scale: &Scale, class: usize) -> f64 {
     let own = scale.goal.filter(|own| scale.class_of(scale.of_nodes(*own)) == class);
     own.unwrap_or_else(|| class_goal(scale, class))

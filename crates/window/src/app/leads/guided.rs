@@ -27,7 +27,7 @@ impl SauteApp {
         self.leads.guided = Some(Guided::Study(Box::new(StudyDesk::begin(start))));
     }
 
-    /// Opens a lesson: its food is set out, and its card says what it is about.
+    /// Opens a lesson: its food is set out, and its card states what it is about.
     pub(crate) fn open_lesson(&mut self, start: LessonStart) {
         let (recipe, speed) = (Arc::clone(&start.scenario.recipe), start.scenario.speed);
         if let Err(error) = self.session.set_out_led(recipe) {

@@ -28,7 +28,7 @@ impl SauteApp {
         self.lay_in(&self.session.its_group());
     }
 
-    /// Notes what has passed of a locked speed; after a trial run the food lies there raw again.
+    /// Notes what has passed of a locked speed; after a trial run the food is there raw again.
     pub(crate) fn note_pace(&mut self, wall_s: f64, simulated_s: f64) {
         let Some(Guided::Study(desk)) = &mut self.leads.guided else { return };
         if !desk.pass(wall_s, simulated_s) {

@@ -36,7 +36,7 @@ impl SauteApp {
         });
     }
 
-    /// Opens the mirror's window or closes it, and says how to use it.
+    /// Opens the mirror's window or closes it, and states how to use it.
     pub(crate) fn toggle_mirror(&mut self) {
         self.sights.mirror.open = !self.sights.mirror.open;
         self.sights.mirror.full = false;

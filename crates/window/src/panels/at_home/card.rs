@@ -8,10 +8,10 @@ use crate::panels::cards::frame::{Framed, part};
 use crate::panels::window_state::WindowState;
 use crate::ui::theme;
 
-/// Width of the card at most, and of what is entered where the answer stands beside it [points].
+/// Width of the card at most, and of what is entered where the answer is beside it [points].
 const WIDTH: f32 = 1040.0;
 const ENTRY: f32 = 440.0;
-/// Below this width the answer stands below what is entered [points].
+/// Below this width the answer is below what is entered [points].
 const NARROW: f32 = 860.0;
 
 /// Shows the card over everything; Esc, the button or a click beside it closes it.

@@ -10,7 +10,7 @@ use crate::panels::window_state::WindowState;
 use crate::ui::layout::{GAP, Layout};
 use crate::ui::{fingers, theme};
 
-/// Names phase and trial, and ends the trial; it never says which condition holds.
+/// Names phase and trial, and ends the trial; it never states which condition holds.
 pub(super) fn of_study(state: &WindowState, desk: &StudyDesk, ui: &Ui, acts: &mut Acts, layout: &Layout) {
     let Some(simulate) = desk.study().simulate() else { return };
     let Stage::Trial { phase, trial } = desk.study().stage() else { return };

@@ -5,7 +5,7 @@ use saute_kitchen::Piece;
 use saute_kitchen::advice::Advice;
 use saute_kitchen::doneness::core_class;
 
-/// What a button says that sets the hob as advised [W].
+/// What a button states that sets the hob as advised [W].
 pub(crate) fn do_it_words(watts: f64, state: &WindowState) -> String {
     state.settings.language.fill("advice.do_it", &[("power", &format!("{watts:.0} W"))])
 }

@@ -138,7 +138,7 @@ impl<'a> Guide<'a> {
         l.fill(key, &[("core", &core), ("share", &share), ("class", &class), ("crust", &crust)])
     }
 
-    /// Height of what stands below a line of a width [points].
+    /// Height of what is below a line of a width [points].
     pub fn height(ui: &Ui, width: f32) -> f32 {
         if width < NARROW { NARROW_CUE + ui.spacing().item_spacing.y + fingers::height(ui, ROW) } else { CUE }
     }
@@ -199,7 +199,7 @@ impl<'a> Guide<'a> {
         Some(self.live.keeping(state.session)).filter(|keeping| *keeping != Keeping::Kept)
     }
 
-    /// Ends the guide; where the advice has the word, the guide's button stands here.
+    /// Ends the guide; where the advice has the word, the guide's button is here.
     fn ways_out(&self, has_word: bool, state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
         let (l, palette, size) = (state.settings.language, theme::of(ui), vec2(44.0, fingers::height(ui, ROW)));
         let leave = palette.button(l.text("plan.leave"), false).min_size(size);

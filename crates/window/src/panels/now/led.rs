@@ -56,7 +56,7 @@ impl<'a> Lead<'a> {
         }
     }
 
-    /// Shows what stands below the line; `has_word` is true while the line tells its words.
+    /// Shows what is below the line; `has_word` is true while the line tells its words.
     pub fn show(&self, has_word: bool, state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
         match self {
             Self::Plan(guide) => guide.show(has_word, state, ui, acts),

@@ -1,4 +1,4 @@
-//! The line that says what to do now, over the foot of the scene: a verb, its reason or the time that is left, and the one button
+//! The line that states what to do now, over the foot of the scene: a verb, its reason or the time that is left, and the one button
 //! that does it. While a plan or the tutorial leads, its words stand there instead, and what else it shows below them.
 
 pub mod control_place;

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, VecDeque};
 
-/// Fall of a value from which its pace begins anew, as a share of it [-] (chosen: another face is below, cold food lies in the pan).
+/// Fall of a value from which its pace begins anew, as a share of it [-] (chosen: another face is below, cold food is in the pan).
 const FALLS: f64 = 0.2;
 /// Simulated time between two samples [s].
 const EVERY_S: f64 = 1.0;

@@ -12,7 +12,7 @@ use crate::panels::window_state::WindowState;
 use crate::ui::{fingers, theme};
 use saute_session::timeline::WayBeside;
 
-/// How strongly what lies after the shown instant is drawn [-] (chosen: seen, and told from what has happened).
+/// How strongly what is after the shown instant is drawn [-] (chosen: seen, and told from what has happened).
 const AHEAD_SEEN: f32 = 0.4;
 
 /// Height of a row of the legend [points].

@@ -151,7 +151,7 @@ fn what_is_chosen_can_be_read_in_both_themes() {
             let got = contrast(&image, rect);
             assert!(got >= 4.5, "{theme}: {chosen}: {got:.2}");
         }
-        // The name of a class stands at the goals and below the bar.
+        // The name of a class is at the goals and below the bar.
         let goal =
             harness.get_all_by_label("medium").find(|n| n.accesskit_node().role() == egui::accesskit::Role::Button);
         let got = contrast(&image, goal.expect("a goal").rect().shrink(4.0));

@@ -1,4 +1,4 @@
-//! Promise: whoever presses the button of the line that says what to do, some seconds after it is lit and whatever it says, meets the
+//! Promise: whoever presses the button of the line that states what to do, some seconds after it is lit and whatever it says, meets the
 //! goal at the first try.
 //!
 //! Every run presses after 10 s of wall time, by a clock of its own; `SAUTE_NOW=all`, as in the campaign, cooks four pans, three
@@ -14,7 +14,7 @@ use saute_window::act::{Act, AppAct, CookAct, Setting};
 use saute_window::learn::goal_choice::goal_of;
 use saute_window::{SauteApp, Start};
 
-/// Time from look to look, at the speed of real time, and of a frame [wall s]: what lies between is cooked without frames, so that
+/// Time from look to look, at the speed of real time, and of a frame [wall s]: what is between is cooked without frames, so that
 /// no machine is too slow for it.
 const LOOK_S: f64 = 1.0;
 const FRAME_S: f64 = 0.001;

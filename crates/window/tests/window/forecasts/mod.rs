@@ -10,7 +10,7 @@ use egui_kittest::{Harness, kittest::NodeT, kittest::Queryable};
 use saute_kitchen::advice::FORECAST_HIGH_K;
 use saute_kitchen::{Command, Library, celsius};
 use saute_plan::forecast::{EXACT_S, Question, SPANS_S};
-use saute_session::work::bench::Bench;
+use saute_session::work::executor::Executor;
 use saute_session::work::thread::Threads;
 use saute_session::work::{Agency, Helper, Kind};
 use saute_window::act::{Act, AppAct, Card, Setting};
@@ -30,7 +30,7 @@ struct AtOnce {
 }
 
 struct Worker {
-    bench: Bench,
+    executor: Executor,
     agency: AtOnce,
     is_kept: bool,
 }
@@ -38,7 +38,7 @@ struct Worker {
 impl Agency for AtOnce {
     fn hire(&self, kind: Kind, library: &Arc<Library>) -> Box<dyn Helper> {
         let is_kept = kind == Kind::Forecast;
-        Box::new(Worker { bench: Bench::new(kind, Arc::clone(library)), agency: self.clone(), is_kept })
+        Box::new(Worker { executor: Executor::new(kind, Arc::clone(library)), agency: self.clone(), is_kept })
     }
 }
 
@@ -47,13 +47,13 @@ impl Helper for Worker {
         if self.is_kept {
             self.agency.orders.borrow_mut().push(order.clone());
         }
-        self.bench.take(&order);
+        self.executor.take(&order);
     }
 
     fn answers(&mut self) -> Option<Vec<Vec<u8>>> {
         let mut answers = Vec::new();
-        while self.bench.is_busy() && !*self.agency.is_away.borrow() {
-            answers.extend(self.bench.go_on(Duration::from_secs(600)));
+        while self.executor.is_busy() && !*self.agency.is_away.borrow() {
+            answers.extend(self.executor.go_on(Duration::from_secs(600)));
         }
         Some(answers)
     }

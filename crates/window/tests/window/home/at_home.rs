@@ -14,7 +14,7 @@ use saute_session::SteakChoice;
 use saute_session::at_home::entered::{Row, Seen};
 use saute_session::at_home::fitting::Standing;
 use saute_session::at_home::kept::KeptKitchen;
-use saute_session::work::bench::Bench;
+use saute_session::work::executor::Executor;
 use saute_session::work::{Agency, Helper, Kind};
 use saute_window::SauteApp;
 use saute_window::act::{Act, AppAct, Card, LearnAct, Setting, ViewAct};
@@ -59,11 +59,11 @@ fn log(library: &Library) -> String {
 /// Whoever works a good while whenever it is asked for answers.
 struct Patient;
 
-struct PatientHelper(Bench);
+struct PatientHelper(Executor);
 
 impl Agency for Patient {
     fn hire(&self, kind: Kind, library: &Arc<Library>) -> Box<dyn Helper> {
-        Box::new(PatientHelper(Bench::new(kind, Arc::clone(library))))
+        Box::new(PatientHelper(Executor::new(kind, Arc::clone(library))))
     }
 }
 

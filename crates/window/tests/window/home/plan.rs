@@ -11,7 +11,7 @@ use saute_plan::schedule::asked::Asked;
 use saute_plan::schedule::search::PlanData;
 use saute_plan::schedule::{Change, Job, Mesh, Order, Plan, Pull, Schedule, Sensitivity, Setting as Power};
 use saute_session::SteakChoice;
-use saute_session::plan::craft::{PlanAnswer, PlanOrder, Told};
+use saute_session::plan::job::{PlanAnswer, PlanOrder, Reply};
 use saute_session::work::{Agency, Helper, Kind};
 use saute_window::SauteApp;
 use saute_window::act::{Act, AppAct, Card, LearnAct, Setting};
@@ -92,7 +92,7 @@ impl Helper for CannedHelper {
     }
 
     fn answers(&mut self) -> Option<Vec<Vec<u8>>> {
-        let answer = |number| PlanAnswer { number, told: Told::Found(Box::new(PlanData::from(&self.0))) };
+        let answer = |number| PlanAnswer { number, reply: Reply::Found(Box::new(PlanData::from(&self.0))) };
         Some(self.1.take().map(|number| postcard::to_allocvec(&answer(number)).expect("bytes")).into_iter().collect())
     }
 }

@@ -8,9 +8,9 @@ use saute_kitchen::Library;
 use saute_plan::schedule::asked::Asked;
 use saute_plan::schedule::search::{PlanData, SearchProgress};
 use saute_plan::schedule::{Plan, Planner, Stage};
-use saute_session::plan::craft::{PlanAnswer, PlanOrder, PlanProgress, Told};
+use saute_session::plan::job::{PlanAnswer, PlanOrder, PlanProgress, Reply};
 use saute_session::plan::planning::Planning;
-use saute_session::work::bench::Bench;
+use saute_session::work::executor::Executor;
 use saute_session::work::{Agency, Helper, Kind};
 use saute_window::act::{Act, AppAct, Card, LearnAct};
 use saute_window::plan::PlanAct;
@@ -51,7 +51,7 @@ impl Helper for HalfWayHelper {
         let search = SearchProgress { candidates: 12, share: 0.4, stage: Stage::Refine(0) };
         let progress = |number| PlanAnswer {
             number,
-            told: Told::Progress(PlanProgress { search, so_far: Some(Box::new(PlanData::from(&self.0))) }),
+            reply: Reply::Progress(PlanProgress { search, so_far: Some(Box::new(PlanData::from(&self.0))) }),
         };
         Some(self.1.iter().map(|number| postcard::to_allocvec(&progress(*number)).expect("bytes")).collect())
     }
@@ -98,7 +98,7 @@ fn a_search_off_the_frame_finds_the_plan_of_a_plain_one() {
         crust_pct: 0.0,
     };
     let mut planning = Planning::default();
-    planning.ask(asked.clone(), None, Some(Box::new(AtOnce(Bench::new(Kind::Plan, Arc::clone(&library))))));
+    planning.ask(asked.clone(), None, Some(Box::new(AtOnce(Executor::new(Kind::Plan, Arc::clone(&library))))));
     while planning.is_searching() {
         planning.take_answers(&library);
     }
@@ -110,7 +110,7 @@ fn a_search_off_the_frame_finds_the_plan_of_a_plain_one() {
     assert_eq!(planning.plan(), planner.plan().as_ref());
 }
 
-struct AtOnce(Bench);
+struct AtOnce(Executor);
 
 impl Helper for AtOnce {
     fn ask(&mut self, order: Vec<u8>) {

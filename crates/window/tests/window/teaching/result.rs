@@ -1,4 +1,4 @@
-//! The result: opens once by itself, says why with numbers that add up, names one thing to do better, and is shared as a picture.
+//! The result: opens once by itself, states why with numbers that add up, names one thing to do better, and is shared as a picture.
 
 use std::path::PathBuf;
 

@@ -87,7 +87,7 @@ fn the_tutorial_can_be_left_covers_no_pan_and_runs_fast_only_while_one_waits() {
         save(&mut harness, if size == WIDE { "tutorial-begin" } else { "tutorial-begin-phone" });
         let line = harness.get_by_label_contains("Turn the hob on. Click").rect();
         let whole = egui::Rect::from_min_size(egui::Pos2::ZERO, size);
-        // The pan stands in the middle of what no panel covers.
+        // The pan is in the middle of what no panel covers.
         let pan = Layout::new(whole, harness.state().settings()).free.center();
         assert!(line.top() - pan.y > 120.0, "{line:?} {pan:?}");
         assert_eq!(harness.state().session().speed, 1.0);

@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 use web_time::Instant;
 
 use super::why_not::WhyNot;
-use crate::work::undertaking::{self, AT_ONCE, Answer, Undertaking, all_until};
+use crate::work::job::{self, AT_ONCE, Answer, Job, all_until};
 
 /// A kitchen to be fitted.
 #[derive(Debug, Deserialize, Serialize)]
@@ -27,11 +27,11 @@ pub struct FitOrder {
 }
 
 /// How far a fit is: the share of the work that is done [-], or what was found.
-pub type Told = undertaking::Told<f64, Box<Fitted>, WhyNot>;
+pub type Reply = job::Reply<f64, Box<Fitted>, WhyNot>;
 /// What comes back.
-pub type FitAnswer = Answer<Told>;
+pub type FitAnswer = Answer<Reply>;
 
-impl Undertaking for FitRun {
+impl Job for FitRun {
     type Order = FitOrder;
     type Progress = f64;
     type Found = Box<Fitted>;

@@ -1,4 +1,4 @@
-//! How errands are done: a recorded cook is played in slices.
+//! How orders are done: a recorded cook is played in slices.
 
 use std::sync::Arc;
 
@@ -7,9 +7,9 @@ use saute_kitchen::bytes::Models;
 use saute_recipe::{Moment, Recording, Replay};
 use web_time::{Duration, Instant as Clock};
 
-use super::{Errand, Instant, Stop};
+use super::{Instant, PlayOrder, Stop};
 use crate::Session;
-use crate::work::bench::Craft;
+use crate::work::executor::Worker;
 
 /// Computing time between two stops (chosen: the picture of a cook that is played moves a few times a second).
 const COMPUTED_PER_STOP: Duration = Duration::from_millis(300);
@@ -22,7 +22,7 @@ enum Player {
     Whole(Box<Session>),
 }
 
-/// The errand that is under way.
+/// The order that is under way.
 struct Work {
     number: u64,
     to: Moment,
@@ -39,7 +39,7 @@ pub struct Playing {
 }
 
 impl Playing {
-    /// Without an errand.
+    /// Without an order.
     pub fn new(library: Arc<Library>) -> Self {
         Self { library, models: Models::default(), work: None, computed_per_stop: COMPUTED_PER_STOP }
     }
@@ -49,8 +49,8 @@ impl Playing {
         Self { computed_per_stop: computed, ..self }
     }
 
-    fn begin(&mut self, errand: Errand) -> Option<Work> {
-        let Errand { number, recording, from, to } = errand;
+    fn begin(&mut self, order: PlayOrder) -> Option<Work> {
+        let PlayOrder { number, recording, from, to } = order;
         let recording = Recording::from_file(&recording).ok()?.recording;
         let player = match from {
             Some(instant) => {
@@ -68,9 +68,9 @@ impl Playing {
     }
 }
 
-impl Craft for Playing {
-    fn take(&mut self, errand: &[u8]) {
-        self.work = postcard::from_bytes(errand).ok().and_then(|errand| self.begin(errand));
+impl Worker for Playing {
+    fn take(&mut self, order: &[u8]) {
+        self.work = postcard::from_bytes(order).ok().and_then(|order| self.begin(order));
     }
 
     fn is_busy(&self) -> bool {

@@ -1,6 +1,6 @@
 //! Work off the frame ([`work`](crate::work)): a cook that is played again.
 //!
-//! The window gives an [`Errand`] to its [`Helper`] and goes on drawing. [`Playing`](self::playing::Playing) on the other side plays
+//! The window gives a [`PlayOrder`] to its [`Helper`] and goes on drawing. [`Playing`](self::playing::Playing) on the other side plays
 //! the recording in slices, and answers with [`Stop`]s on the way: keyframes that the window keeps, the last one where it was bound
 //! for. Without a helper the window plays the cook itself.
 
@@ -22,7 +22,7 @@ pub(super) const WORTH_FRAMES: u64 = 120;
 
 /// A cook to be played.
 #[derive(Debug, Deserialize, Serialize)]
-pub struct Errand {
+pub struct PlayOrder {
     /// Its number, by which answers are known.
     number: u64,
     /// The file of the recording.
@@ -64,12 +64,12 @@ pub struct Stop {
     at: Instant,
     /// What belongs to the way there, if it was played from the beginning.
     traced: Option<Traced>,
-    /// True if the errand is done.
+    /// True if the order is done.
     is_last: bool,
 }
 
 impl Stop {
-    /// True if the errand is done.
+    /// True if the order is done.
     pub(super) fn is_last(&self) -> bool {
         self.is_last
     }
@@ -97,14 +97,14 @@ struct Traced {
 
 /// The window's side: the helper, and what it was asked last.
 #[derive(Default)]
-pub(super) struct Errands {
+pub(super) struct Playback {
     helper: Option<Box<dyn Helper>>,
     asked: u64,
     /// What was asked and is not done.
     open: Option<(u64, Purpose)>,
 }
 
-/// What an errand is for.
+/// What an order is for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Purpose {
     /// The cook that is shown, at a moment.
@@ -113,13 +113,13 @@ pub(super) enum Purpose {
     Beside(u64),
 }
 
-impl Errands {
+impl Playback {
     /// Lets a helper play cooks from now on.
     pub fn employ(&mut self, helper: Box<dyn Helper>) {
         self.helper = Some(helper);
     }
 
-    /// Returns true while an errand for this purpose is under way.
+    /// Returns true while an order for this purpose is under way.
     pub(super) fn is_open(&self, purpose: Purpose) -> bool {
         self.open.is_some_and(|(_, open)| open == purpose)
     }
@@ -129,8 +129,8 @@ impl Errands {
         self.helper.is_some()
     }
 
-    /// Asks for an errand unless it is open already. What is shown comes first: a way beside it waits.
-    pub(super) fn ask(&mut self, purpose: Purpose, to: Moment, errand: impl FnOnce() -> (Vec<u8>, Option<Instant>)) {
+    /// Asks for an order unless it is open already. What is shown comes first: a way beside it waits.
+    pub(super) fn ask(&mut self, purpose: Purpose, to: Moment, order: impl FnOnce() -> (Vec<u8>, Option<Instant>)) {
         let Some(helper) = &mut self.helper else { return };
         let comes_first = |open: Purpose| open == purpose || matches!(purpose, Purpose::Beside(_));
         if self.open.is_some_and(|(_, open)| comes_first(open)) {
@@ -138,12 +138,12 @@ impl Errands {
         }
         self.asked += 1;
         self.open = Some((self.asked, purpose));
-        let (recording, from) = errand();
-        let errand = Errand { number: self.asked, recording, from, to };
-        helper.ask(postcard::to_allocvec(&errand).expect("an errand has no kind that postcard lacks"));
+        let (recording, from) = order();
+        let order = PlayOrder { number: self.asked, recording, from, to };
+        helper.ask(postcard::to_allocvec(&order).expect("an order has no kind that postcard lacks"));
     }
 
-    /// Stops that have come, if the open errand is for this purpose. A helper that is of no use is let go.
+    /// Stops that have come, if the open order is for this purpose. A helper that is of no use is let go.
     pub(super) fn stops(&mut self, purpose: Purpose) -> Vec<Stop> {
         if self.open.is_some_and(|(_, open)| open != purpose) {
             return Vec::new();

@@ -1,4 +1,4 @@
-//! Work of many cooks that is told of while it goes on: a search for a plan, the fit of a kitchen.
+//! Work of many cooks that states how far it is while it goes on: a search for a plan, the fit of a kitchen.
 
 use std::sync::Arc;
 
@@ -7,7 +7,7 @@ use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use web_time::{Duration, Instant};
 
-use super::bench::Craft;
+use super::executor::Worker;
 
 /// Cooks at once [-] (chosen: two where there are threads; the picture needs the rest of the machine).
 pub const AT_ONCE: usize = if cfg!(target_arch = "wasm32") { 1 } else { 2 };
@@ -15,7 +15,7 @@ pub const AT_ONCE: usize = if cfg!(target_arch = "wasm32") { 1 } else { 2 };
 const COMPUTED_PER_ANSWER: Duration = Duration::from_millis(250);
 
 /// Work that ends with something found.
-pub trait Undertaking: Sized {
+pub trait Job: Sized {
     /// What is asked.
     type Order: DeserializeOwned;
     /// How far it is.
@@ -53,12 +53,12 @@ pub struct Answer<T> {
     /// The number of the order.
     pub number: u64,
     /// How far it is.
-    pub told: T,
+    pub reply: T,
 }
 
-/// How far an undertaking is.
+/// How far a job is.
 #[derive(Debug, Deserialize, Serialize)]
-pub enum Told<Progress, Found, WhyNot> {
+pub enum Reply<Progress, Found, WhyNot> {
     /// It goes on.
     Progress(Progress),
     /// It is over.
@@ -67,10 +67,10 @@ pub enum Told<Progress, Found, WhyNot> {
     Refused(WhyNot),
 }
 
-type ToldOf<U> = Told<<U as Undertaking>::Progress, <U as Undertaking>::Found, <U as Undertaking>::WhyNot>;
+type ReplyOf<U> = Reply<<U as Job>::Progress, <U as Job>::Found, <U as Job>::WhyNot>;
 
-/// An undertaking off the frame: orders and answers as bytes, the work in slices.
-pub struct Undertaken<U: Undertaking> {
+/// A job off the frame: orders and answers as bytes, the work in slices.
+pub struct JobWorker<U: Job> {
     library: Arc<Library>,
     work: Option<(u64, Box<U>)>,
     /// Why the order that came last cannot be done.
@@ -78,33 +78,33 @@ pub struct Undertaken<U: Undertaking> {
     computed: Duration,
 }
 
-impl<U: Undertaking> Undertaken<U> {
+impl<U: Job> JobWorker<U> {
     /// Without an order.
     pub fn new(library: Arc<Library>) -> Self {
         Self { library, work: None, refused: None, computed: Duration::ZERO }
     }
 
     /// Works on; returns how far it is where that is to be told.
-    fn slice(&mut self, budget: Duration) -> Option<(u64, ToldOf<U>)> {
+    fn slice(&mut self, budget: Duration) -> Option<(u64, ReplyOf<U>)> {
         let (number, work) = self.work.as_mut()?;
         let (number, begun) = (*number, Instant::now());
         let done = work.go_on(begun + budget);
         self.computed += begun.elapsed();
-        let told = match (done, work.found()) {
-            (Err(why), _) => Told::Refused(why),
-            (Ok(()), Some(found)) => Told::Found(found),
+        let reply = match (done, work.found()) {
+            (Err(why), _) => Reply::Refused(why),
+            (Ok(()), Some(found)) => Reply::Found(found),
             (Ok(()), None) if self.computed < COMPUTED_PER_ANSWER => return None,
-            (Ok(()), None) => Told::Progress(work.progress()),
+            (Ok(()), None) => Reply::Progress(work.progress()),
         };
         self.computed = Duration::ZERO;
-        if !matches!(told, Told::Progress(_)) {
+        if !matches!(reply, Reply::Progress(_)) {
             self.work = None;
         }
-        Some((number, told))
+        Some((number, reply))
     }
 }
 
-impl<U: Undertaking> Craft for Undertaken<U> {
+impl<U: Job> Worker for JobWorker<U> {
     fn take(&mut self, order: &[u8]) {
         (self.work, self.refused, self.computed) = (None, None, Duration::ZERO);
         let Ok(order) = postcard::from_bytes::<U::Order>(order) else { return };
@@ -120,9 +120,9 @@ impl<U: Undertaking> Craft for Undertaken<U> {
     }
 
     fn go_on(&mut self, budget: Duration) -> Option<Vec<u8>> {
-        let refused = self.refused.take().map(|(number, why)| (number, Told::Refused(why)));
-        let (number, told) = refused.or_else(|| self.slice(budget))?;
-        postcard::to_allocvec(&Answer { number, told }).ok()
+        let refused = self.refused.take().map(|(number, why)| (number, Reply::Refused(why)));
+        let (number, reply) = refused.or_else(|| self.slice(budget))?;
+        postcard::to_allocvec(&Answer { number, reply }).ok()
     }
 }
 

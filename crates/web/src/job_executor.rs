@@ -4,16 +4,16 @@ use std::time::Duration;
 
 use saute_kitchen::Library;
 use saute_session::work::Kind;
-use saute_session::work::bench::Bench;
+use saute_session::work::executor::Executor;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// A bench with its own foods and pans.
+/// An executor with its own foods and pans.
 #[wasm_bindgen]
-pub struct ErrandBench(Bench);
+pub struct JobExecutor(Executor);
 
 #[wasm_bindgen]
-impl ErrandBench {
-    /// A bench without an order, for a kind of work by its name.
+impl JobExecutor {
+    /// An executor without an order, for a kind of work by its name.
     ///
     /// # Errors
     ///
@@ -22,7 +22,7 @@ impl ErrandBench {
     pub fn new(kind: &str) -> Result<Self, js_sys::Error> {
         let kind = Kind::named(kind).ok_or_else(|| js_sys::Error::new(&format!("there is no work \"{kind}\"")))?;
         let library = Library::embedded().map_err(|error| js_sys::Error::new(&error.to_string()))?;
-        Ok(Self(Bench::new(kind, library.into())))
+        Ok(Self(Executor::new(kind, library.into())))
     }
 
     /// Takes an order in place of the one before.

@@ -30,15 +30,15 @@ impl<H: Hands> Session<H> {
         let longest = self.longest();
         let (to, file) = (longest.moment(), || (longest.to_file(), None));
         let purpose = Purpose::Shown(to);
-        // The errand is made only where it is a new one.
-        let errand = (self.errands.has_helper() && !self.errands.is_open(purpose)).then(file);
-        if let Some(errand) = errand {
-            self.errands.ask(purpose, to, || errand);
+        // The order is made only where it is a new one.
+        let order = (self.playback.has_helper() && !self.playback.is_open(purpose)).then(file);
+        if let Some(order) = order {
+            self.playback.ask(purpose, to, || order);
         }
-        for stop in self.errands.stops(purpose) {
+        for stop in self.playback.stops(purpose) {
             self.show_stop(stop);
         }
-        self.errands.has_helper()
+        self.playback.has_helper()
     }
 
     fn show_stop(&mut self, stop: Stop) {

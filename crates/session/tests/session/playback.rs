@@ -8,8 +8,8 @@ use std::sync::Arc;
 use saute_kitchen::{Command, Library};
 use saute_recipe::Recipe;
 use saute_session::Session;
-use saute_session::errand::playing::Playing;
-use saute_session::work::bench::Craft;
+use saute_session::playback::playing::Playing;
+use saute_session::work::executor::Worker;
 use saute_session::work::in_frames::{Frames, OrInFrames};
 use saute_session::work::thread::Threads;
 use saute_session::work::{Agency, Helper, Kind};
@@ -24,7 +24,7 @@ const STOP: Duration = Duration::from_millis(2);
 /// A helper in the same thread: it works when the test lets it.
 #[derive(Clone)]
 struct Beside {
-    bench: Rc<RefCell<Playing>>,
+    executor: Rc<RefCell<Playing>>,
     answers: Rc<RefCell<Vec<Vec<u8>>>>,
     fails: bool,
     asked: Rc<RefCell<usize>>,
@@ -32,20 +32,20 @@ struct Beside {
 
 impl Beside {
     fn new(library: &Arc<Library>) -> Self {
-        let bench = Rc::new(RefCell::new(Playing::new(Arc::clone(library)).stopping_every(STOP)));
-        Self { bench, answers: Rc::default(), fails: false, asked: Rc::default() }
+        let executor = Rc::new(RefCell::new(Playing::new(Arc::clone(library)).stopping_every(STOP)));
+        Self { executor, answers: Rc::default(), fails: false, asked: Rc::default() }
     }
 
     /// Plays a single tick, whatever the machine's speed.
     fn work(&self) {
-        self.answers.borrow_mut().extend(self.bench.borrow_mut().go_on(Duration::ZERO));
+        self.answers.borrow_mut().extend(self.executor.borrow_mut().go_on(Duration::ZERO));
     }
 }
 
 impl Helper for Beside {
-    fn ask(&mut self, errand: Vec<u8>) {
+    fn ask(&mut self, order: Vec<u8>) {
         *self.asked.borrow_mut() += 1;
-        self.bench.borrow_mut().take(&errand);
+        self.executor.borrow_mut().take(&order);
     }
 
     fn answers(&mut self) -> Option<Vec<Vec<u8>>> {

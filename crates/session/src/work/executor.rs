@@ -8,7 +8,7 @@ use web_time::{Duration, Instant};
 use super::Kind;
 
 /// How one kind of work is done.
-pub trait Craft {
+pub trait Worker {
     /// Takes an order in place of the one before; one that is empty, or cannot be read, is none.
     fn take(&mut self, order: &[u8]);
 
@@ -19,33 +19,33 @@ pub trait Craft {
     fn go_on(&mut self, budget: Duration) -> Option<Vec<u8>>;
 }
 
-/// A bench for one kind of work, with its own foods and pans.
-pub struct Bench {
+/// An executor for one kind of work, with its own foods and pans.
+pub struct Executor {
     kind: Kind,
-    craft: Box<dyn Craft>,
+    worker: Box<dyn Worker>,
     /// Computing time since the last rest.
     worked: Duration,
 }
 
-impl Bench {
-    /// A bench without an order.
+impl Executor {
+    /// An executor without an order.
     pub fn new(kind: Kind, library: Arc<Library>) -> Self {
-        Self { kind, craft: kind.craft(library), worked: Duration::ZERO }
+        Self { kind, worker: kind.worker(library), worked: Duration::ZERO }
     }
 
     /// Takes an order in place of the one before.
     pub fn take(&mut self, order: &[u8]) {
-        self.timed(|craft| craft.take(order));
+        self.timed(|worker| worker.take(order));
     }
 
     /// Returns true while there is something to do.
     pub fn is_busy(&self) -> bool {
-        self.craft.is_busy()
+        self.worker.is_busy()
     }
 
     /// Works on for about `budget`; returns an answer where one is due.
     pub fn go_on(&mut self, budget: Duration) -> Option<Vec<u8>> {
-        self.timed(|craft| craft.go_on(budget))
+        self.timed(|worker| worker.go_on(budget))
     }
 
     /// How long it rests before it goes on; what was worked so far is rested for only once.
@@ -53,9 +53,9 @@ impl Bench {
         std::mem::take(&mut self.worked).mul_f64(self.kind.rest_share())
     }
 
-    fn timed<T>(&mut self, work: impl FnOnce(&mut dyn Craft) -> T) -> T {
+    fn timed<T>(&mut self, work: impl FnOnce(&mut dyn Worker) -> T) -> T {
         let begun = Instant::now();
-        let done = work(&mut *self.craft);
+        let done = work(&mut *self.worker);
         self.worked += begun.elapsed();
         done
     }

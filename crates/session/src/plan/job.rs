@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 use web_time::Instant;
 
 use super::why_not::WhyNot;
-use crate::work::undertaking::{self, AT_ONCE, Answer, Undertaking, all_until};
+use crate::work::job::{self, AT_ONCE, Answer, Job, all_until};
 
 /// A plan to be searched for.
 #[derive(Debug, Deserialize, Serialize)]
@@ -33,11 +33,11 @@ pub struct PlanProgress {
 }
 
 /// How far a search is.
-pub type Told = undertaking::Told<PlanProgress, Box<PlanData>, WhyNot>;
+pub type Reply = job::Reply<PlanProgress, Box<PlanData>, WhyNot>;
 /// What comes back.
-pub type PlanAnswer = Answer<Told>;
+pub type PlanAnswer = Answer<Reply>;
 
-impl Undertaking for Search {
+impl Job for Search {
     type Order = PlanOrder;
     type Progress = PlanProgress;
     type Found = Box<PlanData>;

@@ -1,10 +1,10 @@
 // Does heavy work in workers, so that no frame waits for it: the same module once more for each kind of work, with memory of its own.
 
 /** The workers, by the kind of their work. */
-export class Errands {
+export class Jobs {
   /** `program` resolves with the compiled module and the address of its script; `wake` lets the window take answers. */
   constructor(program, address, wake) {
-    this.begin = (kind) => new Errand(kind, program, address, wake);
+    this.begin = (kind) => new Job(kind, program, address, wake);
     this.kinds = new Map();
   }
 
@@ -25,7 +25,7 @@ export class Errands {
 }
 
 /** One kind of work and its worker, which begins with the first order. */
-class Errand {
+class Job {
   constructor(kind, program, address, wake) {
     Object.assign(this, { kind, program, address, wake });
     this.answers = [];

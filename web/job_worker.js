@@ -3,7 +3,7 @@
 /** Computing time between two looks at what the page says [ms] (chosen: a new order waits no longer). */
 const SLICE_MS = 30;
 
-let bench = null;
+let executor = null;
 let isWorking = false;
 /** Orders that came before the module was there: the last one counts. */
 let early = null;
@@ -11,22 +11,22 @@ let early = null;
 async function begin({ module, script, kind }) {
   const bindings = await import(script);
   await bindings.default({ module_or_path: module });
-  bench = new bindings.ErrandBench(kind);
+  executor = new bindings.JobExecutor(kind);
   if (early) take(early);
 }
 
 function take(order) {
-  bench.take(order);
+  executor.take(order);
   if (!isWorking) work();
 }
 
 /** Works slice after slice; between two of them it rests as long as its kind of work asks for, and messages are heard. */
 async function work() {
   isWorking = true;
-  while (bench.is_busy()) {
-    const answer = bench.go_on(SLICE_MS);
+  while (executor.is_busy()) {
+    const answer = executor.go_on(SLICE_MS);
     if (answer) postMessage({ answer }, [answer.buffer]);
-    await new Promise((resolve) => setTimeout(resolve, bench.rest_ms()));
+    await new Promise((resolve) => setTimeout(resolve, executor.rest_ms()));
   }
   isWorking = false;
 }
@@ -35,7 +35,7 @@ const failed = (error) => postMessage({ failure: String(error?.message ?? error)
 
 self.addEventListener("message", ({ data }) => {
   if (data.module) begin(data).catch(failed);
-  else if (bench) take(data.order);
+  else if (executor) take(data.order);
   else early = data.order;
 });
 self.addEventListener("unhandledrejection", ({ reason }) => failed(reason));

@@ -1,0 +1,31 @@
+//! What a piece is built from, apart from its food.
+
+use serde::{Deserialize, Serialize};
+
+use crate::description::{FoodDescription, NaturalForm, OutlineKind};
+use crate::paper_2013::{MeshSize, Rules};
+
+/// Size, seed and mesh of a piece to be built.
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
+pub struct PieceSpec {
+    /// Length, width, thickness [m].
+    pub size: [f64; 3],
+    /// Seed of the natural variation.
+    pub seed: u64,
+    /// Mesh spacing relative to the default [-]; 2 gives about an eighth of the nodes.
+    pub coarseness: f64,
+    /// Mesh to be built.
+    pub mesh: MeshSize,
+    /// Physical rules.
+    pub rules: Rules,
+    /// Outline to be cut.
+    pub outline: OutlineKind,
+}
+
+impl PieceSpec {
+    /// Returns the natural form of the piece, or none if it is plain, as every piece of 2013 is.
+    pub(crate) fn natural<'a>(&self, description: &'a FoodDescription) -> Option<&'a NaturalForm> {
+        let today = self.rules == Rules::Full && self.mesh == MeshSize::Default;
+        description.natural.as_ref().filter(|_| today && self.outline == OutlineKind::Natural)
+    }
+}
