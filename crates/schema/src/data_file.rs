@@ -34,6 +34,19 @@ impl DataFile<'_> {
     }
 
     /// Returns the line, from 1, of a key by its path: that of the innermost part that the file has.
+    ///
+    /// ```
+    /// use saute_schema::DataFile;
+    ///
+    /// let text = "name = \"x\"\n\n[a]\nb = [\n  1.0,\n  2.0,\n]\n[[c]]\nd = 1\n[[c]]\nd = 2\n[a.e]\nd = 3\n";
+    /// let file = DataFile { name: "f.toml", text };
+    /// let lines = [("", 1), ("name", 1), ("none", 1), ("a", 3), ("a.b", 4), ("a.b.1", 6), ("a.x", 3), ("c.1.d", 11), ("a.e.d", 13)];
+    /// for (path, line) in lines {
+    ///     assert_eq!(file.line_at(path), line, "{path}");
+    /// }
+    /// let error = file.within("c.1.d", 2.0, 3.0, 4e8).expect_err("too small");
+    /// assert_eq!(error.to_string(), "f.toml:11: d = 2 is out of range: use 3 to 4e8");
+    /// ```
     pub fn line_at(&self, path: &str) -> usize {
         let (document, _) = DeTable::parse_recoverable(self.text);
         let (mut line, mut inside) = (1, DeValue::Table(document.into_inner()));
@@ -53,31 +66,5 @@ impl DataFile<'_> {
             inside = value.into_inner();
         }
         line
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_key_is_found_by_its_path_and_a_missing_one_by_its_table() {
-        let text = "name = \"x\"\n\n[a]\nb = [\n  1.0,\n  2.0,\n]\n[[c]]\nd = 1\n[[c]]\nd = 2\n[a.e]\nd = 3\n";
-        let file = DataFile { name: "f.toml", text };
-        for (path, line) in [
-            ("", 1),
-            ("name", 1),
-            ("none", 1),
-            ("a", 3),
-            ("a.b", 4),
-            ("a.b.1", 6),
-            ("a.x", 3),
-            ("c.1.d", 11),
-            ("a.e.d", 13),
-        ] {
-            assert_eq!(file.line_at(path), line, "{path}");
-        }
-        let error = file.within("c.1.d", 2.0, 3.0, 4e8).expect_err("too small");
-        assert_eq!(error.to_string(), "f.toml:11: d = 2 is out of range: use 3 to 4e8");
     }
 }

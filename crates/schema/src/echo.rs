@@ -10,6 +10,18 @@ const MESSAGE: usize = 800;
 const TAIL: usize = 100;
 
 /// Returns a message with its long words shortened, and shortened itself if it is still long.
+///
+/// ```
+/// use saute_schema::echo::shortened;
+///
+/// let usual = "food kind = \"beef-lean\" is not a food: use one of: beef-lean, beef-marbled, beef-patty, carrot-coin";
+/// assert!(matches!(shortened(usual), std::borrow::Cow::Borrowed(text) if text == usual));
+/// let echo = format!("kind = \"{}\" is not a pan", "肉".repeat(1_000_000));
+/// let short = shortened(&echo);
+/// assert!(short.starts_with("kind = \"肉肉") && short.ends_with("肉\" is not a pan") && short.chars().count() < 100);
+/// let words = format!("title {} ends here", "word ".repeat(100_000));
+/// assert!(shortened(&words).chars().count() <= 803 && shortened(&words).ends_with("ends here"));
+/// ```
 pub fn shortened(message: &str) -> Cow<'_, str> {
     // The number of bytes is at least that of characters.
     let is_short = message.len() <= MESSAGE && message.split_whitespace().all(|word| word.len() <= WORD);
@@ -36,26 +48,4 @@ fn short_word(word: &str) -> Cow<'_, str> {
     let head: String = word.chars().take(WORD - 20).collect();
     let tail: String = word.chars().skip(length - 10).collect();
     Cow::Owned(format!("{head}…{tail}"))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_usual_message_stays_as_it_is() {
-        let usual =
-            "food kind = \"beef-lean\" is not a food: use one of: beef-lean, beef-marbled, beef-patty, carrot-coin";
-        assert!(matches!(shortened(usual), Cow::Borrowed(text) if text == usual));
-    }
-
-    #[test]
-    fn a_long_echo_is_shortened_and_the_rest_of_the_message_stays() {
-        let echo = format!("kind = \"{}\" is not a pan", "肉".repeat(1_000_000));
-        let short = shortened(&echo);
-        assert!(short.starts_with("kind = \"肉肉") && short.ends_with("肉\" is not a pan"), "{short}");
-        assert!(short.chars().count() < 100, "{short}");
-        let words = format!("title {} ends here", "word ".repeat(100_000));
-        assert!(shortened(&words).chars().count() <= MESSAGE + 3 && shortened(&words).ends_with("ends here"));
-    }
 }

@@ -9,14 +9,14 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use saute_files::Journal;
+use saute_files::checksums::{self, Checksums};
 use saute_files::whole_file::write_by_way_of;
 use saute_files::{locked_file, regular_file};
 use saute_formats::{Table, Value};
 use saute_sweep::{Manifest, RowResult, Status, Sweep, manifest};
 
-use crate::checksums::{self, Checksums};
 use crate::error::FolderError;
-use crate::journal::Journal;
 use crate::tally::Tally;
 
 /// Folder of the Parquet files.
@@ -126,7 +126,7 @@ impl SweepFolder {
             self.open_part(part)?;
         }
         let Some(open) = self.open.get_mut(&part) else { return Ok(()) };
-        open.journal.add(result).map_err(|e| FolderError::io(&self.path, &e))?;
+        open.journal.add(&result.to_bytes()).map_err(|e| FolderError::io(&self.path, &e))?;
         open.rows.insert(result.row);
         self.returned.remove(&result.row);
         self.tally.done += 1;
@@ -144,7 +144,7 @@ impl SweepFolder {
     /// Opens the journal of a part; rows in it are done.
     fn open_part(&mut self, part: u64) -> Result<(), FolderError> {
         let path = self.path.join(UNFINISHED).join(Manifest::part_name(part)).with_extension(JOURNAL);
-        let (journal, found) = Journal::open(&path).map_err(|e| FolderError::io(&path, &e))?;
+        let (journal, found) = journal(&path).map_err(|e| FolderError::io(&path, &e))?;
         let own = self.sweep.part_rows(part);
         let known = found.values().filter(|result| own.contains(&result.row));
         self.tally.done += known.clone().count() as u64;
@@ -158,9 +158,9 @@ impl SweepFolder {
         let own = self.sweep.part_rows(part);
         let count = own.end - own.start;
         let Some(open) = self.open.get(&part).filter(|open| open.rows.len() as u64 == count) else { return Ok(()) };
-        let path = open.journal.path.clone();
+        let path = open.journal.path().to_owned();
         // The rows were not kept in memory.
-        let (_, found) = Journal::open(&path).map_err(|e| FolderError::io(&path, &e))?;
+        let (_, found) = journal(&path).map_err(|e| FolderError::io(&path, &e))?;
         let results: Vec<RowResult> = found.into_values().filter(|result| own.contains(&result.row)).collect();
         if results.len() as u64 != count {
             return Err(FolderError::new(&path, "was changed by another program", "start it again: it goes on"));
@@ -288,4 +288,17 @@ fn locked(path: &Path) -> io::Result<File> {
     let file = File::options().write(true).create(true).truncate(false).open(path)?;
     locked_file::lock(&file)?;
     Ok(file)
+}
+
+/// Opens the journal of a part; returns it with the results that are in it, by their rows.
+fn journal(path: &Path) -> io::Result<(Journal, BTreeMap<u64, RowResult>)> {
+    let mut results = BTreeMap::new();
+    let journal = Journal::open(path, |own| {
+        let result = RowResult::from_bytes(own);
+        result.is_some_and(|result| {
+            results.entry(result.row).or_insert(result);
+            true
+        })
+    })?;
+    Ok((journal, results))
 }

@@ -4,11 +4,9 @@
 //! threads. Each result is in a `journal` as soon as it is there; when a part is complete its journal becomes a Parquet file. So
 //! a program that is killed loses only the rows that it was cooking.
 
-pub mod checksums;
 pub mod cooking;
 mod error;
 mod folder;
-mod journal;
 mod tally;
 
 pub use error::FolderError;

@@ -4,4 +4,5 @@
 #![allow(clippy::unwrap_used)]
 
 mod folder;
+mod tally;
 mod throughput;

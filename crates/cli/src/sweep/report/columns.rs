@@ -2,11 +2,11 @@
 
 use std::path::{Path, PathBuf};
 
+use saute_files::checksums::Checksums;
 use saute_files::regular_file;
 use saute_formats::{Heading, Kind, Table};
 use saute_sweep::design::DesignKind;
 use saute_sweep::{Manifest, manifest};
-use saute_sweep_folder::checksums::Checksums;
 use saute_sweep_folder::{MANIFEST_MIB, PART_MIB, ROWS};
 
 use crate::error::CliError;

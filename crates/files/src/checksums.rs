@@ -1,11 +1,12 @@
-//! Checksums of the complete parts: a file beside them that readers of Parquet folders pass over.
+//! Checksums of files in a folder: a file beside them that readers of Parquet folders pass over.
 
 use std::collections::BTreeMap;
 use std::hash::Hasher;
 use std::path::Path;
 
-use saute_files::regular_file;
 use siphasher::sip::SipHasher13;
+
+use crate::regular_file;
 
 /// Name of the file; readers of a folder of Parquet files pass over names that begin so.
 pub const FILE: &str = "_checksums";
@@ -50,7 +51,7 @@ impl Checksums {
 }
 
 /// Checksum of bytes (SipHash-1-3).
-pub(crate) fn sum_of(bytes: &[u8]) -> u64 {
+pub fn sum_of(bytes: &[u8]) -> u64 {
     let mut hasher = SipHasher13::new();
     hasher.write(bytes);
     hasher.finish()
