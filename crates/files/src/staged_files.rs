@@ -3,11 +3,12 @@
 //! A mark states that all of them are complete. If the program is killed after that, the next run gives the rest their names;
 //! before it, the next run removes them.
 
-use std::fs::{self, File};
-use std::io::{self, Write};
+use std::fs;
+use std::io;
 use std::path::{Path, PathBuf};
 
 use crate::locked_file::LockedFile;
+use crate::whole_file::write_synced;
 
 /// Folder of the files without their final names.
 const STAGE: &str = ".saute-unfinished-files";
@@ -59,9 +60,7 @@ impl StagedFiles {
 
     /// Writes a file and waits until it is on the disk.
     pub fn write(&self, name: &str, bytes: &[u8]) -> io::Result<()> {
-        let mut file = File::create(self.stage.join(name))?;
-        file.write_all(bytes)?;
-        file.sync_all()
+        write_synced(&self.stage.join(name), bytes)
     }
 
     /// Removes a written file.

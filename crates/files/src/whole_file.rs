@@ -6,12 +6,14 @@ use std::path::Path;
 
 use crate::regular_file;
 
-/// Writes a file; what was at its path stays until all bytes are on the disk. The part is written beside it.
+/// Writes a file; what was at its path stays until all bytes are on the disk. The part is written beside it. A link is followed, so that
+/// the file behind it is replaced and not the link.
 ///
 /// # Errors
 ///
 /// If it cannot be written; the part is removed then.
 pub fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    let path = &path.canonicalize().unwrap_or_else(|_| path.to_owned());
     let mut name = path.file_name().ok_or(io::ErrorKind::InvalidInput)?.to_owned();
     name.push(format!(".{}.part", std::process::id()));
     write_by_way_of(&path.with_file_name(name), path, bytes)
@@ -24,7 +26,7 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
 /// As of [`write_whole`], and if something else than a file is where the part is to be.
 pub fn write_by_way_of(part: &Path, path: &Path, bytes: &[u8]) -> io::Result<()> {
     regular_file::check_place(part)?;
-    let written = write_part(part, bytes).and_then(|()| fs::rename(part, path));
+    let written = write_synced(part, bytes).and_then(|()| fs::rename(part, path));
     if written.is_err() {
         // What could not be written is of no use; the error that is returned states why.
         let _ = fs::remove_file(part);
@@ -32,8 +34,9 @@ pub fn write_by_way_of(part: &Path, path: &Path, bytes: &[u8]) -> io::Result<()>
     written
 }
 
-fn write_part(part: &Path, bytes: &[u8]) -> io::Result<()> {
-    let mut file = File::create(part)?;
+/// Writes a file and waits until it is on the disk.
+pub(crate) fn write_synced(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    let mut file = File::create(path)?;
     file.write_all(bytes)?;
     file.sync_all()
 }
@@ -57,5 +60,17 @@ mod tests {
             assert_eq!(fs::read_to_string(&path).expect("reads"), text);
         }
         assert_eq!(fs::read_dir(folder.path()).expect("lists").count(), 2, "no part is left");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_link_stays_and_the_file_behind_it_is_replaced() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let [behind, link] = ["behind", "link"].map(|name| folder.path().join(name));
+        fs::write(&behind, "old").expect("writes");
+        std::os::unix::fs::symlink(&behind, &link).expect("links");
+        write_whole(&link, b"new").expect("writes");
+        assert!(link.symlink_metadata().expect("is there").is_symlink());
+        assert_eq!(fs::read_to_string(&behind).expect("reads"), "new");
     }
 }

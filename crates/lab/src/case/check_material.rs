@@ -72,7 +72,7 @@ impl Check<'_> {
             water: water.filter(|_| !unlimited),
             at: kelvin(m.boiling_c.as_ref().map_or(DEFAULT_BOILING_C, |v| *v.get_ref())),
             latent: m.latent_j_kg.as_ref().map_or(DEFAULT_LATENT_J_KG, |v| *v.get_ref()),
-            crust_conductivity: m.crust_conductivity_w_mk.as_ref().map(|v| *v.get_ref()).unwrap_or(conductivity),
+            crust_conductivity: m.crust_conductivity_w_mk.as_ref().map_or(conductivity, |v| *v.get_ref()),
         }))
     }
 

@@ -131,7 +131,7 @@ impl Check<'_> {
         for entry in entries {
             let entry = entry.get_ref();
             let one = self.food(entry, rules)?;
-            let count = entry.count.as_ref().map(|count| count.get_ref().unsigned_abs());
+            let count = entry.count.as_ref().map(|count| u64::from(*count.get_ref()));
             self.check_memory(&mut load, entry, &one, count)?;
             let Some(count) = count else {
                 names.foods.push(one);

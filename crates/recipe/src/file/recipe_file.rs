@@ -1,7 +1,9 @@
 //! The format of a recipe file.
 
 use saute_food::OutlineKind;
-use saute_kitchen::piece::memory;
+use saute_kitchen::PieceOrder;
+use saute_kitchen::hands::ranges::{MAX_S, PAN_INITIAL_C, PAN_OIL_G};
+use saute_kitchen::piece::memory::MOST_PIECES;
 use schemars::transform::transform_subschemas;
 use schemars::{JsonSchema, Schema};
 use serde::Deserialize;
@@ -21,7 +23,7 @@ pub struct RecipeFile {
     #[schemars(with = "Option<Preset>")]
     pub preset: Option<Preset>,
     /// The cook stops here if the steps have not ended it [s]; 3600 by default.
-    #[schemars(with = "Option<f64>", range(min = 1, max = 86400))]
+    #[schemars(with = "Option<f64>", range(min = MAX_S.low, max = MAX_S.high))]
     pub max_s: Option<Spanned<f64>>,
     /// The hob; that of the kitchen at home by default.
     #[schemars(with = "Option<HobEntry>")]
@@ -65,11 +67,11 @@ pub struct PanEntry {
     #[schemars(with = "Option<String>")]
     pub kind: Option<Spanned<String>>,
     /// Start temperature [°C]; 20 by default.
-    #[schemars(with = "Option<f64>", range(min = 0, max = 300))]
+    #[schemars(with = "Option<f64>", range(min = PAN_INITIAL_C.low, max = PAN_INITIAL_C.high))]
     pub initial_c: Option<Spanned<f64>>,
     /// Canola oil in it at the start [g]; 0 is dry, apart from the film of a seasoned pan. By default 5, or none if a step pours oil or
     /// butter before the first food goes in.
-    #[schemars(with = "Option<f64>", range(min = 0, max = 100))]
+    #[schemars(with = "Option<f64>", range(min = PAN_OIL_G[0], max = PAN_OIL_G[1]))]
     pub oil_g: Option<Spanned<f64>>,
 }
 
@@ -87,10 +89,10 @@ pub struct FoodEntry {
     #[schemars(with = "Option<Vec<f64>>")]
     pub size_mm: Option<Spanned<Vec<f64>>>,
     /// Temperature at which it goes into the pan [°C]; 5 by default.
-    #[schemars(with = "Option<f64>", range(min = -25, max = 60))]
+    #[schemars(with = "Option<f64>", range(min = PieceOrder::INITIAL_C[0], max = PieceOrder::INITIAL_C[1]))]
     pub initial_c: Option<Spanned<f64>>,
     /// Spacing of its mesh relative to the default [-]; 1 by default. A result that has settled hardly changes at 0.5.
-    #[schemars(with = "Option<f64>", range(min = 0.5, max = 8))]
+    #[schemars(with = "Option<f64>", range(min = *PieceOrder::COARSENESS.start(), max = *PieceOrder::COARSENESS.end()))]
     pub coarseness: Option<Spanned<f64>>,
     /// Seed of its natural variation; 1 by default. The pieces of a group have seeds that follow each other.
     #[schemars(range(max = u32::MAX))]
@@ -98,15 +100,12 @@ pub struct FoodEntry {
     /// Makes a group of so many pieces, which are called id.1, id.2 and so on; one piece with the plain id where it is not
     /// given.
     #[schemars(with = "Option<u32>", range(min = 1, max = MOST_PIECES))]
-    pub count: Option<Spanned<i64>>,
+    pub count: Option<Spanned<u32>>,
     /// Fineness of its mesh; "default" by default.
     pub mesh: Option<MeshName>,
     /// "natural" (default): each seed gives a piece of its own form; "plain": the same plain outline for all.
     pub outline: Option<OutlineKind>,
 }
-
-/// Pieces that a group may have: those of a kitchen.
-pub(crate) const MOST_PIECES: i64 = memory::MOST_PIECES as i64;
 
 /// Fineness of a mesh.
 #[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema, PartialEq, Eq)]

@@ -11,7 +11,7 @@ use toml::Spanned;
 use crate::action::kind::{ActionEntry, ActionKind};
 use crate::file::recipe_file::WhenEntry;
 use saute_kitchen::hands::command::RestOn;
-use saute_kitchen::hands::ranges::{MAX_S, PLACE_MM};
+use saute_kitchen::hands::ranges::{COOL_S, MAX_S, PLACE_MM};
 
 /// A step as the text has it. A valid step has at most one trigger and exactly one action.
 #[derive(Clone, Debug, Default)]
@@ -44,7 +44,7 @@ pub struct StepKeys {
     #[schemars(with = "Option<RestOn>")]
     pub on: Option<Spanned<RestOn>>,
     /// With a bare `cool`: how long [s]; 3 by default.
-    #[schemars(with = "Option<f64>", range(min = 0.1, max = 600))]
+    #[schemars(with = "Option<f64>", range(min = COOL_S.low, max = COOL_S.high))]
     pub for_s: Option<Spanned<f64>>,
 }
 

@@ -25,7 +25,9 @@ impl LogFile {
         fs::create_dir_all(folder).and_then(|()| regular_file::check_place(&path)).map_err(place)?;
         let mut file =
             OpenOptions::new().read(true).write(true).create(true).truncate(false).open(&path).map_err(place)?;
-        locked_file::lock(&file).map_err(place)?;
+        // Where a folder has no locks, a study still goes on.
+        locked_file::lock(&file)
+            .or_else(|e| if e.kind() == io::ErrorKind::ResourceBusy { Err(place(e)) } else { Ok(()) })?;
         let mut text = String::new();
         file.read_to_string(&mut text).map_err(place)?;
         let whole = text.rfind('\n').map_or(0, |end| end + 1);
