@@ -74,6 +74,11 @@ export class Cover {
     document.documentElement.dataset.state = "cooking";
   }
 
+  /** Whether the page has given up: then nothing is offered any more. */
+  get hasFailed() {
+    return document.documentElement.dataset.state === "failed";
+  }
+
   /** Shows what went wrong: a text by its key, and what the browser says. */
   fail(key, error) {
     clearTimeout(this.waiting);

@@ -54,7 +54,8 @@ async function load() {
 /** What is kept of the last cook, or what was chosen to begin instead; in the meantime the program comes. */
 async function choose() {
   const kept = await keptCook?.open();
-  if (!asksWhat) return { kept };
+  // A slow storage may answer after the program has failed to come.
+  if (!asksWhat || cover.hasFailed) return { kept };
   document.documentElement.dataset.state = "offering";
   const [heading, list] = ["choose", "starts"].map((id) => document.getElementById(id));
   return new StartTiles(heading, list, spoken, place).choose(kept);

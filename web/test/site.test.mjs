@@ -222,7 +222,17 @@ test("the cover shows how far the download is, and says what to do where a part 
     const watchIt = () => new MutationObserver(note).observe(document.getElementById("status"), { childList: true });
     document.addEventListener("DOMContentLoaded", watchIt);
   };
-  const { page, close } = await watch(browser, host.address, { prepare: (page) => page.addInitScript(noteStatus) });
+  // The storage answers when the test lets it.
+  const holdStorage = () => {
+    const query = LockManager.prototype.query;
+    const held = new Promise((resolve) => (window.letStorageAnswer = resolve));
+    LockManager.prototype.query = async function () {
+      await held;
+      return query.call(this);
+    };
+  };
+  const prepare = (page) => Promise.all([page.addInitScript(noteStatus), page.addInitScript(holdStorage)]);
+  const { page, close } = await watch(browser, host.address, { prepare });
   await page.waitForFunction(() => document.getElementById("progress").value === 1);
   const shares = (await page.evaluate(() => window.statuses)).map((text) => text.match(/^(\d+\.\d) of (\d+\.\d) MB$/)).filter(Boolean);
   const done = shares.map(([, done]) => Number(done));
@@ -231,6 +241,10 @@ test("the cover shows how far the download is, and says what to do where a part 
   // The module, with the reason; a module of the page; the page's own script.
   const said = await heldBack(page, "**/*.wasm*", (route) => route.fulfill({ status: 503, body: "" }));
   assert.match(said, /could not be loaded[^]*filter[^]*503[^]*Try again/);
+  // The storage answers after the failure: nothing is offered that could not be opened.
+  await page.evaluate(() => new Promise((resolve) => setTimeout(resolve, 500, window.letStorageAnswer())));
+  assert.equal(await page.evaluate(() => document.documentElement.dataset.state), "failed");
+  assert.ok(await page.locator("#starts").isHidden());
   await page.screenshot({ path: join(PICTURES, "not-loaded.png") });
   for (const file of ["words", "loader"]) {
     const said = await heldBack(page, `**/${file}.js*`);
@@ -249,6 +263,7 @@ test("the cover shows how far the download is, and says what to do where a part 
   await page.route("**/*.wasm*", () => {});
   await page.clock.install();
   await page.reload();
+  await page.evaluate(() => window.letStorageAnswer());
   await page.waitForFunction(() => document.documentElement.dataset.state === "offering");
   assert.ok(await page.locator("#again").isHidden());
   await page.clock.fastForward(30_000);
