@@ -7,7 +7,7 @@ use saute_haptics::strings::wire::{Frame, FrameError, Link};
 use saute_haptics::{Geometry, HapticCommand, HapticDevice, KeptCalibration, Spidar};
 use saute_mirror::rig_file;
 use saute_window::settings::Settings;
-use saute_window::ui::stored_zoom;
+use saute_window::desktop::stored_zoom;
 
 use crate::text;
 

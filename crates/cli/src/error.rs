@@ -7,7 +7,7 @@ use saute_picture::still::png_file::PngError;
 use saute_picture::still::shot::ShotError;
 use saute_schema::InputError;
 use saute_schema::echo::shortened;
-use saute_window::offscreen::OffscreenError;
+use saute_window::desktop::offscreen::OffscreenError;
 
 /// Why the command failed.
 #[derive(Debug, thiserror::Error)]

@@ -7,7 +7,7 @@ use eframe::{CreationContext, WebOptions, WebRunner};
 use saute_recipe::Recipe;
 use saute_window::browser::host::PageStart;
 use saute_window::pose::Pose;
-use saute_window::{SauteApp, Start};
+use saute_window::{Helps, SauteApp, Start};
 use wasm_bindgen::prelude::wasm_bindgen;
 use wasm_bindgen::{JsCast, JsValue};
 use web_sys::HtmlCanvasElement;
@@ -169,10 +169,11 @@ fn start(options: Options) -> Result<Start, String> {
         options.study.as_ref().map(|(id, code)| led::study(&library, (id, code), options.host.as_ref())).transpose()?;
     let study = study.map(|start| if options.machine_is_tried { start.on_tried_machine() } else { start });
     let Options { host, kept, link, is_embedded, opening, version, .. } = options;
-    let page = PageStart { host, kept, link, is_embedded, opening, version };
+    let host = PageStart { host, kept, link, is_embedded, opening, version };
     let lesson = options.lesson.map(|lesson| led::lesson(&library, lesson)).transpose()?;
     let (language, library) = (options.language, Some(library.into()));
-    Ok(Start { library, recipe, recorded: None, study, lesson, language, frugal: true, page })
+    let helps = Helps::default();
+    Ok(Start { library, recipe, recorded: None, study, lesson, language, frugal: true, helps, host })
 }
 
 fn shipped(library: &saute_kitchen::Library, name: &str) -> Result<Recipe, String> {

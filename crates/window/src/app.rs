@@ -2,6 +2,8 @@
 
 mod apply;
 mod desk;
+#[cfg(not(target_arch = "wasm32"))]
+mod desktop;
 mod export;
 pub(crate) mod frame;
 mod graphics;
@@ -9,6 +11,7 @@ mod hands;
 mod keeps;
 mod keys;
 mod leads;
+mod on_host;
 mod open_session;
 mod outside;
 mod pace;
@@ -32,18 +35,13 @@ use self::graphics::Graphics;
 use self::hands::Inputs;
 use self::keeps::Keeps;
 use self::leads::Leads;
+use self::on_host::OnHost;
 use self::pace::Pace;
-#[cfg(target_arch = "wasm32")]
-use self::page::Page;
 use self::sights::Sights;
 use self::sounds::Sounds;
 use crate::act::Card;
-#[cfg(target_arch = "wasm32")]
-use crate::browser::host::Surroundings;
-#[cfg(not(target_arch = "wasm32"))]
-use crate::desktop::Surroundings;
 use crate::guided::Guided;
-use crate::input::pad_input::Pad;
+use crate::host::{Here, Host};
 use crate::mirror::presenter::MirrorCallback;
 use crate::paint::ground::GroundCallback;
 use crate::paint::panel_layer::PanelLayer;
@@ -53,13 +51,9 @@ use crate::settings::Settings;
 use crate::start::{Start, StartError};
 use crate::ui::fingers;
 use crate::ui::theme;
-#[cfg(not(target_arch = "wasm32"))]
-use saute_haptics::control::scheduling::yield_to_others;
 use saute_session::at_home::kept::KeptKitchen;
 use saute_session::permits::NotDone;
 use saute_session::work::Agency;
-#[cfg(not(target_arch = "wasm32"))]
-use saute_session::work::thread::Threads;
 use saute_words::language::Language;
 
 /// Where settings are remembered.
@@ -88,18 +82,17 @@ pub struct SauteApp {
     pub(crate) keeps: Keeps,
     /// Who finds helpers for heavy work, if anyone does.
     agency: Option<Box<dyn Agency>>,
-    #[cfg(target_arch = "wasm32")]
-    pub(crate) page: Page,
+    /// What the window has of the desktop, or of its page.
+    pub(crate) here: Here,
 }
 
 impl SauteApp {
     /// Sets out the remembered food, or plays the given recipe.
     pub fn new(cc: &eframe::CreationContext<'_>, start: Start) -> Result<Self, StartError> {
         let stored = cc.storage.map(|s| s.get_string(SETTINGS_KEY).unwrap_or_else(|| FIRST_START.to_owned()));
-        let around = Surroundings::of(&start, stored.is_some());
+        let (host, keeps) = (start.host.clone(), stored.is_some() && start.names_nothing());
         let mut app = Self::start(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), stored, start)?;
-        app.inputs.pad = Pad::connected();
-        app.settle_in(around, &cc.egui_ctx);
+        app.settle_in(host, keeps, &cc.egui_ctx);
         Ok(app)
     }
 
@@ -113,8 +106,7 @@ impl SauteApp {
         start: Start,
     ) -> Result<Self, StartError> {
         let japanese_font = crate::ui::japanese_font::install(context);
-        let is_led = start.study.is_some() || start.lesson.is_some();
-        let remembers = stored.is_some() && start.recipe.is_none() && start.recorded.is_none() && !is_led;
+        let remembers = stored.is_some() && start.names_nothing();
         let is_first = stored.as_deref().is_some_and(Settings::were_never_kept);
         let (settings, refused) = stored.map_or_else(Default::default, |text| Settings::remembered(&text));
         let library = start.library.map_or_else(|| Library::embedded().map(Arc::new), Ok)?;
@@ -142,28 +134,12 @@ impl SauteApp {
             desk: Desk { card: first_steps.then_some(Card::FirstSteps), ..Desk::default() },
             pace: Pace::default(),
             graphics: Graphics::new(start.frugal, japanese_font),
-            keeps: Keeps {
-                library: started,
-                #[cfg(not(target_arch = "wasm32"))]
-                pictures: start.pictures,
-                #[cfg(not(target_arch = "wasm32"))]
-                dialog: Default::default(),
-                autosave: Default::default(),
-            },
+            keeps: Keeps { library: started, autosave: Default::default() },
             agency: None,
-            #[cfg(target_arch = "wasm32")]
-            page: Page::default(),
+            here: Here::default(),
         };
         app.draw_on(context, graphics);
-        #[cfg(not(target_arch = "wasm32"))]
-        {
-            app.sounds.may_open = start.speaker;
-        }
-        #[cfg(not(target_arch = "wasm32"))]
-        if start.threads {
-            let context = context.clone();
-            app.employ(Box::new(Threads::new(Arc::new(move || context.request_repaint()), yield_to_others)));
-        }
+        app.take_help(start.helps, context);
         app.settings.language = Language::English;
         app.set_language(language);
         if refused {
@@ -180,7 +156,7 @@ impl SauteApp {
     /// Draws on this context from now on; without graphics the scene is left out.
     fn draw_on(&mut self, context: &egui::Context, graphics: Option<&egui_wgpu::RenderState>) {
         theme::install(context);
-        fingers::note(context, crate::ui::system::has_coarse_pointer());
+        fingers::note(context, crate::system::has_coarse_pointer());
         self.graphics.drawable = graphics.is_some();
         let Some(state) = graphics else { return };
         SceneCallback::install(state);
@@ -221,10 +197,7 @@ impl SauteApp {
 
     /// Returns true if panels and clock make room for the camera.
     pub(crate) fn photo_is_open(&self) -> bool {
-        #[cfg(target_arch = "wasm32")]
-        return false;
-        #[cfg(not(target_arch = "wasm32"))]
-        self.sights.photo.open
+        self.here.photo().is_some()
     }
 
     /// Returns true if a card covers the scene, or a photo is taken of it; time then waits.

@@ -1,14 +1,18 @@
-//! What the browser does for the window: events to the page, files, downloads.
+//! The window as a page: what the browser does for it. Events to the page, files, downloads.
 
+pub(crate) mod act;
+pub(crate) mod fonts;
 pub(crate) mod gamepad;
 pub(crate) mod hands;
 mod helper;
 pub mod host;
 mod mirrored;
+pub(crate) mod page;
 mod page_log;
+pub(crate) mod panels;
+pub(crate) mod system;
 
 pub(crate) use self::mirrored::Mirrored;
-pub(crate) use self::page_log::PageLog;
 use js_sys::{Array, Uint8Array};
 use std::sync::{Arc, Mutex};
 use wasm_bindgen::{JsCast, JsValue};
@@ -51,11 +55,6 @@ pub fn announce(name: &str) {
 
 pub(crate) fn document() -> Option<web_sys::Document> {
     web_sys::window()?.document()
-}
-
-/// The language that the browser prefers, such as `ja-JP`.
-pub(crate) fn language() -> Option<String> {
-    web_sys::window()?.navigator().language()
 }
 
 /// Hands the browser a file to save.

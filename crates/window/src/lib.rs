@@ -16,38 +16,30 @@
 pub mod act;
 pub mod app;
 pub mod at_home;
-#[cfg(not(target_arch = "wasm32"))]
-pub mod bench_frame;
 #[cfg(target_arch = "wasm32")]
 pub mod browser;
 pub mod controls;
 #[cfg(not(target_arch = "wasm32"))]
-mod desktop;
+pub mod desktop;
 pub mod frame_meter;
 pub mod governor;
 pub mod guided;
-#[cfg(not(target_arch = "wasm32"))]
-pub mod hand;
+pub mod host;
 pub mod input;
 pub mod kept;
 pub mod learn;
 pub mod listener;
 pub mod mirror;
-#[cfg(not(target_arch = "wasm32"))]
-pub mod offscreen;
 pub mod paint;
 pub mod panels;
-#[cfg(not(target_arch = "wasm32"))]
-pub mod photo;
 pub mod plan;
 pub mod pose;
 pub mod session;
 pub mod settings;
 pub mod spoken;
 pub mod start;
+pub(crate) mod system;
 pub mod ui;
-#[cfg(not(target_arch = "wasm32"))]
-pub mod window;
 
 pub use app::SauteApp;
-pub use start::{Start, StartError};
+pub use start::{Helps, Start, StartError};

@@ -10,14 +10,3 @@ pub trait Listener {
     /// Returns why nothing is heard, once for each time that sound is lost.
     fn trouble(&mut self) -> Option<String>;
 }
-
-#[cfg(not(target_arch = "wasm32"))]
-impl Listener for saute_speaker::Speaker {
-    fn hear(&mut self, told: &Told, events: &[Event]) {
-        Self::hear(self, *told, events);
-    }
-
-    fn trouble(&mut self) -> Option<String> {
-        Self::trouble(self).map(|trouble| trouble.to_string())
-    }
-}

@@ -3,7 +3,7 @@
 #[cfg(target_arch = "wasm32")]
 use crate::browser::hands::Hands;
 #[cfg(not(target_arch = "wasm32"))]
-use crate::hand::Hands;
+use crate::desktop::hand::Hands;
 
 /// A cook that goes on in the window.
 pub type Session = saute_session::Session<Hands>;

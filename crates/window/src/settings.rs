@@ -39,7 +39,7 @@ pub struct Settings {
     #[serde(default)]
     pub version: u32,
     /// Language of the window; that of the system where none was ever chosen.
-    #[serde(default = "crate::ui::system::language")]
+    #[serde(default = "crate::system::language")]
     pub language: Language,
     /// Dark or light panels.
     pub theme: Theme,
@@ -202,7 +202,7 @@ impl Settings {
 
     /// Returns true if nothing glides that can jump.
     pub fn moves_less(&self) -> bool {
-        self.less_motion.unwrap_or_else(crate::ui::system::wants_less_motion)
+        self.less_motion.unwrap_or_else(crate::system::wants_less_motion)
     }
 
     /// Returns true if forecasts are wanted: in skill mode nothing is read out.

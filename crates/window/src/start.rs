@@ -7,6 +7,7 @@ use saute_recipe::{Recipe, Recording};
 use saute_words::language::Language;
 
 use crate::guided::{LessonStart, StudyStart};
+use crate::host::HostStart;
 
 /// Start options of the window.
 #[derive(Clone, Debug, Default)]
@@ -21,25 +22,33 @@ pub struct Start {
     pub language: Option<Language>,
     /// True draws panels a few times a second where the graphics are software.
     pub frugal: bool,
-    /// True lets threads work beside the window; without them, and without a page, nobody does.
-    #[cfg(not(target_arch = "wasm32"))]
-    pub threads: bool,
-    /// True plays the sound of the cook on the system's sound card.
-    #[cfg(not(target_arch = "wasm32"))]
-    pub speaker: bool,
-    /// Folder of pictures; that of the user unless given.
-    #[cfg(not(target_arch = "wasm32"))]
-    pub pictures: Option<std::path::PathBuf>,
+    /// What may help the window.
+    pub helps: Helps,
     /// A study that leads the window.
     pub study: Option<StudyStart>,
     /// A lesson to begin with.
     pub lesson: Option<LessonStart>,
-    /// Devices that hands hold.
-    #[cfg(not(target_arch = "wasm32"))]
-    pub hands: crate::hand::HandsStart,
-    /// What the page has for the window.
-    #[cfg(target_arch = "wasm32")]
-    pub page: crate::browser::host::PageStart,
+    /// Devices that hands hold, or what the page has for the window.
+    pub host: HostStart,
+}
+
+impl Start {
+    /// Returns true if it names nothing: then the cook before may go on.
+    pub(crate) fn names_nothing(&self) -> bool {
+        let is_led = self.study.is_some() || self.lesson.is_some();
+        self.recipe.is_none() && self.recorded.is_none() && !is_led
+    }
+}
+
+/// What may help the window; a page has all of its own.
+#[derive(Clone, Debug, Default)]
+pub struct Helps {
+    /// True lets threads work beside the window; without them nobody does.
+    pub threads: bool,
+    /// True plays the sound of the cook on the system's sound card.
+    pub speaker: bool,
+    /// Folder of pictures; that of the user unless given.
+    pub pictures: Option<std::path::PathBuf>,
 }
 
 /// Errors of starting the window.

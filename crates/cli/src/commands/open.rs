@@ -7,9 +7,9 @@ use std::sync::Arc;
 use saute_kitchen::data::library::DEFAULT_SCALE;
 use saute_study::class::{Scenario, shipped};
 use saute_study::{NoCode, Participant};
-use saute_window::Start;
+use saute_window::{Helps, Start};
 use saute_window::guided::{LessonStart, StudyStart};
-use saute_window::hand::HandsStart;
+use saute_window::desktop::hand::HandsStart;
 
 use crate::args::{HandArgs, OpenArgs};
 use crate::error::CliError;
@@ -52,9 +52,10 @@ fn open(data: DataLibrary, hands: HandArgs, start: Start) -> Result<ExitCode, Cl
         return Err(CliError::NoDisplay(NO_DISPLAY.to_owned()));
     }
     let HandArgs { device, turner, pairing, calibration } = hands;
-    let hands = HandsStart { pan: device, turner, pairing, calibration };
-    let start = Start { library: Some(Arc::new(data.library)), hands, threads: true, speaker: true, ..start };
-    saute_window::window::run(start)
+    let host = HandsStart { pan: device, turner, pairing, calibration };
+    let helps = Helps { threads: true, speaker: true, pictures: None };
+    let start = Start { library: Some(Arc::new(data.library)), host, helps, ..start };
+    saute_window::desktop::window::run(start)
         .map_err(|e| CliError::NoDisplay(format!("the window cannot be opened: {e}\n{NO_DISPLAY}")))?;
     Ok(ExitCode::SUCCESS)
 }

@@ -20,7 +20,7 @@ use saute_picture::still::shot::{Eye, ShotOptions, cook_to_end, shot_of};
 use saute_recipe::Cook;
 use saute_scene::camera::FIELD_OF_VIEW;
 use saute_scene::light::photo::Photo;
-use saute_window::mirror::still::mirror_shot_of;
+use saute_window::desktop::mirror_still::mirror_shot_of;
 
 use super::choices::{LightName, QualityName, StereoName, ViewName, WhiteName};
 use super::contact_sheet::{check_sheet, contact_sheet};

@@ -43,9 +43,6 @@ pub enum CookAct {
     Lid,
     /// Wipes the empty pan.
     Wipe,
-    /// The phone holds the pan, or no longer.
-    #[cfg(target_arch = "wasm32")]
-    TiltPhone,
     /// The other tool.
     Tool,
     /// Raises the turner [m].
@@ -91,8 +88,6 @@ impl CookAct {
             Self::Portion => holds(Subject::Food, "key.portion"),
             Self::Lid => does(Subject::Food, "key.lid"),
             Self::Wipe => does(Subject::Food, "key.wipe"),
-            #[cfg(target_arch = "wasm32")]
-            Self::TiltPhone => holds(Subject::Tool, Traits::NO_WORDS),
             Self::Tool => holds(Subject::Tool, "key.tool"),
             Self::ToolBy(by) => holds(Subject::Tool, if *by > 0.0 { "key.tool_up" } else { "key.tool_down" }),
             Self::RollBy(by) => holds(Subject::Tool, if *by > 0.0 { "key.roll_right" } else { "key.roll_left" }),

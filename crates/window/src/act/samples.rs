@@ -7,11 +7,10 @@ use saute_plan::forecast::Question;
 use saute_scene::light::room_light::RoomLight;
 use saute_scene::light::white_balance::WhiteBalance;
 
-use super::{Act, AppAct, Card, CookAct, LearnAct, Setting, TimeAct, ViewAct};
+use super::{Act, AppAct, Card, CookAct, HereAct, LearnAct, Setting, TimeAct, ViewAct};
 use crate::act::GuidedAct;
 use crate::at_home::AtHomeAct;
-#[cfg(not(target_arch = "wasm32"))]
-use crate::hand::Role;
+use crate::desktop::hand::Role;
 use crate::input::pouring::Pourable;
 use crate::plan::{PlanAct, PlanFile};
 use crate::ui::glance::EyeView;
@@ -192,21 +191,15 @@ fn app() -> Vec<AppAct> {
         AppAct::ChooseFile => AppAct::ChooseFile,
         AppAct::Export(_) => AppAct::Export(Export::Cook),
         AppAct::CopyLink => AppAct::CopyLink,
-        AppAct::OpenFile(_) => AppAct::OpenFile("a.toml".into()),
-        AppAct::ShowFile(_) => AppAct::ShowFile("a.toml".into()),
         AppAct::StopHands => AppAct::StopHands,
-        AppAct::ResumeHands => AppAct::ResumeHands,
-        AppAct::Connect { .. } => AppAct::Connect { role: Role::Pan, device: "spidar-pan".into(), pairing: 0 },
-        AppAct::Disconnect(_) => AppAct::Disconnect(Role::Turner),
         AppAct::Picture => AppAct::Picture,
         AppAct::Photo => AppAct::Photo,
-        AppAct::SetPhoto(_) => AppAct::SetPhoto(Default::default()),
-        AppAct::TimeLapse => AppAct::TimeLapse,
         AppAct::Mirror => AppAct::Mirror,
         AppAct::MirrorWindow(_) => AppAct::MirrorWindow(false),
         AppAct::Calibrate(_) => AppAct::Calibrate(false),
         AppAct::ReadRig => AppAct::ReadRig,
         AppAct::ShareResult => AppAct::ShareResult,
+        AppAct::Here(_) => AppAct::Here(HereAct::TimeLapse),
         AppAct::Set(_) => AppAct::Set(Setting::Coach(true)),
         AppAct::Say(_) => AppAct::Say("so it is".into()),
         AppAct::Open(_) => AppAct::Open(Card::Help),
@@ -216,10 +209,23 @@ fn app() -> Vec<AppAct> {
         AppAct::Messages => AppAct::Messages,
         AppAct::Close => AppAct::Close,
     };
+    all.extend(here().into_iter().map(AppAct::Here));
     all.extend(settings().into_iter().map(AppAct::Set));
     all.extend(cards().into_iter().flat_map(|card| [AppAct::Open(card), AppAct::Shut(card)]));
     all.extend([Export::Recipe, Export::Readings].map(AppAct::Export));
     all
+}
+
+fn here() -> Vec<HereAct> {
+    samples! { HereAct:
+        HereAct::OpenFile(_) => HereAct::OpenFile("a.toml".into()),
+        HereAct::ShowFile(_) => HereAct::ShowFile("a.toml".into()),
+        HereAct::ResumeHands => HereAct::ResumeHands,
+        HereAct::Connect { .. } => HereAct::Connect { role: Role::Pan, device: "spidar-pan".into(), pairing: 0 },
+        HereAct::Disconnect(_) => HereAct::Disconnect(Role::Turner),
+        HereAct::SetPhoto(_) => HereAct::SetPhoto(Default::default()),
+        HereAct::TimeLapse => HereAct::TimeLapse,
+    }
 }
 
 /// One of each setting.

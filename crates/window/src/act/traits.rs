@@ -28,8 +28,13 @@ impl Traits {
     /// Key of the words for acts that have none of their own.
     pub const NO_WORDS: &str = "waiting.act";
 
+    /// Those of an act without a key that is about the window.
+    pub(crate) fn needing(needs: &'static [Permit]) -> Self {
+        Self::plain(Subject::Window, Self::NO_WORDS, needs)
+    }
+
     /// Those of an act of which nothing else is true.
-    pub(super) fn plain(subject: Subject, words: &'static str, needs: &'static [Permit]) -> Self {
+    pub(crate) fn plain(subject: Subject, words: &'static str, needs: &'static [Permit]) -> Self {
         Self {
             words,
             subject,

@@ -12,6 +12,7 @@ use saute_kitchen::Command;
 
 use crate::act::{Act, AppAct, Card, CookAct, LearnAct, Setting, TimeAct, ViewAct};
 use crate::app::SauteApp;
+use crate::app::on_host::OnHost;
 use crate::input::tool_hand::TurnerPose;
 
 /// Height of a toss by key [m] (chosen: over the rim, within reach).
@@ -52,8 +53,6 @@ impl SauteApp {
             CookAct::Portion => self.next_portion(),
             CookAct::Lid => self.turn_lid(),
             CookAct::Wipe => self.command(&Command::Wipe),
-            #[cfg(target_arch = "wasm32")]
-            CookAct::TiltPhone => self.tilt_phone(),
             CookAct::Tool => self.choose_tool(),
             CookAct::ToolBy(by) => self.with_turner(|turner| turner.shift(glam::DVec3::Z * by)),
             CookAct::RollBy(by) => self.with_turner(|turner| turner.tilt(by, 0.0)),
@@ -116,10 +115,7 @@ impl SauteApp {
             ViewAct::Panels => self.settings.toggle_panels(),
             ViewAct::Projector => self.toggle_projector(),
             ViewAct::More => self.settings.few = !self.settings.few,
-            #[cfg(not(target_arch = "wasm32"))]
             ViewAct::Strings => self.toggle_strings(),
-            #[cfg(target_arch = "wasm32")]
-            ViewAct::Strings => {}
         }
     }
 
@@ -139,35 +135,11 @@ impl SauteApp {
             AppAct::ChooseFile => self.choose_file(ctx),
             AppAct::Export(what) => self.export(what, ctx),
             AppAct::CopyLink => self.copy_link(),
-            #[cfg(not(target_arch = "wasm32"))]
-            AppAct::OpenFile(path) => self.open_file(&path),
-            #[cfg(not(target_arch = "wasm32"))]
-            AppAct::ShowFile(path) => self.show_file(&path),
-            #[cfg(not(target_arch = "wasm32"))]
             AppAct::StopHands => self.stop_hands(),
-            #[cfg(not(target_arch = "wasm32"))]
-            AppAct::ResumeHands => self.resume_hands(),
-            #[cfg(not(target_arch = "wasm32"))]
-            AppAct::Connect { role, device, pairing } => self.connect_hand(role, &device, pairing),
-            #[cfg(not(target_arch = "wasm32"))]
-            AppAct::Disconnect(role) => self.session.hands.disconnect(role),
-            #[cfg(target_arch = "wasm32")]
-            AppAct::StopHands => {}
-            #[cfg(not(target_arch = "wasm32"))]
-            AppAct::Picture if self.sights.photo.open => self.take_photo(ctx),
-            AppAct::Picture => self.save_picture(ctx),
-            #[cfg(target_arch = "wasm32")]
-            AppAct::Photo => self.save_picture(ctx),
-            #[cfg(target_arch = "wasm32")]
-            AppAct::Report => self.report_problem(),
-            #[cfg(not(target_arch = "wasm32"))]
-            AppAct::Photo => self.sights.photo.open = !self.sights.photo.open,
-            #[cfg(not(target_arch = "wasm32"))]
-            AppAct::SetPhoto(choice) => self.sights.photo.choice = choice,
-            #[cfg(not(target_arch = "wasm32"))]
-            AppAct::TimeLapse => self.make_time_lapse(ctx),
-            AppAct::Mirror if cfg!(target_arch = "wasm32") => self.say("settings.native_only"),
-            AppAct::Mirror => self.toggle_mirror(),
+            AppAct::Picture => self.take_picture(ctx),
+            AppAct::Photo => self.turn_photo_mode(ctx),
+            AppAct::Here(act) => self.act_here(act, ctx),
+            AppAct::Mirror => self.turn_mirror(),
             AppAct::MirrorWindow(open) => (self.sights.mirror.open, self.sights.mirror.full) = (open, false),
             AppAct::Calibrate(on) => self.calibrate_mirror(on),
             AppAct::ReadRig => self.sights.mirror.forget_rig(),

@@ -10,11 +10,13 @@ use saute_recipe::session::session_file::is_session;
 use web_time::{Duration, Instant};
 
 use super::SauteApp;
+use super::on_host::OnHost;
 use crate::act::{Act, Acts, AppAct, Card};
 use crate::guided::Guided;
 use crate::panels;
 use crate::panels::ways::way_words;
 use crate::panels::window_state::WindowState;
+use crate::system::IS_PAGE;
 use crate::ui::fingers;
 use crate::ui::layout::Layout;
 use saute_session::MOST_OWED_S;
@@ -40,12 +42,7 @@ impl SauteApp {
         self.take_devices(&ctx);
         self.take_keys(&ctx);
         self.take_dropped_files(&ctx);
-        #[cfg(not(target_arch = "wasm32"))]
-        self.take_chosen_file();
-        #[cfg(not(target_arch = "wasm32"))]
-        self.take_photo_made();
-        #[cfg(target_arch = "wasm32")]
-        self.take_inbox(&ctx);
+        self.take_news(&ctx);
         self.let_time_pass(&ctx);
         self.guide(&ctx);
         self.follow_plan(&ctx);
@@ -54,16 +51,14 @@ impl SauteApp {
         self.show(ui);
         self.sound(ctx.input(|i| i.time));
         self.inputs.tab_end.look(&ctx);
-        #[cfg(target_arch = "wasm32")]
-        self.show_mirrored();
+        self.tell_shown();
         self.show_mirror(&ctx);
     }
 
     fn show(&mut self, ui: &mut Ui) {
         let whole = ui.max_rect();
         let layout = Layout::used_by(whole, &self.settings, fingers::are_used(ui.ctx()));
-        #[cfg(not(target_arch = "wasm32"))]
-        let layout = crate::hand::make_room(layout, &self.session.hands);
+        let layout = self.make_room(layout);
         let layout = if self.photo_is_open() { layout.bare() } else { layout };
         let layout = if self.reads_out() { layout } else { layout.without_inside() };
         self.session.probes.forget_gone(&self.session.kitchen);
@@ -102,14 +97,9 @@ impl SauteApp {
             settings: &self.settings,
             scene: &self.sights.scene,
             mirror: &self.sights.mirror,
-            #[cfg(not(target_arch = "wasm32"))]
-            photo: &self.sights.photo,
+            here: &self.here,
             tool: self.inputs.tool_hand.tool,
             turner_in_hand: self.inputs.tool_hand.turner.is_some(),
-            #[cfg(target_arch = "wasm32")]
-            phone_tilts: self.phone_tilts(),
-            #[cfg(target_arch = "wasm32")]
-            version: &self.page.version,
             portion: self.inputs.portion,
             planning: &self.leads.planning,
             at_home: &self.leads.at_home,
@@ -142,13 +132,6 @@ impl SauteApp {
         self.tutor(&advised);
         self.watch_result(&advised);
         acts
-    }
-
-    #[cfg(not(target_arch = "wasm32"))]
-    fn take_dropped_files(&mut self, ctx: &egui::Context) {
-        for file in ctx.input(|i| i.raw.dropped_files.clone()) {
-            self.take_file(&file.path().display().to_string(), file.bytes());
-        }
     }
 
     /// Opens what was read of a recipe's or a session's file, or of a thermometer's log, or states why it cannot.
@@ -241,5 +224,5 @@ fn is_table(name: &str) -> bool {
 pub(crate) fn step_budget(wall_s: f64, holds_speed: bool) -> Duration {
     let least = Duration::from_millis(STEP_BUDGET_MS);
     let share = Duration::from_secs_f64((STEP_SHARE * wall_s).clamp(0.0, LONGEST_STEPPING_S));
-    if cfg!(target_arch = "wasm32") || holds_speed { least.max(share) } else { least }
+    if IS_PAGE || holds_speed { least.max(share) } else { least }
 }

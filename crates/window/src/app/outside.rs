@@ -1,6 +1,7 @@
 //! What the window's owner reads and sets from outside: the page, measurements and tests.
 
 use super::SauteApp;
+use super::on_host::OnHost;
 use crate::act::Card;
 use crate::frame_meter::FrameMeter;
 use crate::session::Session;
@@ -54,11 +55,9 @@ impl SauteApp {
 
     /// Chooses the window's language; a page without a font for Japanese asks its host for one first.
     pub fn set_language(&mut self, language: Language) {
-        #[cfg(target_arch = "wasm32")]
-        if language == Language::Japanese && !self.graphics.japanese_font {
-            return self.want_font();
+        if !self.waits_for_font(language) {
+            self.settings.language = language;
         }
-        self.settings.language = language;
     }
 
     /// What the guide states in a cook that follows a plan.
@@ -85,26 +84,6 @@ impl SauteApp {
     /// Returns true if the card of the settings is open.
     pub fn settings_are_open(&self) -> bool {
         self.desk.card == Some(Card::Settings)
-    }
-
-    /// The photo mode.
-    #[cfg(not(target_arch = "wasm32"))]
-    pub fn photo(&self) -> &crate::photo::PhotoMode {
-        &self.sights.photo
-    }
-
-    /// Goes on with a new picture after the graphics were lost: the cook, the eye and what is open stay.
-    #[cfg(target_arch = "wasm32")]
-    pub fn begin_picture_anew(&mut self, cc: &eframe::CreationContext<'_>) {
-        if !self.install_taken_font(&cc.egui_ctx) {
-            cc.egui_ctx.set_fonts(crate::ui::latin_font::definitions());
-        }
-        self.page.mirrored.listen(&cc.egui_ctx);
-        self.draw_on(&cc.egui_ctx, cc.wgpu_render_state.as_ref());
-        // Pictures of panels, and what was drawn before, belonged to the lost graphics.
-        self.desk.memory = Default::default();
-        self.sights.stage = Default::default();
-        self.pace.last_time = None;
     }
 
     /// All that was said, the last first.

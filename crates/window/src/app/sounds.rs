@@ -6,6 +6,7 @@ use saute_session::permits::Permit;
 use saute_sound::{Event, Snapshot, Told};
 
 use super::SauteApp;
+use crate::host::Host;
 use crate::listener::Listener;
 
 /// Time in which captions and level follow what is heard [s] (chosen: words that change faster cannot be read).
@@ -14,9 +15,6 @@ const READ_S: f64 = 0.7;
 /// What is heard, and by whom.
 #[derive(Default)]
 pub(crate) struct Sounds {
-    /// True if the system's sound card may be used.
-    #[cfg(not(target_arch = "wasm32"))]
-    pub(crate) may_open: bool,
     listener: Option<Box<dyn Listener>>,
     /// Who listens to the kitchen of a number.
     ear: Option<(u64, Ear)>,
@@ -44,9 +42,11 @@ impl SauteApp {
         let share = 1.0 - (-(now - self.sounds.shown_at).max(0.0) / READ_S).exp();
         self.sounds.shown = nearer(&self.sounds.shown, &snapshot, share as f32);
         self.sounds.shown_at = now;
-        #[cfg(not(target_arch = "wasm32"))]
-        if !is_paused && std::mem::take(&mut self.sounds.may_open) {
-            self.open_speaker();
+        if !is_paused && let Some(speaker) = self.here.speaker() {
+            match speaker {
+                Ok(listener) => self.let_listen(listener),
+                Err(trouble) => self.say_no_sound(&trouble),
+            }
         }
         let pan = plate(&self.session.kitchen);
         let told = Told { snapshot, pan, is_paused, volume: self.settings.volume as f32 };
@@ -70,14 +70,5 @@ impl SauteApp {
     /// Says once that there is no sound, and why.
     pub(crate) fn say_no_sound(&self, error: &str) {
         self.desk.notice.say(self.settings.language.fill("notice.no_sound", &[("error", &error)]));
-    }
-
-    /// Opens the system's sound card, the first time that there is something to hear.
-    #[cfg(not(target_arch = "wasm32"))]
-    fn open_speaker(&mut self) {
-        match saute_speaker::Speaker::new(Box::new(saute_speaker::system)) {
-            Ok(speaker) => self.let_listen(Box::new(speaker)),
-            Err(trouble) => self.say_no_sound(&trouble.to_string()),
-        }
     }
 }

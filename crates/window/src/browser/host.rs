@@ -2,7 +2,6 @@
 
 use crate::kept::autosave::CookStore;
 use crate::listener::Listener;
-use crate::start::Start;
 use saute_sound::{Event, Told, letter};
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -113,15 +112,6 @@ pub struct Opening {
     pub is_cut: bool,
 }
 
-/// What a start says about the world around the window.
-pub(crate) struct Surroundings(pub(crate) PageStart);
-
-impl Surroundings {
-    pub fn of(start: &Start, _remembers: bool) -> Self {
-        Self(start.page.clone())
-    }
-}
-
 impl Host {
     /// Hands a result to the page around this one, if the address says to whom.
     pub(crate) fn report(&self, row: &saute_study::class::ResultRow) {
@@ -165,15 +155,4 @@ impl CookStore for Host {
     fn append(&mut self, bytes: &[u8]) -> Result<(), String> {
         self.keep_cook(false, bytes).map_or(Ok(()), Err)
     }
-}
-
-/// The time of day [ISO 8601, UTC].
-pub(crate) fn time_of_day() -> String {
-    js_sys::Date::new_0().to_iso_string().into()
-}
-
-/// The address of the page without its query and fragment.
-pub(crate) fn page_address() -> Option<String> {
-    let address = web_sys::window()?.location().href().ok()?;
-    address.split(['?', '#']).next().map(str::to_owned)
 }

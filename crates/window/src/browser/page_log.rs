@@ -1,8 +1,12 @@
 //! A participant's log in the browser's storage: rows are kept there before the next trial begins.
 
-use saute_study::{LogRow, from_csv, to_csv, with_all_columns};
+use std::sync::Arc;
+
+use saute_study::{LogRow, Participant, Protocol, from_csv, to_csv, with_all_columns};
 
 use super::host::Host;
+use crate::guided::StudyStart;
+use crate::guided::log_keeper::LogKeeper;
 
 /// The log that the page's script keeps.
 #[derive(Debug)]
@@ -23,18 +27,29 @@ impl PageLog {
         let text = with_all_columns(&text, &rows).unwrap_or(text);
         Ok(Some((Self { host: host.clone(), text }, rows)))
     }
+}
 
-    /// Appends rows; they are kept whole or not at all.
-    ///
-    /// # Errors
-    ///
-    /// If the storage does not take them.
-    pub fn append(&mut self, rows: &[LogRow]) -> Result<(), String> {
+impl LogKeeper for PageLog {
+    fn append(&mut self, rows: &[LogRow]) -> Result<(), String> {
         let text = format!("{}{}", self.text, to_csv(rows, self.text.is_empty()));
         if let Some(error) = self.host.keep_rows(&text) {
             return Err(error);
         }
         self.text = text;
         Ok(())
+    }
+}
+
+impl StudyStart {
+    /// A study whose log is in the browser's storage, in memory where there is none; one that is there is gone on with.
+    ///
+    /// # Errors
+    ///
+    /// If what is there is no log, or one of another participant or protocol.
+    pub fn in_page(protocol: Arc<Protocol>, participant: Participant, host: &Host) -> Result<Self, String> {
+        let Some((log, earlier)) = PageLog::open(host)? else {
+            return Ok(Self::in_memory(protocol, participant));
+        };
+        Self::resumed(protocol, participant, (Box::new(log), earlier))
     }
 }

@@ -1,8 +1,7 @@
 //! A cook that a study or a lesson leads: it decides what is set out, shown and locked, and asks.
 
 mod lesson_desk;
-#[cfg(not(target_arch = "wasm32"))]
-mod log_file;
+pub(crate) mod log_keeper;
 mod permits;
 mod readiness;
 mod study_desk;

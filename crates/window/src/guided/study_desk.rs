@@ -8,26 +8,16 @@ use saute_study::{
 };
 use web_time::Instant;
 
+use super::log_keeper::{InMemory, LogKeeper};
 use super::readiness::{Readiness, TrialRun};
 use crate::session::Session;
-
-/// Where rows go.
-enum Keeper {
-    /// A log on the disk.
-    #[cfg(not(target_arch = "wasm32"))]
-    File(super::log_file::LogFile),
-    /// A log in the browser's storage.
-    #[cfg(target_arch = "wasm32")]
-    Page(crate::browser::PageLog),
-    /// They are kept here and offered as a download.
-    Memory,
-}
+use crate::system::time_of_day;
 
 /// A study to begin with.
 pub struct StudyStart {
     study: Study,
     earlier: Vec<LogRow>,
-    keeper: Keeper,
+    keeper: Box<dyn LogKeeper>,
     readiness: Readiness,
 }
 
@@ -37,7 +27,7 @@ impl Clone for StudyStart {
         Self {
             study: self.study.clone(),
             earlier: self.earlier.clone(),
-            keeper: Keeper::Memory,
+            keeper: Box::new(InMemory),
             readiness: self.readiness.clone(),
         }
     }
@@ -52,8 +42,8 @@ impl std::fmt::Debug for StudyStart {
 impl StudyStart {
     /// A study whose rows are kept in memory, as in a page without storage.
     pub fn in_memory(protocol: Arc<Protocol>, participant: Participant) -> Self {
-        let study = Study::begin(protocol, participant).started_at(outside::time_of_day());
-        Self { study, earlier: Vec::new(), keeper: Keeper::Memory, readiness: Readiness::Untried }
+        let study = Study::begin(protocol, participant).started_at(time_of_day());
+        Self { study, earlier: Vec::new(), keeper: Box::new(InMemory), readiness: Readiness::Untried }
     }
 
     /// The same on a machine that somebody has tried: what it holds is kept with each trial as ever.
@@ -69,56 +59,21 @@ impl StudyStart {
     }
 
     /// Goes on after the rows that a log holds.
-    fn resumed(
+    pub(crate) fn resumed(
         protocol: Arc<Protocol>,
         participant: Participant,
-        (keeper, earlier): (Keeper, Vec<LogRow>),
+        (keeper, earlier): (Box<dyn LogKeeper>, Vec<LogRow>),
     ) -> Result<Self, String> {
         let study = Self::in_memory(protocol, participant).study;
         let study = study.resume(&earlier).map_err(|error| error.to_string())?;
         Ok(Self { study, earlier, keeper, readiness: Readiness::Untried })
     }
-
-    /// A study whose log is a file in a folder; one that is there is gone on with.
-    ///
-    /// # Errors
-    ///
-    /// If the folder cannot be written to, or the log is of another participant or protocol.
-    #[cfg(not(target_arch = "wasm32"))]
-    pub fn in_folder(
-        protocol: Arc<Protocol>,
-        participant: Participant,
-        folder: &std::path::Path,
-    ) -> Result<Self, String> {
-        let (file, earlier) = super::log_file::LogFile::open(folder, &participant)?;
-        Self::resumed(protocol, participant, (Keeper::File(file), earlier))
-    }
 }
-
-#[cfg(target_arch = "wasm32")]
-impl StudyStart {
-    /// A study whose log is in the browser's storage, in memory where there is none; one that is there is gone on with.
-    ///
-    /// # Errors
-    ///
-    /// If what is there is no log, or one of another participant or protocol.
-    pub fn in_page(protocol: Arc<Protocol>, participant: Participant, host: &outside::Host) -> Result<Self, String> {
-        let Some((log, earlier)) = crate::browser::PageLog::open(host)? else {
-            return Ok(Self::in_memory(protocol, participant));
-        };
-        Self::resumed(protocol, participant, (Keeper::Page(log), earlier))
-    }
-}
-
-#[cfg(target_arch = "wasm32")]
-use crate::browser::host as outside;
-#[cfg(not(target_arch = "wasm32"))]
-use crate::desktop as outside;
 
 /// A study in the window.
 pub struct StudyDesk {
     study: Study,
-    keeper: Keeper,
+    keeper: Box<dyn LogKeeper>,
     /// All rows, and how many of them are kept.
     rows: Vec<LogRow>,
     kept: usize,
@@ -214,11 +169,7 @@ impl StudyDesk {
 
     /// True if rows are where only the page reaches them.
     pub fn offers_download(&self) -> bool {
-        #[cfg(not(target_arch = "wasm32"))]
-        if matches!(self.keeper, Keeper::File(_)) {
-            return false;
-        }
-        !self.rows.is_empty()
+        !self.keeper.is_file() && !self.rows.is_empty()
     }
 
     /// The log as CSV.
@@ -281,43 +232,25 @@ impl StudyDesk {
 
     /// Writes rows that are not kept yet; states why if it cannot.
     pub(crate) fn keep_rows(&mut self) {
-        let rows = &self.rows[self.kept..];
-        let kept = match &mut self.keeper {
-            #[cfg(not(target_arch = "wasm32"))]
-            Keeper::File(file) => file.append(rows).map_err(|error| error.to_string()),
-            #[cfg(target_arch = "wasm32")]
-            Keeper::Page(log) => log.append(rows),
-            Keeper::Memory => Ok(()),
-        };
-        self.trouble = kept.err();
+        self.trouble = self.keeper.append(&self.rows[self.kept..]).err();
         if self.trouble.is_none() {
             self.kept = self.rows.len();
         }
     }
 
-    /// Keeps the session of the trial, if the protocol says so; returns the name of its file.
-    #[cfg(not(target_arch = "wasm32"))]
+    /// Keeps the session of the trial, if the protocol says so and there is a place for it; returns the name of its file.
     fn keep_session(&mut self, session: &Session) -> Option<String> {
-        let (Keeper::File(file), Stage::Trial { phase, trial }) = (&self.keeper, self.study.stage()) else {
-            return None;
-        };
+        let Stage::Trial { phase, trial } = self.study.stage() else { return None };
         if !self.study.protocol().keep_sessions {
             return None;
         }
         let name = format!("study-{}-phase-{}-trial-{trial}.saute", self.study.participant(), phase + 1);
-        let bytes = session.recording().clone().to_file();
-        match saute_files::write_whole(&file.folder.join(&name), &bytes) {
+        match self.keeper.keep_session(&name, &session.recording().clone().to_file())? {
             Ok(()) => Some(name),
             Err(error) => {
                 self.trouble = Some(format!("{name}: {error}"));
                 None
             }
         }
-    }
-
-    /// A page keeps no sessions.
-    #[cfg(target_arch = "wasm32")]
-    fn keep_session(&mut self, _: &Session) -> Option<String> {
-        None
     }
 }

@@ -2,8 +2,6 @@
 
 pub(crate) mod felt;
 pub mod gamepad;
-#[cfg(not(target_arch = "wasm32"))]
-pub(crate) mod gamepad_device;
 pub(crate) mod grab;
 pub(crate) mod pad_input;
 pub(crate) mod pan_keys;

@@ -1,15 +1,11 @@
 //! The gamepad in the window: its state from frame to frame.
 
 use crate::input::gamepad::PadState;
-#[cfg(not(target_arch = "wasm32"))]
-use crate::input::gamepad_device::GamepadDevice;
 use saute_haptics::DoublePulse;
 
 /// The gamepad with its last state.
 #[derive(Default)]
 pub(crate) struct Pad {
-    #[cfg(not(target_arch = "wasm32"))]
-    pub(crate) device: GamepadDevice,
     /// True if a device is plugged in; its state is dropped when it is unplugged.
     pub(crate) plugged: bool,
     pub(crate) now: PadState,
@@ -18,15 +14,4 @@ pub(crate) struct Pad {
     pub(crate) pulse: DoublePulse,
     /// True while the coach states that the food is to be taken out.
     pub(crate) at_goal: bool,
-}
-
-impl Pad {
-    /// Reads the gamepad that is plugged in; in a browser the page's script does.
-    pub(crate) fn connected() -> Self {
-        Self {
-            #[cfg(not(target_arch = "wasm32"))]
-            device: GamepadDevice::connect(),
-            ..Self::default()
-        }
-    }
 }

@@ -1,9 +1,5 @@
 //! A cook as the fragment of an address: what it began with and every command, packed, with a version and a checksum.
 
-#[cfg(target_arch = "wasm32")]
-use crate::browser::host as outside;
-#[cfg(not(target_arch = "wasm32"))]
-use crate::desktop as outside;
 use data_encoding::BASE64URL_NOPAD;
 use flate2::Compression;
 use flate2::read::DeflateDecoder;
@@ -83,11 +79,6 @@ pub fn read(fragment: &str) -> Result<Option<Recording>, LinkError> {
         Some(damage) if damage.is_beyond => Err(LinkError::TooLong),
         Some(_) => Err(LinkError::Damaged),
     }
-}
-
-/// The address of the page, to which a fragment is added; a window of its own has none.
-pub(crate) fn page_address() -> Option<String> {
-    outside::page_address()
 }
 
 fn packed(bytes: &[u8]) -> Vec<u8> {

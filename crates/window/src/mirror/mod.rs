@@ -6,6 +6,4 @@ pub mod aim;
 pub mod frame;
 pub mod pattern;
 pub mod presenter;
-#[cfg(not(target_arch = "wasm32"))]
-pub mod still;
 pub mod view;

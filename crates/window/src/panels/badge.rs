@@ -5,7 +5,7 @@ use saute_kitchen::food::Rules;
 use saute_picture::view::View;
 
 use crate::act::Acts;
-use crate::panels::cards::messages;
+use crate::panels::here;
 use crate::panels::legend;
 use crate::panels::window_state::WindowState;
 use crate::ui::layout::{GAP, Layout};
@@ -36,11 +36,11 @@ pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, layout: &Layout) {
     }
     if let Some(said) = &state.notice {
         // A click on its button must reach it; through all others it reaches the scene.
-        let has_button = cfg!(not(target_arch = "wasm32")) && said.file.is_some();
+        let has_button = here::has_button(said);
         // Over the food of a narrow window there is little room.
         let is_alone = layout.narrow && state.waiting.is_empty() && state.session.behind_s().is_none();
         message(ui, layout, ("notice", if is_alone { 12.0 } else { 52.0 } + lower), has_button, &said.text, |ui| {
-            messages::show_button(state, ui, acts, said);
+            here::file_button(state, ui, acts, said);
         });
     }
 }

@@ -5,6 +5,7 @@ use egui::{Rect, RichText, Ui, UiBuilder, vec2};
 use crate::act::{Act, Acts, AppAct, ViewAct, hint};
 use crate::panels::window_state::WindowState;
 use crate::ui::glance::EyeView;
+use crate::system::IS_PAGE;
 use crate::ui::theme;
 
 /// Shows a button for each view.
@@ -21,7 +22,7 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts, rect: Rect) {
             })
             .into();
         // A page takes the picture at once: it has no photo mode.
-        let photo = if cfg!(target_arch = "wasm32") { Act::App(AppAct::Picture) } else { Act::App(AppAct::Photo) };
+        let photo = if IS_PAGE { Act::App(AppAct::Picture) } else { Act::App(AppAct::Photo) };
         all.push(("photo.open", hint(&photo, l), photo));
         all.retain(|(_, _, act)| !state.hides(act));
         let width = (rect.width() - (all.len() - 1) as f32 * 3.0) / all.len() as f32;

@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use crate::act::{Act, ViewAct};
 use crate::panels::cards::result::CutOfResult;
 use crate::panels::guided::Entries;
+use crate::panels::here::HereMemory;
 use crate::panels::now::now_memory::NowMemory;
 use crate::panels::section_read::Inside;
 use crate::panels::still::Stills;
@@ -69,9 +70,8 @@ pub struct PanelMemory {
     pub answers: Entries,
     /// The picture of the result.
     pub result: CutOfResult,
-    /// What was typed and chosen about a device.
-    #[cfg(not(target_arch = "wasm32"))]
-    pub(crate) hand_choice: crate::hand::Choice,
+    /// What only a desktop, or only a page, keeps.
+    pub(crate) here: HereMemory,
 }
 
 impl Default for PanelMemory {
@@ -87,8 +87,7 @@ impl Default for PanelMemory {
             ways: WaysMemory::default(),
             answers: Entries::default(),
             result: CutOfResult::default(),
-            #[cfg(not(target_arch = "wasm32"))]
-            hand_choice: Default::default(),
+            here: HereMemory::default(),
         }
     }
 }

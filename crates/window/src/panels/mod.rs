@@ -12,14 +12,13 @@ pub mod cut_picture;
 pub mod doneness_bar;
 pub mod eye_bar;
 pub mod guided;
+pub(crate) mod here;
 pub mod inside;
 pub mod learn;
 pub mod legend;
 pub mod memory;
 pub mod now;
 pub mod pantry;
-#[cfg(not(target_arch = "wasm32"))]
-pub mod photo_bar;
 pub mod pieces;
 pub mod plan;
 pub mod probes;
@@ -38,6 +37,7 @@ use crate::panels::cards::{first_steps, goals, help, learn as learn_card, lesson
 use crate::panels::cook::{few_controls, hob_bar, pour, time_strip};
 use crate::panels::memory::{Drawer, PanelMemory};
 use crate::panels::window_state::WindowState;
+use crate::system::IS_PAGE;
 use crate::ui::aloud::name_panel;
 use crate::ui::layout::{GAP, Layout};
 use crate::ui::{fingers, theme};
@@ -51,10 +51,8 @@ const STRIP_HEIGHT: f32 = 28.0;
 
 /// Shows all panels, what is said over the scene, and the card that is open.
 pub fn show_all(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut Acts, layout: &Layout) {
-    #[cfg(not(target_arch = "wasm32"))]
-    if state.photo.open {
-        photo_bar::show(state, ui, acts, layout.whole);
-        return crate::hand::show(state, ui, acts, layout);
+    if here::show_instead(state, ui, acts, layout) {
+        return here::devices(state, ui, acts, layout);
     }
     if let Some(ways) = &layout.ways {
         ways::show(state, &mut memory.ways, ui, acts, (layout.whole, ways));
@@ -72,8 +70,7 @@ pub fn show_all(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts
     }
     badge::show(state, ui, acts, layout);
     alarm::show(state, ui, acts, whole);
-    #[cfg(not(target_arch = "wasm32"))]
-    crate::hand::show(state, ui, acts, layout);
+    here::devices(state, ui, acts, layout);
     if guided::show(state, &mut memory.answers, ui, acts, layout) {
         return;
     }
@@ -220,7 +217,7 @@ fn floating(
         ui.set_clip_rect(rect);
         content(ui);
     });
-    if cfg!(target_arch = "wasm32") {
+    if IS_PAGE {
         name_panel(&child, spoken);
     }
 }

@@ -5,6 +5,7 @@ use saute_kitchen::food::{FoodDescription, Rules};
 use saute_kitchen::{Library, PieceOrder};
 
 use crate::act::{Act, Acts, AppAct, Card, CookAct, Setting};
+use crate::panels::here;
 use crate::panels::memory::PanelMemory;
 use crate::panels::still::Stills;
 use crate::panels::window_state::WindowState;
@@ -202,18 +203,11 @@ fn recipes(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
             acts.push(Act::App(AppAct::Export(what)));
         }
     }
-    if crate::kept::link::page_address().is_some() && ui.add(theme::of(ui).button(l.text("link.copy"), false)).clicked()
+    if crate::system::page_address().is_some() && ui.add(theme::of(ui).button(l.text("link.copy"), false)).clicked()
     {
         acts.push(Act::App(AppAct::CopyLink));
     }
-    #[cfg(not(target_arch = "wasm32"))]
-    for file in &state.settings.recent {
-        let name = file.file_name().map_or_else(|| file.display().to_string(), |n| n.to_string_lossy().into_owned());
-        let button = egui::Button::new(name).min_size(vec2(ui.available_width(), 34.0));
-        if ui.add(button).on_hover_text(file.display().to_string()).clicked() {
-            acts.push(Act::App(AppAct::OpenFile(file.clone())));
-        }
-    }
+    here::recent_files(state, ui, acts);
     for id in state.session.library.recipes.keys() {
         let plain = id.replace('-', " ");
         let title = l.called("recipe_file", &plain);

@@ -13,6 +13,7 @@ use saute_scene::quality::Quality;
 
 use crate::act::{Act, Card};
 use crate::guided::Guided;
+use crate::host::Here;
 use crate::input::pouring::Portion;
 use crate::learn::tutorial::Tutorial;
 use crate::mirror::view::MirrorView;
@@ -39,9 +40,8 @@ pub struct WindowState<'a> {
     pub scene: &'a SceneView,
     /// The half mirror's window.
     pub mirror: &'a MirrorView,
-    /// The photo mode.
-    #[cfg(not(target_arch = "wasm32"))]
-    pub photo: &'a crate::photo::PhotoMode,
+    /// What the window has of the desktop, or of its page.
+    pub here: &'a Here,
     /// What was entered about the kitchen at home, and the fit to it.
     pub at_home: &'a AtHome,
     /// The search for a plan.
@@ -52,12 +52,6 @@ pub struct WindowState<'a> {
     pub tool: Tool,
     /// True while a turner is in the hand.
     pub turner_in_hand: bool,
-    /// True while the phone holds the pan; none where it cannot.
-    #[cfg(target_arch = "wasm32")]
-    pub phone_tilts: Option<bool>,
-    /// The version of the page's build.
-    #[cfg(target_arch = "wasm32")]
-    pub version: &'a str,
     /// Portion that is poured at once.
     pub portion: Portion,
     /// Place of the cut (−1…1), or none.

@@ -12,7 +12,7 @@ use saute_picture::View;
 use saute_study::class::{Scenario, shipped};
 use saute_study::{LogRow, Pace, Protocol, RowKind, Stage, from_csv};
 use saute_window::guided::{Guided, LessonStart, StudyStart};
-use saute_window::{SauteApp, Start};
+use saute_window::{Helps, SauteApp, Start};
 use saute_words::language::Language;
 
 use crate::harness::{cook, press, save, steps, window_with};
@@ -262,7 +262,7 @@ fn orders(harness: &Harness<'static, SauteApp>) -> usize {
 fn a_lesson_pauses_and_asks_compares_the_answer_and_gives_a_row() {
     let pictures = folder("results");
     std::fs::create_dir_all(&pictures).expect("folder");
-    let start = Start { pictures: Some(pictures.clone()), ..lesson("when-to-flip", true) };
+    let start = Start { helps: Helps { pictures: Some(pictures.clone()), ..Helps::default() }, ..lesson("when-to-flip", true) };
     let mut harness = window_with(vec2(1280.0, 720.0), start);
     save(&mut harness, "lesson-intro");
     assert!(harness.query_by_label("Leave the lesson").is_none(), "it is locked");

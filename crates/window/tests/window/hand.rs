@@ -9,7 +9,7 @@ use glam::DVec3;
 use saute_haptics::device::{HapticCommand, HapticDevice, HapticSample, Sensed};
 use saute_haptics::{Capabilities, Geometry, Health, Pose, StringRig, TensionSolver, library};
 use saute_window::SauteApp;
-use saute_window::hand::Role;
+use saute_window::desktop::hand::Role;
 
 use crate::harness::{press, save, steps, window};
 

@@ -6,9 +6,9 @@ use std::path::PathBuf;
 use egui::{Key, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
-use saute_window::act::{Act, AppAct};
-use saute_window::photo::PhotoChoice;
-use saute_window::{SauteApp, Start};
+use saute_window::act::{Act, AppAct, HereAct};
+use saute_window::desktop::photo::PhotoChoice;
+use saute_window::{Helps, SauteApp, Start};
 
 use crate::harness::{cook, press, save, steps, window_with};
 
@@ -17,7 +17,7 @@ fn window(name: &str, size: egui::Vec2) -> (Harness<'static, SauteApp>, PathBuf)
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("photos-{name}"));
     let _ = std::fs::remove_dir_all(&folder);
     std::fs::create_dir_all(&folder).expect("folder");
-    let mut harness = window_with(size, Start { pictures: Some(folder.clone()), ..Start::default() });
+    let mut harness = window_with(size, Start { helps: Helps { pictures: Some(folder.clone()), ..Helps::default() }, ..Start::default() });
     let text = "[pan]\ninitial_c = 210\n[[food]]\nid = \"steak\"\nkind = \"beef-lean\"\n\
         [[step]]\nhob_w = 900\n[[step]]\nput = \"steak\"\n[[step]]\nafter_s = 900\nend = true\n";
     harness.state_mut().open_recipe(text, "steak.toml");
@@ -28,7 +28,7 @@ fn window(name: &str, size: egui::Vec2) -> (Harness<'static, SauteApp>, PathBuf)
 /// Waits for a file that is made beside the window.
 fn wait_for(harness: &mut Harness<'static, SauteApp>, file: &std::path::Path) {
     let begun = std::time::Instant::now();
-    while !file.exists() || harness.state().photo().progress().is_some() {
+    while !file.exists() || harness.state().photo_mode().progress().is_some() {
         assert!(begun.elapsed().as_secs() < 240, "{} was not made", file.display());
         std::thread::sleep(std::time::Duration::from_millis(50));
         harness.step();
@@ -55,16 +55,16 @@ fn the_photo_mode_shows_the_scene_alone_and_time_waits() {
     assert_eq!(harness.state().session().kitchen.time_s(), time_s);
     save(&mut harness, "photo");
     let usual = brightness(&mut harness);
-    let choice = harness.state().photo().choice;
+    let choice = harness.state().photo_mode().choice;
     let brighter =
         PhotoChoice { photo: saute_scene::light::photo::Photo { exposure_ev: 1.0, ..choice.photo }, ..choice };
     let ctx = harness.ctx.clone();
-    harness.state_mut().act(Act::App(AppAct::SetPhoto(brighter)), &ctx);
+    harness.state_mut().act(Act::App(AppAct::Here(HereAct::SetPhoto(brighter))), &ctx);
     steps(&mut harness, 3);
     assert!(brightness(&mut harness) > usual + 10.0, "one stop more is brighter");
     press(&mut harness, Key::Escape);
     steps(&mut harness, 3);
-    assert!(!harness.state().photo().open);
+    assert!(!harness.state().photo_mode().open);
     assert!((brightness(&mut harness) - usual).abs() < 40.0, "the exposure is the camera's alone");
     harness.get_by_label("Temperature");
 }

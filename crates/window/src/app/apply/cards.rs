@@ -2,6 +2,7 @@
 
 use crate::act::Card;
 use crate::app::SauteApp;
+use crate::host::Host;
 use crate::panels::memory::Drawer;
 
 impl SauteApp {
@@ -27,10 +28,7 @@ impl SauteApp {
         if let Some(card) = self.desk.card {
             self.shut_card(card);
         }
-        #[cfg(not(target_arch = "wasm32"))]
-        {
-            self.sights.photo.open = false;
-        }
+        self.here.close_photo();
     }
 
     /// Opens one of the panels on the left, or none.

@@ -1,7 +1,5 @@
-//! What hands do to the kitchen: keys, mouse, gamepad, tools and devices.
+//! What hands do to the kitchen: keys, mouse, gamepad and tools.
 
-#[cfg(not(target_arch = "wasm32"))]
-mod devices;
 mod grab;
 mod pad_input;
 mod pan_keys;
@@ -10,8 +8,6 @@ mod pouring;
 mod probe_hand;
 mod put_in;
 mod scale_choice;
-#[cfg(not(target_arch = "wasm32"))]
-mod strings;
 mod tool_hand;
 
 use crate::input::pad_input::Pad;

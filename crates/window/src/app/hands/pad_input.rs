@@ -1,36 +1,14 @@
 //! The gamepad in the window: its state from frame to frame.
 
 use crate::app::SauteApp;
+use crate::host::Host;
 use crate::input::gamepad::{PadMotion, PadState, acts, motion};
 use egui::Context;
-use saute_haptics::Rumble;
 
 impl SauteApp {
     /// Sets the gamepad's state, until one that is plugged in reports another.
     pub fn set_pad(&mut self, state: PadState) {
         self.inputs.pad.now = state;
-    }
-
-    #[cfg(not(target_arch = "wasm32"))]
-    fn read_pad(&mut self) -> Option<PadState> {
-        self.inputs.pad.device.read()
-    }
-
-    #[cfg(target_arch = "wasm32")]
-    fn read_pad(&mut self) -> Option<PadState> {
-        self.page.host.as_ref().and_then(crate::browser::gamepad::read)
-    }
-
-    #[cfg(not(target_arch = "wasm32"))]
-    fn turn_motors(&mut self, rumble: &Rumble) {
-        self.inputs.pad.device.shake(rumble);
-    }
-
-    #[cfg(target_arch = "wasm32")]
-    fn turn_motors(&mut self, rumble: &Rumble) {
-        if let Some(host) = &self.page.host {
-            crate::browser::gamepad::shake(host, rumble);
-        }
     }
 
     /// Lets a gamepad that is plugged in shake as it feels in the pan, and pulse at the goal.
@@ -39,7 +17,7 @@ impl SauteApp {
         let pulse = self.inputs.pad.pulse.step(wall);
         if self.inputs.pad.plugged {
             let rumble = self.session.hands.rumble(wall).or(pulse);
-            self.turn_motors(&rumble);
+            self.here.turn_motors(&rumble);
         }
         if self.inputs.pad.pulse.is_on() {
             ctx.request_repaint();
@@ -60,7 +38,7 @@ impl SauteApp {
     }
 
     fn listen(&mut self) {
-        let said = self.read_pad();
+        let said = self.here.read_pad();
         if said.is_some() || self.inputs.pad.plugged {
             self.inputs.pad.now = said.unwrap_or_default();
         }

@@ -1,7 +1,9 @@
 //! A cook as the fragment of an address: what it began with and every command, packed, with a version and a checksum.
 
 use crate::app::SauteApp;
-use crate::kept::link::{LONGEST, fragment, page_address, read};
+use crate::kept::link::{LONGEST, fragment, read};
+use crate::system::page_address;
+use crate::host::Host;
 use saute_session::permits::Permit;
 
 impl SauteApp {
@@ -13,7 +15,7 @@ impl SauteApp {
         if length > LONGEST {
             return self.desk.notice.say(l.fill("link.too_long", &[("length", &length), ("most", &LONGEST)]));
         }
-        self.copy_text(&link);
+        self.here.copy_text(&link);
         self.desk.notice.say(l.fill("link.copied", &[("length", &length)]));
     }
 

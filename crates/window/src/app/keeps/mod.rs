@@ -1,14 +1,8 @@
-//! What outlasts a frame: files, links, the cook that is kept, acts that wait, and the system's window.
+//! What outlasts a frame: links, the cook that is kept, and acts that wait.
 
 mod autosave;
-#[cfg(not(target_arch = "wasm32"))]
-mod cook_file;
-#[cfg(not(target_arch = "wasm32"))]
-mod files;
 mod link;
 mod waiting;
-#[cfg(not(target_arch = "wasm32"))]
-mod window;
 
 use std::sync::Arc;
 
@@ -18,12 +12,6 @@ use saute_kitchen::Library;
 pub(crate) struct Keeps {
     /// The library with which the program was started.
     pub(crate) library: Arc<Library>,
-    /// The folder of pictures, if it is not the user's.
-    #[cfg(not(target_arch = "wasm32"))]
-    pub(crate) pictures: Option<std::path::PathBuf>,
-    /// The file dialog while it is open.
-    #[cfg(not(target_arch = "wasm32"))]
-    pub(crate) dialog: crate::kept::files::Dialog,
     /// The cook that goes on, as it is kept.
     pub(crate) autosave: crate::kept::autosave::Autosave,
 }

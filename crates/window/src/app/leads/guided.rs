@@ -4,6 +4,7 @@ use crate::act::Act;
 use crate::act::GuidedAct;
 use crate::app::SauteApp;
 use crate::guided::{Guided, LessonDesk, LessonStart, StudyDesk, StudyStart};
+use crate::host::Host;
 use saute_picture::View;
 use saute_session::permits::{Permit, Permits};
 use saute_study::class::{Scenario, shipped, to_csv};
@@ -204,9 +205,8 @@ impl SauteApp {
         if let Some(Guided::Lesson(desk)) = &mut self.leads.guided
             && desk.cook_on(&mut self.session, COOKING_ON)
         {
-            #[cfg(target_arch = "wasm32")]
-            if let (Some((row, _)), Some(host)) = (desk.result(), &self.page.host) {
-                host.report(row);
+            if let Some((row, _)) = desk.result() {
+                self.here.report(row);
             }
         }
     }
@@ -228,14 +228,14 @@ impl SauteApp {
     fn save_log(&mut self) {
         let Some(Guided::Study(desk)) = &self.leads.guided else { return };
         let (name, csv) = (format!("study-{}.csv", desk.study().participant()), desk.csv());
-        self.save_text(&name, &csv);
+        self.save_table(&name, &csv);
     }
 
     fn save_result(&mut self) {
         let Some((row, _)) = self.lesson_result() else { return };
         let student = row.student.clone().unwrap_or_else(|| "result".to_owned());
         let (name, csv) = (format!("{}-{student}.csv", row.scenario), to_csv(std::slice::from_ref(row)));
-        self.save_text(&name, &csv);
+        self.save_table(&name, &csv);
     }
 
     fn copy_result(&mut self, ctx: &egui::Context) {
@@ -251,24 +251,15 @@ impl SauteApp {
         }
     }
 
-    /// Hands the browser a file.
-    #[cfg(target_arch = "wasm32")]
-    fn save_text(&self, name: &str, text: &str) {
-        if let Err(error) = crate::browser::download(name, "text/csv", text.as_bytes()) {
-            self.say_trouble(&error);
-        }
-    }
-
-    /// Writes a file into the folder of pictures, where people find what they save without a dialog.
-    #[cfg(not(target_arch = "wasm32"))]
-    fn save_text(&self, name: &str, text: &str) {
-        let path = self.pictures_folder().join(name);
-        match saute_files::write_whole(&path, text.as_bytes()) {
-            Ok(()) => {
+    /// Saves a table, and says where it is if it has a path.
+    fn save_table(&self, name: &str, csv: &str) {
+        match self.here.save_table(name, csv) {
+            Ok(None) => {}
+            Ok(Some(path)) => {
                 let said = self.settings.language.fill("notice.cook_saved", &[("path", &path.display())]);
                 self.desk.notice.say_of(said, path);
             }
-            Err(error) => self.say_trouble(&format!("{}: {error}", path.display())),
+            Err(error) => self.say_trouble(&error),
         }
     }
 }

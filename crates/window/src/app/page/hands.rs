@@ -2,14 +2,12 @@
 
 use crate::app::SauteApp;
 use crate::browser::hands::reading;
-use crate::browser::host::Host;
-use egui::Context;
 use saute_haptics::remote::phone::held_phone::HeldPhone;
 
 impl SauteApp {
     /// Takes how the phone is held, or that it was refused.
-    pub(crate) fn take_devices(&mut self, _: &Context) {
-        let (Some(host), Some(phone)) = (&self.page.host, &mut self.session.hands.phone) else { return };
+    pub(super) fn take_tilt(&mut self) {
+        let (Some(host), Some(phone)) = (&self.here.script, &mut self.session.hands.phone) else { return };
         let Some(said) = host.read_tilt() else { return };
         match reading(&said) {
             // What is out of range is left out; a silent phone lets go.
@@ -24,18 +22,13 @@ impl SauteApp {
     }
 
     /// Lets the phone hold the pan, at the pace of the clock; or no longer.
-    pub(crate) fn tilt_phone(&mut self) {
-        let Some(host) = &self.page.host else { return };
+    pub(super) fn tilt_phone(&mut self) {
+        let Some(host) = &self.here.script else { return };
         let holds = self.session.hands.phone.is_none();
         self.session.hands.phone = holds.then(HeldPhone::default);
         host.tilt(holds);
         if holds {
             self.set_speed(1.0);
         }
-    }
-
-    /// Returns true while the phone holds the pan; none where it cannot.
-    pub(crate) fn phone_tilts(&self) -> Option<bool> {
-        self.page.host.as_ref().filter(|host| Host::can_tilt(host)).map(|_| self.session.hands.phone.is_some())
     }
 }

@@ -21,19 +21,19 @@ const FONT_WANTED: &str = "saute-font";
 impl SauteApp {
     /// Takes a font with the characters of Japanese; the window then speaks it.
     pub fn offer_font(&self, bytes: Vec<u8>) {
-        if let Ok(mut font) = self.page.inbox.font.lock() {
+        if let Ok(mut font) = self.here.inbox.font.lock() {
             *font = Some(bytes);
         }
     }
 
-    pub(crate) fn want_font(&mut self) {
+    pub(super) fn want_font(&mut self) {
         announce(FONT_WANTED);
     }
 
-    pub(crate) fn take_inbox(&mut self, ctx: &egui::Context) {
-        let (files, font) = self.page.inbox.take();
+    pub(super) fn take_inbox(&mut self, ctx: &egui::Context) {
+        let (files, font) = self.here.inbox.take();
         if let Some(bytes) = font {
-            self.page.inbox.taken_font = Some(Arc::new(egui::FontData::from_owned(bytes)));
+            self.here.inbox.taken_font = Some(Arc::new(egui::FontData::from_owned(bytes)));
             self.graphics.japanese_font = self.install_taken_font(ctx);
             self.set_language(Language::Japanese);
         }
@@ -43,30 +43,43 @@ impl SauteApp {
     }
 
     /// Installs the font that the page handed in; returns false if there is none.
-    pub(crate) fn install_taken_font(&self, ctx: &egui::Context) -> bool {
-        let Some(font) = &self.page.inbox.taken_font else { return false };
+    pub(super) fn install_taken_font(&self, ctx: &egui::Context) -> bool {
+        let Some(font) = &self.here.inbox.taken_font else { return false };
         japanese_font::install_font(ctx, Arc::clone(font));
         true
     }
 
     /// Hands the browser a file that is made of the cook.
-    pub(crate) fn export(&mut self, what: Export, _: &egui::Context) {
+    pub(super) fn download_export(&mut self, what: Export) {
         let name = what.file_name(self.settings.language);
         self.export_by(what, Path::new(&name), COOK_SAID, |bytes| download(&name, what.media_type(), bytes));
     }
 
     /// Hands the browser a file that is made of a plan.
-    pub(crate) fn save_plan(&mut self, file: PlanFile, _: &egui::Context) {
+    pub(super) fn download_plan(&mut self, file: PlanFile) {
         let Some(bytes) = self.plan_file(file) else { return };
         let name = file.file_name(self.settings.language);
         let written = download(&name, file.media_type(), &bytes);
         self.say_written(Path::new(&name), written, PlanFile::SAID);
     }
 
+    /// Goes on with a new picture after the graphics were lost: the cook, the eye and what is open stay.
+    pub fn begin_picture_anew(&mut self, cc: &eframe::CreationContext<'_>) {
+        if !self.install_taken_font(&cc.egui_ctx) {
+            cc.egui_ctx.set_fonts(crate::system::latin());
+        }
+        self.here.mirrored.listen(&cc.egui_ctx);
+        self.draw_on(&cc.egui_ctx, cc.wgpu_render_state.as_ref());
+        // Pictures of panels, and what was drawn before, belonged to the lost graphics.
+        self.desk.memory = Default::default();
+        self.sights.stage = Default::default();
+        self.pace.last_time = None;
+    }
+
     /// Reads dropped files; they arrive in a later frame.
-    pub(crate) fn take_dropped_files(&mut self, ctx: &egui::Context) {
+    pub(super) fn read_dropped_files(&mut self, ctx: &egui::Context) {
         for file in ctx.input(|i| i.raw.dropped_files.clone()) {
-            let (inbox, ctx) = (self.page.inbox.clone(), ctx.clone());
+            let (inbox, ctx) = (self.here.inbox.clone(), ctx.clone());
             spawn_local(async move {
                 let name = file.path().display().to_string();
                 inbox.put((name, file.bytes_async().await));
@@ -76,8 +89,8 @@ impl SauteApp {
     }
 
     /// Opens the browser's file dialog for a recipe or a session.
-    pub(crate) fn choose_file(&mut self, ctx: &egui::Context) {
-        if let Err(error) = choose(self.page.inbox.clone(), ctx.clone()) {
+    pub(super) fn open_dialog(&mut self, ctx: &egui::Context) {
+        if let Err(error) = choose(self.here.inbox.clone(), ctx.clone()) {
             self.say_trouble(&shown(&error));
         }
     }

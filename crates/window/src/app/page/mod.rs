@@ -1,19 +1,102 @@
-//! What the window does where it is a page: what the page hands in and keeps, its phone, and the panels as HTML.
+//! What the app does in a page: what the page hands in and keeps, its phone, and the panels as HTML.
 
 mod hands;
-mod host;
 mod inbox;
 mod mirrored;
+mod script;
 
-/// What the window has of its page.
-#[derive(Default)]
-pub(crate) struct Page {
-    /// What the page hands in.
-    pub(crate) inbox: crate::browser::Inbox,
-    /// What the page's script does for the window.
-    pub(crate) host: Option<crate::browser::host::Host>,
-    /// The version of its build.
-    pub(crate) version: String,
-    /// The panels a second time, as HTML.
-    pub(crate) mirrored: crate::browser::Mirrored,
+use egui::{Context, Ui};
+use saute_scene::mesh::strings::StringLook;
+use saute_session::export::Export;
+use saute_words::language::Language;
+
+use super::SauteApp;
+use super::on_host::OnHost;
+use crate::act::HereAct;
+use crate::host::HostStart;
+use crate::plan::PlanFile;
+use crate::start::Helps;
+use crate::ui::layout::{Layout, Pane};
+
+impl OnHost for SauteApp {
+    /// A page has workers, sound and downloads of its own.
+    fn take_help(&mut self, _: Helps, _: &Context) {}
+
+    fn settle_in(&mut self, start: HostStart, _: bool, ctx: &Context) {
+        self.begin_page(start, ctx);
+    }
+
+    fn take_devices(&mut self, _: &Context) {
+        self.take_tilt();
+    }
+
+    fn take_dropped_files(&mut self, ctx: &Context) {
+        self.read_dropped_files(ctx);
+    }
+
+    fn take_news(&mut self, ctx: &Context) {
+        self.take_inbox(ctx);
+    }
+
+    fn tell_shown(&mut self) {
+        self.show_mirrored();
+    }
+
+    fn act_here(&mut self, act: HereAct, _: &Context) {
+        match act {
+            HereAct::TiltPhone => self.tilt_phone(),
+            HereAct::Report => self.report_problem(),
+        }
+    }
+
+    fn choose_file(&mut self, ctx: &Context) {
+        self.open_dialog(ctx);
+    }
+
+    fn export(&mut self, what: Export, _: &Context) {
+        self.download_export(what);
+    }
+
+    fn save_plan(&mut self, file: PlanFile, _: &Context) {
+        self.download_plan(file);
+    }
+
+    fn take_picture(&mut self, ctx: &Context) {
+        self.save_picture(ctx);
+    }
+
+    fn turn_photo_mode(&mut self, ctx: &Context) {
+        self.save_picture(ctx);
+    }
+
+    /// A page has one canvas.
+    fn turn_mirror(&mut self) {
+        self.say("settings.native_only");
+    }
+
+    /// A page reaches no device with a motor.
+    fn stop_hands(&mut self) {}
+
+    fn take_stop(&mut self, _: &Context) {}
+
+    fn toggle_strings(&mut self) {}
+
+    fn string_looks(&self) -> Vec<StringLook> {
+        Vec::new()
+    }
+
+    fn show_strings(&self, _: &Ui, _: &Pane) {}
+
+    fn make_room(&self, layout: Layout) -> Layout {
+        layout
+    }
+
+    /// The page's script fetches the font.
+    fn waits_for_font(&mut self, language: Language) -> bool {
+        let waits = language == Language::Japanese && !self.graphics.japanese_font;
+        if waits {
+            self.want_font();
+        }
+        waits
+    }
 }

@@ -1,6 +1,7 @@
 //! The window of the half mirror: the picture for the device, or the calibration pattern.
 
 use crate::app::SauteApp;
+use crate::app::on_host::OnHost;
 use crate::mirror::view::MirrorView;
 
 /// Size of the mirror's window before it fills a screen [points].
@@ -19,7 +20,6 @@ impl SauteApp {
             .with_fullscreen(self.sights.mirror.full);
         ctx.show_viewport_immediate(egui::ViewportId::from_hash_of("mirror"), builder, |ui, class| {
             // A hand that is hurt stops its device wherever the keys go.
-            #[cfg(not(target_arch = "wasm32"))]
             self.take_stop(ui.ctx());
             if class == egui::ViewportClass::EmbeddedWindow {
                 ui.set_min_size(WINDOW.into());

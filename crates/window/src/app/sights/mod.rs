@@ -3,8 +3,6 @@
 mod glance;
 mod in_sight;
 mod mirror;
-#[cfg(not(target_arch = "wasm32"))]
-mod photo;
 mod pose;
 mod quality;
 mod save_picture;
@@ -42,9 +40,6 @@ pub(crate) struct Sights {
     pub(crate) taken_out: Option<String>,
     pub(crate) motions: Motions,
     pub(crate) mirror: MirrorView,
-    /// The photo mode.
-    #[cfg(not(target_arch = "wasm32"))]
-    pub(crate) photo: crate::photo::PhotoMode,
 }
 
 impl Default for Sights {
@@ -63,8 +58,6 @@ impl Default for Sights {
             taken_out: None,
             motions: Motions::default(),
             mirror: MirrorView::default(),
-            #[cfg(not(target_arch = "wasm32"))]
-            photo: Default::default(),
         }
     }
 }

@@ -1,16 +1,16 @@
 //! Screenshots of the window.
 
 use crate::app::SauteApp;
+use crate::host::Host;
 use saute_picture::cut::section::Picture;
 use saute_picture::still::png_file::png_bytes;
-use std::path::PathBuf;
 
 impl SauteApp {
     /// Requests a picture of the window; it is written into the folder of pictures as `saute-N.png`, or downloaded by the
     /// browser.
     pub(crate) fn save_picture(&self, ctx: &egui::Context) {
         let (notice, repaint, l) = (self.desk.notice.clone(), ctx.clone(), self.settings.language);
-        let keep = self.keeper();
+        let keep = self.here.picture_keeper();
         ctx.request_screenshot(move |image| {
             let picture = Picture {
                 width: image.width(),
@@ -24,21 +24,4 @@ impl SauteApp {
             repaint.request_repaint();
         });
     }
-
-    /// What writes a picture; returns where it is then.
-    #[cfg(not(target_arch = "wasm32"))]
-    pub(crate) fn keeper(&self) -> impl Fn(&[u8]) -> Result<PathBuf, String> + Send + 'static {
-        let folder = self.pictures_folder();
-        move |bytes| crate::kept::files::write_picture(&folder, "png", bytes)
-    }
-
-    /// What downloads a picture; returns what it is called.
-    #[cfg(target_arch = "wasm32")]
-    pub(crate) fn keeper(&self) -> impl Fn(&[u8]) -> Result<PathBuf, String> + Send + 'static {
-        |bytes| crate::browser::download(FILE, "image/png", bytes).map(|()| PathBuf::from(FILE))
-    }
 }
-
-/// Name of a downloaded picture; browsers number further ones.
-#[cfg(target_arch = "wasm32")]
-const FILE: &str = "saute.png";

@@ -1,6 +1,8 @@
 //! The scene in the window: drawing, and the handle of the cut.
 
 use crate::app::SauteApp;
+use crate::app::on_host::OnHost;
+use crate::host::Host;
 use crate::paint::scene::SceneCallback;
 use crate::ui::layout::{Layout, Pane};
 use crate::ui::scene_view::{meet_height, ndc, on_screen};
@@ -12,7 +14,6 @@ use saute_picture::seen_point::Ray;
 use saute_picture::split;
 use saute_picture::stage::{Pose, StageOptions, half_length};
 use saute_recipe::probe::SeenPoint;
-#[cfg(not(target_arch = "wasm32"))]
 use saute_scene::input::SceneInput;
 
 /// Height of the cut's knob above the steak [m] (chosen: clear of the crust, near enough to belong to it).
@@ -55,7 +56,6 @@ impl SauteApp {
         for pane in &panes {
             self.show_slice_handle(ui, pane);
             self.show_probes(ui, pane);
-            #[cfg(not(target_arch = "wasm32"))]
             self.show_strings(ui, pane);
         }
     }
@@ -77,12 +77,11 @@ impl SauteApp {
             cut: self.session.steak().map(|p| p.id.clone()),
             white_balance: self.settings.white_balance,
             light: self.settings.light,
-            photo: self.photo_set(),
+            photo: self.here.photo().unwrap_or_default(),
             flat: false,
         };
         self.sights.stage.look_every(self.look_ticks());
         let input = self.sights.stage.scene(&self.session.kitchen, &options, &self.places());
-        #[cfg(not(target_arch = "wasm32"))]
         let input = SceneInput { strings: self.string_looks(), ..input };
         let scenes = split::scenes(input, panes.len() > 1);
         self.sights.scene.shown = scenes.last().cloned();
@@ -104,14 +103,6 @@ impl SauteApp {
             let line = [field.free.left_top(), field.free.left_bottom()];
             ui.painter().line_segment(line, Stroke::new(2.0, theme::of(ui).solid));
         }
-    }
-
-    /// Exposure and aperture of the scene.
-    fn photo_set(&self) -> saute_scene::light::photo::Photo {
-        #[cfg(target_arch = "wasm32")]
-        return Default::default();
-        #[cfg(not(target_arch = "wasm32"))]
-        self.sights.photo.photo()
     }
 
     pub(crate) fn steak_pose(&self) -> Option<(Pose, &Piece)> {

@@ -6,7 +6,7 @@ use saute_kitchen::data::goals::{Counted, GoalDescription};
 use crate::act::{Act, Acts, AppAct, Card, Setting};
 use crate::learn::goal_choice::{goals_for, named_goal};
 use crate::panels::cards::frame::Framed;
-use crate::panels::cards::settings::{explained, row};
+use crate::panels::cards::setting_row::{explained, row};
 use crate::panels::window_state::WindowState;
 use crate::ui::{fingers, theme};
 

@@ -5,8 +5,10 @@ use egui::{Id, Modal, Rect, RichText, TextEdit, Ui, vec2};
 use crate::act::{Act, Acts, AppAct, BINDINGS, CHORDS, Card, Subject, ViewAct};
 use crate::input::gamepad::PAD;
 use crate::input::pan_keys::HELD;
+use crate::panels::here;
 use crate::panels::memory::PanelMemory;
 use crate::panels::window_state::WindowState;
+use crate::system::IS_PAGE;
 use crate::ui::aloud::heading;
 use crate::ui::theme;
 use saute_words::language::Language;
@@ -25,7 +27,7 @@ fn keys(subject: Subject) -> impl Iterator<Item = (&'static str, &'static str)> 
     let native = |act: &Act| {
         matches!(act, Act::App(AppAct::StopHands | AppAct::Mirror | AppAct::Photo) | Act::View(ViewAct::Strings))
     };
-    let here = move |b: &&crate::act::Binding| cfg!(not(target_arch = "wasm32")) || !native(&b.act);
+    let here = move |b: &&crate::act::Binding| !IS_PAGE || !native(&b.act);
     BINDINGS
         .iter()
         .filter(here)
@@ -71,7 +73,7 @@ pub fn show(state: &WindowState, memory: &mut PanelMemory, ui: &Ui, acts: &mut A
         Modal::new(Id::unique("help")).frame(theme::of(ui).panel().fill(theme::of(ui).solid)).show(ui.ctx(), |ui| {
             ui.set_width((whole.width() - 60.0).min(960.0));
             done = head(state, memory, ui, acts, whole.width() > 700.0);
-            let height = whole.height() - 140.0 - page_foot::HEIGHT;
+            let height = whole.height() - 140.0 - here::FOOT;
             egui::ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, |ui| {
                 let columns = if whole.width() > 700.0 { 3 } else { 1 };
                 list(ui, &groups(&memory.search, state.settings.language), columns, state.settings.language);
@@ -79,7 +81,7 @@ pub fn show(state: &WindowState, memory: &mut PanelMemory, ui: &Ui, acts: &mut A
                 ui.label(state.settings.language.text("help.mouse"));
                 ui.label(state.settings.language.text("help.touch"));
             });
-            page_foot::show(state, ui, acts);
+            here::foot(state, ui, acts);
         });
     if done || modal.should_close() {
         memory.search.clear();
@@ -146,36 +148,4 @@ fn shown(ui: &mut Ui, group: &Group, l: Language) {
         });
     }
     ui.add_space(8.0);
-}
-
-/// Guides, version and privacy: what a page states at its foot.
-#[cfg(target_arch = "wasm32")]
-mod page_foot {
-    use super::{Act, Acts, AppAct, RichText, Ui, WindowState, theme};
-
-    /// Room for it [points].
-    pub(super) const HEIGHT: f32 = 56.0;
-
-    pub(super) fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
-        let l = state.settings.language;
-        ui.separator();
-        ui.horizontal_wrapped(|ui| {
-            ui.add(egui::Hyperlink::from_label_and_url(l.text("page.guides"), "docs/index.html").open_in_new_tab(true));
-            if ui.add(theme::of(ui).button(l.text("page.report"), false)).clicked() {
-                acts.push(Act::App(AppAct::Report));
-            }
-            let version = l.fill("page.version", &[("version", &state.version)]);
-            let text = format!("{version} · {}", l.text("page.private"));
-            ui.label(RichText::new(text).size(13.0).color(theme::of(ui).quiet));
-        });
-    }
-}
-
-#[cfg(not(target_arch = "wasm32"))]
-mod page_foot {
-    use super::{Acts, Ui, WindowState};
-
-    pub(super) const HEIGHT: f32 = 0.0;
-
-    pub(super) fn show(_: &WindowState, _: &mut Ui, _: &mut Acts) {}
 }

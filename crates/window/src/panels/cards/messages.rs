@@ -4,6 +4,7 @@ use egui::{Rect, RichText, ScrollArea, Ui};
 
 use crate::act::{Acts, Card};
 use crate::panels::cards::frame::Framed;
+use crate::panels::here::file_button;
 use crate::panels::window_state::WindowState;
 use crate::ui::theme;
 use saute_words::clock::clock;
@@ -30,20 +31,8 @@ fn lines(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
         ui.label(RichText::new(ago).size(12.5).color(theme::of(ui).quiet));
         ui.horizontal_wrapped(|ui| {
             ui.label(&said.text);
-            show_button(state, ui, acts, &said);
+            file_button(state, ui, acts, &said);
         });
         ui.add_space(4.0);
-    }
-}
-
-/// A button that shows the file of a sentence.
-pub fn show_button(state: &WindowState, ui: &mut Ui, acts: &mut Acts, said: &crate::ui::notice::Said) {
-    #[cfg(target_arch = "wasm32")]
-    let _ = (state, ui, acts, said);
-    #[cfg(not(target_arch = "wasm32"))]
-    if let Some(file) = &said.file
-        && ui.button(state.settings.language.text("messages.show")).clicked()
-    {
-        acts.push(crate::act::Act::App(crate::act::AppAct::ShowFile(file.clone())));
     }
 }

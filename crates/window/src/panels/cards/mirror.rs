@@ -2,7 +2,8 @@
 
 use egui::{Align, DragValue, Layout, Response, RichText, ScrollArea, TextEdit, Ui, vec2};
 
-use super::settings::{NAMES, NARROW, WIDTH, explained, row};
+use super::setting_row::{NAMES, explained, row};
+use super::settings::{NARROW, WIDTH};
 use crate::act::{Act, Acts, AppAct, Card, Setting};
 use crate::mirror::view::stereo_word;
 use crate::panels::cards::frame::Framed;

@@ -10,5 +10,6 @@ pub mod lessons;
 pub mod messages;
 pub mod mirror;
 pub mod result;
+pub mod setting_row;
 pub mod settings;
 pub mod unfinished;

@@ -8,9 +8,12 @@ use saute_scene::quality::Quality;
 use crate::act::{Act, Acts, AppAct, Card, Setting, ViewAct};
 use crate::panels::cards::frame::Framed;
 use crate::panels::cards::language;
+use crate::panels::cards::setting_row::{named, row};
 use crate::panels::cook::speaker_switch;
+use crate::panels::here;
 use crate::panels::memory::PanelMemory;
 use crate::panels::window_state::WindowState;
+use crate::system::IS_PAGE;
 use crate::ui::interface_size::InterfaceSize;
 use crate::ui::quality_choice::QualityChoice;
 use crate::ui::theme::{self, Theme};
@@ -18,16 +21,15 @@ use saute_words::language::Language;
 
 /// Below this width names stand above their choices [points].
 pub(super) const NARROW: f32 = 640.0;
-/// Width of the card at most, and of the names where they stand to the left of their choices [points].
+/// Width of the card at most [points].
 pub(super) const WIDTH: f32 = 660.0;
-pub(super) const NAMES: f32 = 128.0;
 
 /// Shows the card over everything; Esc, F2, the button or a click beside it closes it.
 pub fn show(state: &WindowState, memory: &mut PanelMemory, ui: &Ui, acts: &mut Acts, whole: egui::Rect) {
     let framed = Framed { card: Card::Settings, id: "settings", title: "settings.title", width: WIDTH };
     let to_mirror = |ui: &mut Ui, acts: &mut Acts| {
         let words = state.settings.language.text("half_mirror.more");
-        if cfg!(not(target_arch = "wasm32")) && ui.add(theme::of(ui).button(words, false)).clicked() {
+        if !IS_PAGE && ui.add(theme::of(ui).button(words, false)).clicked() {
             acts.push(Act::App(AppAct::Open(Card::Mirror)));
         }
     };
@@ -106,13 +108,7 @@ fn choices(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mu
     if !state.forbids(&Act::App(AppAct::Set(Setting::Sound(true)))) {
         volume(state, ui, acts, narrow);
     }
-    #[cfg(target_arch = "wasm32")]
-    {
-        let _ = memory;
-        explained(ui, narrow, l.text("settings.native_only"));
-    }
-    #[cfg(not(target_arch = "wasm32"))]
-    crate::hand::section(state, &mut memory.hand_choice, ui, acts, narrow);
+    here::device_settings(state, &mut memory.here, ui, acts, narrow);
 }
 
 /// The volume; its slider is short enough for one line with its name.
@@ -124,55 +120,6 @@ fn volume(state: &WindowState, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
     ui.horizontal(|ui| {
         ui.label(RichText::new(name).size(14.0).color(theme::of(ui).quiet));
         speaker_switch::volume(state, ui, acts);
-    });
-}
-
-/// A name and its choices, of which one is on; returns the one that was clicked.
-pub(crate) fn row(ui: &mut Ui, narrow: bool, name: &str, choices: &[(&str, bool)]) -> Option<usize> {
-    named(ui, narrow, name, |ui| buttons(ui, name, choices))
-}
-
-/// A name and what belongs to it: to its right, or below it where it is narrow.
-pub(crate) fn named<R>(ui: &mut Ui, narrow: bool, name: &str, content: impl FnOnce(&mut Ui) -> R) -> R {
-    if narrow {
-        ui.label(RichText::new(name).size(14.0).color(theme::of(ui).quiet));
-        return ui.horizontal_wrapped(content).inner;
-    }
-    ui.horizontal(|ui| {
-        let beside = egui::Layout::left_to_right(egui::Align::Center);
-        ui.allocate_ui_with_layout(vec2(NAMES, theme::TOUCH), beside, |ui| {
-            ui.set_min_size(vec2(NAMES, theme::TOUCH));
-            ui.label(name);
-        });
-        ui.horizontal_wrapped(content).inner
-    })
-    .inner
-}
-
-fn buttons(ui: &mut Ui, name: &str, choices: &[(&str, bool)]) -> Option<usize> {
-    ui.spacing_mut().item_spacing = vec2(5.0, 5.0);
-    let mut clicked = None;
-    for (place, &(text, on)) in choices.iter().enumerate() {
-        let response = ui.add(theme::of(ui).button(text, on));
-        // Read out with what it is a choice of.
-        let spoken = format!("{name}: {text}");
-        response.widget_info(|| egui::WidgetInfo::selected(egui::accesskit::Role::RadioButton, true, on, &spoken));
-        if response.clicked() {
-            clicked = Some(place);
-        }
-    }
-    clicked
-}
-
-/// What the choice above amounts to.
-pub(crate) fn explained(ui: &mut Ui, narrow: bool, text: &str) {
-    let text = RichText::new(text).size(13.0).color(theme::of(ui).quiet);
-    ui.horizontal_wrapped(|ui| {
-        ui.spacing_mut().interact_size.y = 16.0;
-        if !narrow {
-            ui.add_space(NAMES + ui.spacing().item_spacing.x);
-        }
-        ui.label(text);
     });
 }
 

@@ -7,6 +7,7 @@ use saute_kitchen::dynamics::Tool;
 use crate::act::{Act, Acts, CookAct, ROLL_STEP, TOOL_STEP};
 use crate::input::pouring::Pourable;
 use crate::panels::cook::act_button::button;
+use crate::panels::here;
 use crate::panels::window_state::WindowState;
 
 /// Shows the controls.
@@ -28,13 +29,7 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
         Tool::Turner => "pour.turner",
     };
     button(state, ui, acts, l.text(tool), state.turner_in_hand, true, Act::Cook(CookAct::Tool));
-    #[cfg(target_arch = "wasm32")]
-    if let Some(on) = state.phone_tilts {
-        let button = crate::ui::theme::of(ui).button(l.text("pour.tilt"), on);
-        if ui.add(button).on_hover_text(l.text("pour.tilt_hint")).clicked() {
-            acts.push(Act::Cook(CookAct::TiltPhone));
-        }
-    }
+    here::tilt_button(state, ui, acts);
 }
 
 /// What moves the turner in the hand: fingers have no wheel and no right button.

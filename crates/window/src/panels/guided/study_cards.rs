@@ -9,6 +9,7 @@ use crate::act::GuidedAct;
 use crate::act::{Act, Acts, LearnAct};
 use crate::guided::{Readiness, StudyDesk, TrialRun};
 use crate::panels::window_state::WindowState;
+use crate::system::IS_PAGE;
 use crate::ui::theme;
 use saute_words::guided_words;
 
@@ -74,7 +75,7 @@ fn too_slow(state: &WindowState, desk: &StudyDesk, pace: Pace, ui: &Ui, acts: &m
         if button(ui, l.text("study.try_again"), true) {
             acts.push(Act::Learn(LearnAct::Guided(GuidedAct::TryMachine)));
         }
-        if cfg!(not(target_arch = "wasm32")) && button(ui, l.text("study.close"), false) {
+        if !IS_PAGE && button(ui, l.text("study.close"), false) {
             acts.push(Act::Learn(LearnAct::Guided(GuidedAct::CloseWindow)));
         }
     });
@@ -252,7 +253,7 @@ fn the_end(state: &WindowState, desk: &StudyDesk, key: &'static str, ui: &Ui, ac
     };
     card(ui, ("end", &desk.study().protocol().title), whole, content, |ui| {
         trouble(state, desk, ui, acts);
-        let can_close = cfg!(not(target_arch = "wasm32")) && desk.trouble().is_none();
+        let can_close = !IS_PAGE && desk.trouble().is_none();
         if can_close && button(ui, l.text("study.close"), !desk.offers_download()) {
             acts.push(Act::Learn(LearnAct::Guided(GuidedAct::CloseWindow)));
         }

@@ -8,7 +8,7 @@ use saute_kitchen::{Command, Place, RestOn};
 use saute_plan::goal::{Better, Goal, Judgement, Shortfall, Verdict};
 use saute_window::act::{Act, AppAct, Card, CookAct, Setting};
 use saute_window::learn::goal_choice::goal_of;
-use saute_window::{SauteApp, Start};
+use saute_window::{Helps, SauteApp, Start};
 use saute_words::judgement_words::ResultWords;
 use saute_words::language::Language;
 
@@ -82,7 +82,7 @@ fn the_result_is_shared_as_a_picture_of_its_own_and_fits_a_phone_and_japanese() 
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("shared-results");
     let _ = std::fs::remove_dir_all(&folder);
     std::fs::create_dir_all(&folder).expect("folder");
-    let mut harness = window_with(PHONE, Start { pictures: Some(folder.clone()), ..Start::default() });
+    let mut harness = window_with(PHONE, Start { helps: Helps { pictures: Some(folder.clone()), ..Helps::default() }, ..Start::default() });
     act(&mut harness, Act::Cook(CookAct::SetOut));
     let mut small = small_steak(PHONE);
     fry(&mut small, 54.0);

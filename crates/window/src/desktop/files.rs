@@ -1,12 +1,11 @@
 //! Files of the system: dialogs that open a recipe and save a cook, the recipes opened before, the folder of pictures.
 
-pub(crate) mod dialog_errors;
+use std::path::{Path, PathBuf};
+use std::sync::mpsc::Receiver;
 
 use crate::plan::PlanFile;
 use saute_files::regular_file;
 use saute_session::export::Export;
-use std::path::{Path, PathBuf};
-use std::sync::mpsc::Receiver;
 
 /// The largest file that is read [MiB] (chosen: far above any recipe, and an hour of a session with the pan in the hand).
 const LARGEST_MIB: u64 = 16;
@@ -63,4 +62,41 @@ pub(crate) fn write_picture(folder: &Path, ending: &str, bytes: &[u8]) -> Result
     let path = first_free(folder, (1..MOST_NAMES).map(|n| folder.join(format!("saute-{n}.{ending}"))))?;
     std::fs::write(&path, bytes).map_err(|e| format!("{}: {e}", path.display()))?;
     Ok(path)
+}
+
+/// The folder of pictures: that of the user's folders, else Pictures in the home folder where there is one, else the
+/// working folder.
+pub(crate) fn pictures_folder() -> PathBuf {
+    let home = std::env::var_os(if cfg!(windows) { "USERPROFILE" } else { "HOME" }).map(PathBuf::from);
+    let usual = || home.as_ref().map(|home| home.join("Pictures"));
+    let named = home.as_deref().and_then(named_by_user);
+    let found = named.into_iter().chain(usual()).find(|folder| folder.is_dir());
+    found.or_else(|| std::env::current_dir().ok()).unwrap_or_default()
+}
+
+/// The folder that the file of the user's folders names (XDG: user-dirs.dirs).
+fn named_by_user(home: &Path) -> Option<PathBuf> {
+    let config = std::env::var_os("XDG_CONFIG_HOME").map_or_else(|| home.join(".config"), PathBuf::from);
+    let text = regular_file::read_text(&config.join("user-dirs.dirs"), 1).ok()?;
+    pictures_in(&text, home)
+}
+
+fn pictures_in(user_dirs: &str, home: &Path) -> Option<PathBuf> {
+    let line = user_dirs.lines().find_map(|line| line.trim().strip_prefix("XDG_PICTURES_DIR="))?;
+    let path = line.trim_matches('"');
+    Some(path.strip_prefix("$HOME/").map_or_else(|| PathBuf::from(path), |below| home.join(below)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_users_folder_of_pictures_is_read_as_the_desktop_writes_it() {
+        let text = "# comment\nXDG_DESKTOP_DIR=\"$HOME/Desktop\"\nXDG_PICTURES_DIR=\"$HOME/Bilder\"\n";
+        assert_eq!(pictures_in(text, Path::new("/home/a")), Some(PathBuf::from("/home/a/Bilder")));
+        let text = "XDG_PICTURES_DIR=\"/data/pictures\"\n";
+        assert_eq!(pictures_in(text, Path::new("/home/a")), Some(PathBuf::from("/data/pictures")));
+        assert_eq!(pictures_in("", Path::new("/home/a")), None);
+    }
 }

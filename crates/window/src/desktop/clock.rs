@@ -1,26 +1,4 @@
-//! What the system around the native window says.
-
-use crate::start::Start;
-
-/// What a start says about the world around the window.
-pub(crate) struct Surroundings {
-    pub(crate) hands: crate::hand::HandsStart,
-    /// True if the cook is kept: a recipe or a session that is named is what the person wants.
-    pub(crate) keeps: bool,
-}
-
-impl Surroundings {
-    pub fn of(start: &Start, remembers: bool) -> Self {
-        let keeps = remembers && start.recipe.is_none() && start.recorded.is_none();
-        let keeps = keeps && start.study.is_none() && start.lesson.is_none();
-        Self { hands: start.hands.clone(), keeps }
-    }
-}
-
-/// A window has no address.
-pub(crate) fn page_address() -> Option<String> {
-    None
-}
+//! The time of day as a date.
 
 /// The time of day [ISO 8601, UTC].
 pub(crate) fn time_of_day() -> String {
@@ -41,9 +19,6 @@ fn calendar(day: u64) -> [u64; 3] {
     let month = if month < 10 { month + 3 } else { month - 9 };
     [era * 400 + year + u64::from(month <= 2), month, date]
 }
-
-/// Name of the program, after which eframe names the folder of its settings.
-pub(crate) const NAME: &str = "saute";
 
 #[cfg(test)]
 mod tests {

@@ -2,7 +2,7 @@
 //! their newtons.
 
 use crate::app::SauteApp;
-use crate::hand::strings_view::{STROKE, Seen, colour, number, project, radius};
+use crate::desktop::hand::strings_view::{STROKE, Seen, colour, number, project, radius};
 use crate::ui::layout::Pane;
 use crate::ui::palette::Palette;
 use crate::ui::theme;
@@ -22,7 +22,7 @@ const STEP_BACK: f32 = 1.04;
 
 impl SauteApp {
     /// Shows the strings from so far away that all motors are seen, or hides them and goes back.
-    pub(crate) fn toggle_strings(&mut self) {
+    pub(super) fn turn_strings(&mut self) {
         let Some(rig) = self.session.hands.strung().and_then(|device| device.strings) else { return };
         if let Some(distance) = self.session.hands.eye_before.take() {
             self.sights.camera.distance = distance;
@@ -38,13 +38,8 @@ impl SauteApp {
         }
     }
 
-    /// The strings above the worktop, for the scene.
-    pub(crate) fn string_looks(&self) -> Vec<StringLook> {
-        self.strings_now().iter().map(Seen::look).collect()
-    }
-
     /// Draws what the scene does not: strings below the worktop, motors, and newtons.
-    pub(crate) fn show_strings(&self, ui: &Ui, pane: &Pane) {
+    pub(super) fn draw_strings(&self, ui: &Ui, pane: &Pane) {
         let (strings, eye) = (self.strings_now(), self.eye());
         let painter = ui.painter().with_clip_rect(pane.rect);
         strings.iter().for_each(|string| hidden_part(&painter, &eye, pane.rect, string, theme::of(ui)));
@@ -52,7 +47,7 @@ impl SauteApp {
     }
 
     /// The strings where they are now, while they are shown and known.
-    fn strings_now(&self) -> Vec<Seen> {
+    pub(super) fn strings_now(&self) -> Vec<Seen> {
         if !self.session.hands.strings_are_shown() {
             return Vec::new();
         }

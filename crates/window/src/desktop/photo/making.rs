@@ -15,7 +15,7 @@ use saute_recipe::{Cook, Recording};
 use saute_scene::input::SceneInput;
 use saute_scene::quality::Quality;
 
-use crate::kept::files::write_picture;
+use crate::desktop::files::write_picture;
 
 /// Frames of a time lapse at most (chosen: it lasts ten seconds).
 const FRAMES: u32 = 10 * FRAMES_PER_S as u32;

@@ -3,16 +3,20 @@
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use saute_files::{locked_file, regular_file, write_whole};
-use saute_study::{LogRow, Participant, dictionary, from_csv, to_csv, with_all_columns};
+use saute_study::{LogRow, Participant, Protocol, dictionary, from_csv, to_csv, with_all_columns};
+
+use crate::guided::StudyStart;
+use crate::guided::log_keeper::LogKeeper;
 
 /// An open log.
 #[derive(Debug)]
 pub(crate) struct LogFile {
     file: File,
     /// The folder.
-    pub(super) folder: PathBuf,
+    folder: PathBuf,
     is_empty: bool,
 }
 
@@ -46,7 +50,7 @@ impl LogFile {
     }
 
     /// Appends rows, and waits until they are on the disk. What was written in part is removed again.
-    pub(crate) fn append(&mut self, rows: &[LogRow]) -> io::Result<()> {
+    fn write(&mut self, rows: &[LogRow]) -> io::Result<()> {
         let before = self.file.stream_position()?;
         let text = to_csv(rows, self.is_empty);
         let written = self.file.write_all(text.as_bytes()).and_then(|()| self.file.sync_data());
@@ -56,6 +60,32 @@ impl LogFile {
         }
         self.is_empty &= written.is_err();
         written
+    }
+}
+
+impl LogKeeper for LogFile {
+    fn append(&mut self, rows: &[LogRow]) -> Result<(), String> {
+        self.write(rows).map_err(|error| error.to_string())
+    }
+
+    fn is_file(&self) -> bool {
+        true
+    }
+
+    fn keep_session(&mut self, name: &str, bytes: &[u8]) -> Option<Result<(), String>> {
+        Some(write_whole(&self.folder.join(name), bytes).map_err(|error| error.to_string()))
+    }
+}
+
+impl StudyStart {
+    /// A study whose log is a file in a folder; one that is there is gone on with.
+    ///
+    /// # Errors
+    ///
+    /// If the folder cannot be written to, or the log is of another participant or protocol.
+    pub fn in_folder(protocol: Arc<Protocol>, participant: Participant, folder: &Path) -> Result<Self, String> {
+        let (file, earlier) = LogFile::open(folder, &participant)?;
+        Self::resumed(protocol, participant, (Box::new(file), earlier))
     }
 }
 
@@ -85,7 +115,7 @@ mod tests {
         fs::write(&path, BEFORE).expect("writes");
         let code = "S07".parse().expect("a code");
         let (mut log, rows) = LogFile::open(&folder, &code).expect("opens");
-        log.append(&rows).expect("appends");
+        log.write(&rows).expect("appends");
         drop(log);
         let text = fs::read_to_string(&path).expect("reads");
         assert_eq!(from_csv("log.csv", &text).expect("is a log").len(), 2);

@@ -2,10 +2,9 @@
 
 use crate::app::SauteApp;
 use crate::app::export::COOK_SAID;
-use crate::kept::files::dialog_errors;
-use crate::kept::files::{Answer, Asked, Dialog, free_path, read};
+use crate::desktop::dialog_errors;
+use crate::desktop::files::{Answer, Asked, Dialog, free_path, read};
 use crate::plan::PlanFile;
-use saute_files::regular_file;
 use saute_files::write_whole;
 use saute_session::export::Export;
 use std::path::{Path, PathBuf};
@@ -18,23 +17,9 @@ const REMEMBERED: usize = 5;
 const SAVED_WITHOUT_DIALOG: &str = "notice.no_dialog_saved";
 
 impl SauteApp {
-    /// Opens the system's file dialog for a recipe.
-    pub(crate) fn choose_file(&mut self, ctx: &egui::Context) {
-        self.ask(Asked::Open, ctx);
-    }
-
-    /// Opens the system's file dialog for the place of a file that is made of the cook.
-    pub(crate) fn export(&mut self, what: Export, ctx: &egui::Context) {
-        self.ask(Asked::Save(what), ctx);
-    }
-
-    /// Opens the system's file dialog for the place of a file that is made of a plan.
-    pub(crate) fn save_plan(&mut self, file: PlanFile, ctx: &egui::Context) {
-        self.ask(Asked::SavePlan(file), ctx);
-    }
-
-    fn ask(&mut self, asked: Asked, ctx: &egui::Context) {
-        if self.keeps.dialog.0.is_some() {
+    /// Opens the system's file dialog.
+    pub(super) fn ask(&mut self, asked: Asked, ctx: &egui::Context) {
+        if self.here.dialog.0.is_some() {
             return;
         }
         let (send, receive) = channel();
@@ -50,7 +35,7 @@ impl SauteApp {
             ctx.request_repaint();
         });
         match begun {
-            Ok(_) => self.keeps.dialog = Dialog(Some((asked, receive))),
+            Ok(_) => self.here.dialog = Dialog(Some((asked, receive))),
             Err(error) => self.say_trouble(&error),
         }
     }
@@ -72,11 +57,11 @@ impl SauteApp {
 
     /// Opens the file that was chosen since the last frame, or writes it.
     pub(crate) fn take_chosen_file(&mut self) {
-        let Some((asked, answer)) = &self.keeps.dialog.0 else { return };
+        let Some((asked, answer)) = &self.here.dialog.0 else { return };
         let asked = *asked;
         match answer.try_recv() {
             Ok(answer) => {
-                self.keeps.dialog = Dialog::default();
+                self.here.dialog = Dialog::default();
                 match (answer, asked) {
                     (Answer::Chosen(path), Asked::Open) => self.open_file(&path),
                     (Answer::Chosen(path), Asked::Save(what)) => self.save_export(what, &path),
@@ -88,7 +73,7 @@ impl SauteApp {
                 }
             }
             Err(std::sync::mpsc::TryRecvError::Empty) => {}
-            Err(std::sync::mpsc::TryRecvError::Disconnected) => self.keeps.dialog = Dialog::default(),
+            Err(std::sync::mpsc::TryRecvError::Disconnected) => self.here.dialog = Dialog::default(),
         }
     }
 
@@ -131,12 +116,12 @@ impl SauteApp {
 
     /// A free place in the folder of pictures; states why there is none.
     fn place_without_dialog(&self, name: &str) -> Option<PathBuf> {
-        free_path(&self.pictures_folder(), name).map_err(|error| self.say_trouble(&error)).ok()
+        free_path(&self.here.pictures_folder(), name).map_err(|error| self.say_trouble(&error)).ok()
     }
 
     /// Says how a file is opened where no dialog can be shown.
     fn say_how_to_open(&self) {
-        let folder = self.pictures_folder();
+        let folder = self.here.pictures_folder();
         self.desk.notice.say(self.settings.language.fill("notice.no_dialog_open", &[("folder", &folder.display())]));
     }
 
@@ -154,11 +139,6 @@ impl SauteApp {
         self.settings.recent.retain(|file| file != path);
         self.settings.recent.insert(0, path.to_owned());
         self.settings.recent.truncate(REMEMBERED);
-    }
-
-    /// The folder into which pictures are saved.
-    pub(crate) fn pictures_folder(&self) -> PathBuf {
-        self.keeps.pictures.clone().unwrap_or_else(pictures_folder)
     }
 
     /// Shows a file in the system's file manager.
@@ -181,41 +161,4 @@ impl SauteApp {
 
 fn save_dialog(title: &str, ending: &str, name: String) -> rfd::FileDialog {
     rfd::FileDialog::new().set_title(title).add_filter(ending.to_uppercase(), &[ending]).set_file_name(name)
-}
-
-/// The folder of pictures: that of the user's folders, else Pictures in the home folder where there is one, else the
-/// working folder.
-fn pictures_folder() -> PathBuf {
-    let home = std::env::var_os(if cfg!(windows) { "USERPROFILE" } else { "HOME" }).map(PathBuf::from);
-    let usual = || home.as_ref().map(|home| home.join("Pictures"));
-    let named = home.as_deref().and_then(named_by_user);
-    let found = named.into_iter().chain(usual()).find(|folder| folder.is_dir());
-    found.or_else(|| std::env::current_dir().ok()).unwrap_or_default()
-}
-
-/// The folder that the file of the user's folders names (XDG: user-dirs.dirs).
-fn named_by_user(home: &Path) -> Option<PathBuf> {
-    let config = std::env::var_os("XDG_CONFIG_HOME").map_or_else(|| home.join(".config"), PathBuf::from);
-    let text = regular_file::read_text(&config.join("user-dirs.dirs"), 1).ok()?;
-    pictures_in(&text, home)
-}
-
-fn pictures_in(user_dirs: &str, home: &Path) -> Option<PathBuf> {
-    let line = user_dirs.lines().find_map(|line| line.trim().strip_prefix("XDG_PICTURES_DIR="))?;
-    let path = line.trim_matches('"');
-    Some(path.strip_prefix("$HOME/").map_or_else(|| PathBuf::from(path), |below| home.join(below)))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_users_folder_of_pictures_is_read_as_the_desktop_writes_it() {
-        let text = "# comment\nXDG_DESKTOP_DIR=\"$HOME/Desktop\"\nXDG_PICTURES_DIR=\"$HOME/Bilder\"\n";
-        assert_eq!(pictures_in(text, Path::new("/home/a")), Some(PathBuf::from("/home/a/Bilder")));
-        let text = "XDG_PICTURES_DIR=\"/data/pictures\"\n";
-        assert_eq!(pictures_in(text, Path::new("/home/a")), Some(PathBuf::from("/data/pictures")));
-        assert_eq!(pictures_in("", Path::new("/home/a")), None);
-    }
 }

@@ -34,11 +34,6 @@ pub struct PhotoMode {
 }
 
 impl PhotoMode {
-    /// Exposure and aperture of the scene now.
-    pub(crate) fn photo(&self) -> Photo {
-        if self.open { self.choice.photo } else { Photo::default() }
-    }
-
     /// How much of a picture or a time lapse is done (0–1); none if none is made.
     pub fn progress(&self) -> Option<f32> {
         self.making.as_ref().map(Making::progress)

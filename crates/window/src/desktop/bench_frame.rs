@@ -6,7 +6,7 @@ use saute_recipe::Recipe;
 use saute_scene::quality::Quality;
 use serde::Serialize;
 
-use crate::offscreen::{Offscreen, OffscreenError};
+use crate::desktop::offscreen::{Offscreen, OffscreenError};
 use crate::start::Start;
 use crate::ui::quality_choice::QualityChoice;
 

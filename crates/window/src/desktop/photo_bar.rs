@@ -3,9 +3,9 @@
 use egui::{Align2, Area, Id, ProgressBar, Rect, RichText, Slider, Ui, vec2};
 use saute_scene::light::photo::Photo;
 
-use crate::act::{Act, Acts, AppAct, hint};
+use crate::act::{Act, Acts, AppAct, HereAct, hint};
 use crate::panels::window_state::WindowState;
-use crate::photo::SIZES;
+use crate::desktop::photo::SIZES;
 use crate::ui::layout::GAP;
 use crate::ui::theme;
 
@@ -21,7 +21,7 @@ pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, whole: Rect) {
     area.show(ui.ctx(), |ui| {
         ui.set_max_width(whole.width() - 2.0 * GAP);
         theme::of(ui).panel().show(ui, |ui| {
-            let mut choice = state.photo.choice;
+            let mut choice = state.here.photo.choice;
             ui.spacing_mut().interact_size.y = theme::TOUCH;
             ui.spacing_mut().slider_width = SLIDER;
             let mut rows: [&mut dyn FnMut(&mut Ui); 4] = [
@@ -35,8 +35,8 @@ pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, whole: Rect) {
             } else {
                 ui.horizontal(|ui| rows.iter_mut().for_each(|row| row(ui)));
             }
-            if choice != state.photo.choice {
-                acts.push(Act::App(AppAct::SetPhoto(choice)));
+            if choice != state.here.photo.choice {
+                acts.push(Act::App(AppAct::Here(HereAct::SetPhoto(choice))));
             }
         });
     });
@@ -65,12 +65,12 @@ fn sizes(ui: &mut Ui, chosen: &mut [u32; 2]) {
 
 fn buttons(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let l = state.settings.language;
-    if let Some(progress) = state.photo.progress() {
+    if let Some(progress) = state.here.photo.progress() {
         let text = RichText::new(l.text("photo.making")).size(13.0);
         ui.add(ProgressBar::new(progress).desired_width(180.0).text(text));
     } else {
         for (key, act, first) in
-            [("photo.take", Act::App(AppAct::Picture), true), ("photo.lapse", Act::App(AppAct::TimeLapse), false)]
+            [("photo.take", Act::App(AppAct::Picture), true), ("photo.lapse", Act::App(AppAct::Here(HereAct::TimeLapse)), false)]
         {
             let shown = ui.add(theme::of(ui).button(l.text(key), first));
             let explained = if first { hint(&act, l) } else { l.text("photo.lapse_hint").to_owned() };

@@ -2,16 +2,16 @@
 
 use crate::act::Card;
 use crate::app::SauteApp;
-use crate::browser::host::{HostPlays, Opening, PageStart, Surroundings};
+use crate::browser::host::{HostPlays, Opening, PageStart};
 use saute_session::SteakChoice;
 
 impl SauteApp {
     /// Opens the cook of the address, and keeps the cook in the browser's storage.
-    pub(crate) fn settle_in(&mut self, around: Surroundings, ctx: &egui::Context) {
-        self.page.mirrored.listen(ctx);
-        let PageStart { host, kept, link, is_embedded, opening, version } = around.0;
-        (self.page.host, self.page.version) = (host, version);
-        if let Some(host) = self.page.host.clone() {
+    pub(super) fn begin_page(&mut self, start: PageStart, ctx: &egui::Context) {
+        self.here.mirrored.listen(ctx);
+        let PageStart { host, kept, link, is_embedded, opening, version } = start;
+        (self.here.script, self.here.version) = (host.clone(), version);
+        if let Some(host) = host.clone() {
             self.let_listen(Box::new(HostPlays::new(host.clone())));
             self.employ(Box::new(host));
         }
@@ -20,7 +20,7 @@ impl SauteApp {
             self.desk.card = None;
         }
         self.open_link(&link);
-        if let Some(host) = self.page.host.clone() {
+        if let Some(host) = host {
             self.keep_cook_by(Box::new(host), kept.as_deref());
         }
     }
@@ -44,17 +44,10 @@ impl SauteApp {
     }
 
     /// Copies what a report of a problem needs, and says so.
-    pub(crate) fn report_problem(&self) {
-        if let Some(host) = &self.page.host {
+    pub(super) fn report_problem(&self) {
+        if let Some(host) = &self.here.script {
             host.copy_report(&self.said().join("\n"));
             self.say("page.report_copied");
-        }
-    }
-
-    /// Copies a text to the clipboard, by the page's script.
-    pub(crate) fn copy_text(&self, text: &str) {
-        if let Some(host) = &self.page.host {
-            host.copy_text(text);
         }
     }
 }

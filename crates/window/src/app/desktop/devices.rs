@@ -1,7 +1,7 @@
-//! Haptic devices in the window: connecting, the emergency stop, and notices about them.
+//! Haptic devices in the window: connecting, going on after a stop, and notices about them.
 
 use crate::app::SauteApp;
-use crate::hand::hands::{HandsStart, Role};
+use crate::desktop::hand::hands::{HandsStart, Role};
 use egui::{Context, Key, Modifiers};
 
 /// Interval at which the panel is redrawn while time stands still [s] (chosen: numbers that can be read).
@@ -9,7 +9,7 @@ const ANEW_S: f64 = 0.1;
 
 impl SauteApp {
     /// Connects the devices with which the window starts.
-    pub(crate) fn begin_hands(&mut self, start: HandsStart) {
+    pub(super) fn begin_hands(&mut self, start: HandsStart) {
         self.session.hands.file = start.calibration;
         for (role, text) in [(Role::Pan, start.pan), (Role::Turner, start.turner)] {
             if let Some(text) = text {
@@ -19,7 +19,7 @@ impl SauteApp {
     }
 
     /// Connects a device; time then runs at the pace of the clock, the only pace at which forces are rendered.
-    pub(crate) fn connect_hand(&mut self, role: Role, text: &str, pairing: u32) {
+    pub(super) fn connect_hand(&mut self, role: Role, text: &str, pairing: u32) {
         match self.session.hands.connect(role, text, pairing) {
             Ok(()) => self.set_speed(1.0),
             Err(error) => self.say_trouble(&error),
@@ -27,33 +27,13 @@ impl SauteApp {
     }
 
     /// After a stop or a safety fault: all devices may make forces again.
-    pub(crate) fn resume_hands(&mut self) {
+    pub(super) fn resume_hands(&mut self) {
         self.session.hands.resume();
         self.say("notice.hands_resumed");
     }
 
-    /// The emergency stop: all devices stop until a hand resumes.
-    pub(crate) fn stop_hands(&mut self) {
-        if self.session.hands.any() {
-            self.session.hands.stop();
-            self.say("notice.hands_stopped");
-        }
-    }
-
-    /// Enter in a window stops the devices.
-    pub(crate) fn take_stop(&mut self, ctx: &Context) {
-        if self.session.hands.any() && ctx.input_mut(enter) {
-            self.stop_hands();
-        }
-    }
-
-    /// Reads the state of the devices, first of all in a frame. While one is connected, Enter stops it, whichever
-    /// widget has the focus.
-    pub(crate) fn take_devices(&mut self, ctx: &Context) {
-        if !self.session.hands.any() {
-            return;
-        }
-        self.take_stop(ctx);
+    /// Reads the state of the devices.
+    pub(super) fn read_devices(&mut self, ctx: &Context) {
         for kept in self.session.hands.update() {
             match kept {
                 Ok(file) => {
@@ -67,7 +47,7 @@ impl SauteApp {
 }
 
 /// Returns true if Enter was pressed, with any modifiers; the key is consumed.
-fn enter(input: &mut egui::InputState) -> bool {
+pub(super) fn enter(input: &mut egui::InputState) -> bool {
     let held = input.modifiers;
     [Modifiers::NONE, held].into_iter().any(|with| input.consume_key(with, Key::Enter))
 }

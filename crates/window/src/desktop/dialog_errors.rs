@@ -1,7 +1,7 @@
 //! Whether a file dialog could be shown. The library that shows it returns nothing both where a person cancels and where the system
 //! has no dialog (no desktop portal, as on kiosks and bare window managers); only its log tells them apart.
 
-use crate::kept::files::Answer;
+use crate::desktop::files::Answer;
 use log::{LevelFilter, Log, Metadata, Record};
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};

@@ -11,8 +11,8 @@ use saute_scene::gpu::readback::read_picture;
 use saute_scene::input::SceneInput;
 use saute_scene::quality::Quality;
 
-use super::frame::MirrorFrame;
-use super::presenter::MirrorPresenter;
+use crate::mirror::frame::MirrorFrame;
+use crate::mirror::presenter::MirrorPresenter;
 use saute_mirror::options::MirrorOptions;
 use saute_mirror::rig::Rig;
 

@@ -1,0 +1,24 @@
+//! What only a page lets a person do.
+
+use saute_session::permits::Permit;
+
+use crate::act::{Subject, Traits};
+
+/// What only a page lets a person do.
+#[derive(Clone, Debug, PartialEq)]
+pub enum HereAct {
+    /// The phone holds the pan, or no longer.
+    TiltPhone,
+    /// Copies what a report of a problem needs.
+    Report,
+}
+
+impl HereAct {
+    /// What else is true of it.
+    pub fn traits(&self) -> Traits {
+        match self {
+            Self::TiltPhone => Traits::plain(Subject::Tool, Traits::NO_WORDS, &[Permit::Hands]),
+            Self::Report => Traits::needing(&[Permit::Help]),
+        }
+    }
+}

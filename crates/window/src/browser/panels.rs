@@ -1,0 +1,73 @@
+//! What panels show that only a page has: its foot, and the phone that holds the pan.
+
+use egui::{RichText, Ui};
+
+use crate::act::{Act, Acts, AppAct, HereAct};
+use crate::panels::cards::setting_row::explained;
+use crate::panels::window_state::WindowState;
+use crate::ui::layout::Layout;
+use crate::ui::notice::Said;
+use crate::ui::theme;
+
+/// A page keeps nothing about devices.
+pub(crate) type HereMemory = ();
+
+/// Room for the foot of the help [points].
+pub(crate) const FOOT: f32 = 56.0;
+
+/// Shows guides, version and privacy.
+pub(crate) fn foot(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+    let l = state.settings.language;
+    ui.separator();
+    ui.horizontal_wrapped(|ui| {
+        ui.add(egui::Hyperlink::from_label_and_url(l.text("page.guides"), "docs/index.html").open_in_new_tab(true));
+        if ui.add(theme::of(ui).button(l.text("page.report"), false)).clicked() {
+            acts.push(Act::App(AppAct::Here(HereAct::Report)));
+        }
+        let version = l.fill("page.version", &[("version", &state.here.version)]);
+        let text = format!("{version} · {}", l.text("page.private"));
+        ui.label(RichText::new(text).size(13.0).color(theme::of(ui).quiet));
+    });
+}
+
+/// A page has no photo mode.
+pub(crate) fn show_instead(_: &WindowState, _: &Ui, _: &mut Acts, _: &Layout) -> bool {
+    false
+}
+
+/// A page reaches no device.
+pub(crate) fn devices(_: &WindowState, _: &Ui, _: &mut Acts, _: &Layout) {}
+
+/// Says that a page reaches no device.
+pub(crate) fn device_settings(
+    state: &WindowState,
+    _: &mut HereMemory,
+    ui: &mut Ui,
+    _: &mut Acts,
+    is_narrow: bool,
+) {
+    explained(ui, is_narrow, state.settings.language.text("settings.native_only"));
+}
+
+/// What a page says has no button.
+pub(crate) fn has_button(_: &Said) -> bool {
+    false
+}
+
+/// A page cannot show a file.
+pub(crate) fn file_button(_: &WindowState, _: &mut Ui, _: &mut Acts, _: &Said) {}
+
+/// A page does not know the paths of files.
+pub(crate) fn recent_files(_: &WindowState, _: &mut Ui, _: &mut Acts) {}
+
+/// Shows whether the phone holds the pan, where it can.
+pub(crate) fn tilt_button(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+    if !state.here.can_tilt() {
+        return;
+    }
+    let l = state.settings.language;
+    let button = theme::of(ui).button(l.text("pour.tilt"), state.session.hands.phone.is_some());
+    if ui.add(button).on_hover_text(l.text("pour.tilt_hint")).clicked() {
+        acts.push(Act::App(AppAct::Here(HereAct::TiltPhone)));
+    }
+}

@@ -1,0 +1,72 @@
+//! What panels show that only a desktop has: devices, files by their paths, the photo mode.
+
+use egui::{Ui, vec2};
+
+use super::hand::{self, Choice};
+use super::photo_bar;
+use crate::act::{Act, Acts, AppAct, HereAct};
+use crate::panels::window_state::WindowState;
+use crate::ui::layout::Layout;
+use crate::ui::notice::Said;
+
+/// What was typed and chosen about a device.
+pub(crate) type HereMemory = Choice;
+
+/// Room for the foot of the help [points]: a window has none.
+pub(crate) const FOOT: f32 = 0.0;
+
+/// A window has no foot of the help.
+pub(crate) fn foot(_: &WindowState, _: &mut Ui, _: &mut Acts) {}
+
+/// Shows the bar of the photo mode in place of all panels while it is open; returns true if it is.
+pub(crate) fn show_instead(state: &WindowState, ui: &Ui, acts: &mut Acts, layout: &Layout) -> bool {
+    let is_open = state.here.photo.open;
+    if is_open {
+        photo_bar::show(state, ui, acts, layout.whole);
+    }
+    is_open
+}
+
+/// Shows the devices that are connected.
+pub(crate) fn devices(state: &WindowState, ui: &Ui, acts: &mut Acts, layout: &Layout) {
+    hand::show(state, ui, acts, layout);
+}
+
+/// Shows how devices are connected.
+pub(crate) fn device_settings(
+    state: &WindowState,
+    memory: &mut HereMemory,
+    ui: &mut Ui,
+    acts: &mut Acts,
+    is_narrow: bool,
+) {
+    hand::section(state, memory, ui, acts, is_narrow);
+}
+
+/// Returns true if what was said has a button.
+pub(crate) fn has_button(said: &Said) -> bool {
+    said.file.is_some()
+}
+
+/// Shows a button that shows the file of a sentence.
+pub(crate) fn file_button(state: &WindowState, ui: &mut Ui, acts: &mut Acts, said: &Said) {
+    if let Some(file) = &said.file
+        && ui.button(state.settings.language.text("messages.show")).clicked()
+    {
+        acts.push(Act::App(AppAct::Here(HereAct::ShowFile(file.clone()))));
+    }
+}
+
+/// Lists the files that were opened before.
+pub(crate) fn recent_files(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+    for file in &state.settings.recent {
+        let name = file.file_name().map_or_else(|| file.display().to_string(), |n| n.to_string_lossy().into_owned());
+        let button = egui::Button::new(name).min_size(vec2(ui.available_width(), 34.0));
+        if ui.add(button).on_hover_text(file.display().to_string()).clicked() {
+            acts.push(Act::App(AppAct::Here(HereAct::OpenFile(file.clone()))));
+        }
+    }
+}
+
+/// A window is held by no phone.
+pub(crate) fn tilt_button(_: &WindowState, _: &mut Ui, _: &mut Acts) {}

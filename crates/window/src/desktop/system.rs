@@ -1,0 +1,26 @@
+//! What the system says about itself and about the person at it.
+
+use saute_words::language::Language;
+
+pub(crate) use super::clock::time_of_day;
+
+/// Name of the program, after which eframe names the folder of its settings.
+pub(crate) const NAME: &str = "saute";
+
+/// The window is no page.
+pub(crate) const IS_PAGE: bool = false;
+
+/// The language of the environment.
+pub(crate) fn language() -> Language {
+    Language::of_environment()
+}
+
+/// A window has no address.
+pub(crate) fn page_address() -> Option<String> {
+    None
+}
+
+/// What a style sheet could ask is known of pages only.
+pub(crate) fn asks(_: &str) -> bool {
+    false
+}

@@ -1,0 +1,51 @@
+//! What the world around the window does for it: a system's desktop, or the page.
+
+use std::path::PathBuf;
+
+use saute_haptics::Rumble;
+use saute_scene::light::photo::Photo;
+use saute_study::class::ResultRow;
+
+#[cfg(target_arch = "wasm32")]
+pub use crate::browser::{host::PageStart as HostStart, page::Page as Here};
+#[cfg(not(target_arch = "wasm32"))]
+pub use crate::desktop::{hand::HandsStart as HostStart, host::Desktop as Here};
+use crate::input::gamepad::PadState;
+use crate::listener::Listener;
+
+/// What writes a picture, on any thread; returns where it is then, or what it is called.
+pub type PictureKeeper = Box<dyn Fn(&[u8]) -> Result<PathBuf, String> + Send>;
+
+/// What a desktop and a page do for the window, each in its way.
+pub trait Host {
+    /// Returns what the first gamepad reads; none where none is plugged in.
+    fn read_pad(&mut self) -> Option<PadState>;
+
+    /// Lets the motors of the first gamepad turn so fast; nothing where it has none.
+    fn turn_motors(&mut self, rumble: &Rumble);
+
+    /// Returns who plays what is heard, once, or why nobody does; none where that is known, or nobody is asked for.
+    fn speaker(&mut self) -> Option<Result<Box<dyn Listener>, String>>;
+
+    /// Returns what writes a picture.
+    fn picture_keeper(&self) -> PictureKeeper;
+
+    /// Saves a table; returns its path where it has one.
+    ///
+    /// # Errors
+    ///
+    /// Why it is not saved.
+    fn save_table(&self, name: &str, csv: &str) -> Result<Option<PathBuf>, String>;
+
+    /// Exposure and aperture of the photo mode; none while it is closed, or where there is none.
+    fn photo(&self) -> Option<Photo>;
+
+    /// Closes the photo mode.
+    fn close_photo(&mut self);
+
+    /// Hands a result of a lesson to whoever asked for it.
+    fn report(&self, row: &ResultRow);
+
+    /// Copies a text to the clipboard where the window itself has none.
+    fn copy_text(&self, text: &str);
+}

@@ -1,0 +1,19 @@
+//! What the system says about itself and about the person at it: the language, the time of day, fonts, and in browsers the
+//! address, the pointer and the wish for less motion.
+
+#[cfg(target_arch = "wasm32")]
+use crate::browser::{fonts, system as here};
+#[cfg(not(target_arch = "wasm32"))]
+use crate::desktop::{fonts, system as here};
+pub(crate) use fonts::{japanese, latin};
+pub(crate) use here::{IS_PAGE, language, page_address, time_of_day};
+
+/// Returns true if the main pointer is a finger.
+pub(crate) fn has_coarse_pointer() -> bool {
+    here::asks("(pointer: coarse)")
+}
+
+/// Returns true if the person has asked for less motion.
+pub(crate) fn wants_less_motion() -> bool {
+    here::asks("(prefers-reduced-motion: reduce)")
+}
