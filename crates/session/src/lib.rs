@@ -8,6 +8,7 @@ pub mod easing;
 pub mod export;
 pub mod forecasts;
 mod foresight;
+pub mod guided;
 pub mod hands;
 pub mod hearing;
 mod judging;

@@ -6,7 +6,7 @@ use saute_kitchen::Library;
 use saute_study::class::{self, Scenario};
 use saute_study::{Participant, Protocol};
 use saute_window::browser::host::Host;
-use saute_window::guided::{LessonStart, StudyStart};
+use saute_session::guided::{LessonStart, StudyStart};
 
 /// A shipped study with the code of its participant; a page without a script keeps its rows in memory.
 pub(crate) fn study(library: &Library, (id, code): (&str, &str), host: Option<&Host>) -> Result<StudyStart, String> {

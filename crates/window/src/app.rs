@@ -40,7 +40,7 @@ use self::pace::Pace;
 use self::sights::Sights;
 use self::sounds::Sounds;
 use crate::act::Card;
-use crate::guided::Guided;
+use saute_session::guided::Guided;
 use crate::host::{Here, Host};
 use crate::mirror::presenter::MirrorCallback;
 use crate::paint::ground::GroundCallback;

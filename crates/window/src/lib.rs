@@ -23,7 +23,6 @@ pub mod controls;
 pub mod desktop;
 pub mod frame_meter;
 pub mod governor;
-pub mod guided;
 pub mod host;
 pub mod input;
 pub mod kept;

@@ -6,7 +6,7 @@ use saute_kitchen::Library;
 use saute_recipe::{Recipe, Recording};
 use saute_words::language::Language;
 
-use crate::guided::{LessonStart, StudyStart};
+use saute_session::guided::{LessonStart, StudyStart};
 use crate::host::HostStart;
 
 /// Start options of the window.

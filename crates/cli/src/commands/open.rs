@@ -8,7 +8,7 @@ use saute_kitchen::data::library::DEFAULT_SCALE;
 use saute_study::class::{Scenario, shipped};
 use saute_study::{NoCode, Participant};
 use saute_window::{Helps, Start};
-use saute_window::guided::{LessonStart, StudyStart};
+use saute_session::guided::{LessonStart, StudyStart};
 use saute_window::desktop::hand::HandsStart;
 
 use crate::args::{HandArgs, OpenArgs};

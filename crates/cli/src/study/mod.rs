@@ -12,7 +12,7 @@ use std::sync::Arc;
 
 use clap::Subcommand;
 use saute_study::{Protocol, shipped};
-use saute_window::guided::StudyStart;
+use saute_session::guided::StudyStart;
 
 use crate::args::HandArgs;
 use crate::commands::open;

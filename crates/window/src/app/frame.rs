@@ -12,7 +12,7 @@ use web_time::{Duration, Instant};
 use super::SauteApp;
 use super::on_host::OnHost;
 use crate::act::{Act, Acts, AppAct, Card};
-use crate::guided::Guided;
+use saute_session::guided::Guided;
 use crate::panels;
 use crate::panels::ways::way_words;
 use crate::panels::window_state::WindowState;

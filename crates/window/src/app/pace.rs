@@ -3,7 +3,7 @@
 use super::SauteApp;
 use crate::app::apply::waiting::Waiting;
 use crate::frame_meter::FrameMeter;
-use crate::guided::Guided;
+use saute_session::guided::Guided;
 use saute_kitchen::advice::Advice;
 use saute_session::SPEEDS;
 use saute_session::easing::Easing;

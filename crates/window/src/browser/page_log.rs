@@ -5,8 +5,8 @@ use std::sync::Arc;
 use saute_study::{LogRow, Participant, Protocol, from_csv, to_csv, with_all_columns};
 
 use super::host::Host;
-use crate::guided::StudyStart;
-use crate::guided::log_keeper::LogKeeper;
+use saute_session::guided::StudyStart;
+use saute_session::guided::log_keeper::LogKeeper;
 
 /// The log that the page's script keeps.
 #[derive(Debug)]

@@ -8,8 +8,8 @@ use std::sync::Arc;
 use saute_files::{locked_file, regular_file, write_whole};
 use saute_study::{LogRow, Participant, Protocol, dictionary, from_csv, to_csv, with_all_columns};
 
-use crate::guided::StudyStart;
-use crate::guided::log_keeper::LogKeeper;
+use saute_session::guided::StudyStart;
+use saute_session::guided::log_keeper::LogKeeper;
 
 /// An open log.
 #[derive(Debug)]

@@ -12,7 +12,7 @@ use saute_kitchen::food::change::doneness::Measure;
 use saute_scene::quality::Quality;
 
 use crate::act::{Act, Card};
-use crate::guided::Guided;
+use saute_session::guided::Guided;
 use crate::host::Here;
 use crate::input::pouring::Portion;
 use crate::learn::tutorial::Tutorial;

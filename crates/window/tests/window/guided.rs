@@ -11,7 +11,7 @@ use saute_kitchen::Library;
 use saute_picture::View;
 use saute_study::class::{Scenario, shipped};
 use saute_study::{LogRow, Pace, Protocol, RowKind, Stage, from_csv};
-use saute_window::guided::{Guided, LessonStart, StudyStart};
+use saute_session::guided::{Guided, LessonStart, StudyStart};
 use saute_window::{Helps, SauteApp, Start};
 use saute_words::language::Language;
 

@@ -3,8 +3,9 @@
 use crate::act::Act;
 use crate::act::GuidedAct;
 use crate::app::SauteApp;
-use crate::guided::{Guided, LessonDesk, LessonStart, StudyDesk, StudyStart};
+use saute_session::guided::{Guided, LessonDesk, LessonStart, StudyDesk, StudyStart};
 use crate::host::Host;
+use crate::system::time_of_day;
 use saute_picture::View;
 use saute_session::permits::{Permit, Permits};
 use saute_study::class::{Scenario, shipped, to_csv};
@@ -25,7 +26,7 @@ impl SauteApp {
     /// Begins a study.
     pub(crate) fn begin_study(&mut self, start: StudyStart) {
         self.desk.card = None;
-        self.leads.guided = Some(Guided::Study(Box::new(StudyDesk::begin(start))));
+        self.leads.guided = Some(Guided::Study(Box::new(StudyDesk::begin(start, time_of_day()))));
     }
 
     /// Opens a lesson: its food is set out, and its card states what it is about.

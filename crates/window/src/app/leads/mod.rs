@@ -1,5 +1,7 @@
 //! What leads a person: studies, lessons, the tutorial, goals and results, plans, the kitchen at home.
 
+#[cfg(test)]
+mod allowed;
 mod at_home;
 mod goal_choice;
 mod guided;
@@ -7,12 +9,14 @@ mod plan;
 mod result;
 mod trial_run;
 mod tutorial;
+#[cfg(test)]
+mod walk;
 
 use saute_session::at_home::fitting::AtHome;
 use saute_session::plan::live::Live;
 use saute_session::plan::planning::Planning;
 
-use crate::guided::Guided;
+use saute_session::guided::Guided;
 use crate::learn::Learning;
 
 /// What leads a person, and what is searched for.

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::app::SauteApp;
-use crate::guided::{Guided, Readiness};
+use saute_session::guided::{Guided, Readiness};
 use saute_kitchen::Command;
 
 /// Power of the hob while the machine is tried [W] (chosen: a pan that sears, as in a trial).

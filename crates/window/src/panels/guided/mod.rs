@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use egui::{Id, Modal, Rect, ScrollArea, Ui};
 
 use crate::act::Acts;
-use crate::guided::Guided;
+use saute_session::guided::Guided;
 use crate::panels::window_state::WindowState;
 use crate::ui::layout::Layout;
 use crate::ui::theme;

@@ -5,7 +5,7 @@ use saute_study::Stage;
 
 use crate::act::GuidedAct;
 use crate::act::{Act, Acts, LearnAct};
-use crate::guided::{LessonDesk, StudyDesk};
+use saute_session::guided::{LessonDesk, StudyDesk};
 use crate::panels::window_state::WindowState;
 use crate::ui::layout::{GAP, Layout};
 use crate::ui::{fingers, theme};

@@ -20,7 +20,7 @@ use self::now_memory::NowMemory;
 use self::now_words::{Deed, NowWords};
 use self::time_left::TimeLeft;
 use crate::act::{Act, Acts, CookAct};
-use crate::guided::Guided;
+use saute_session::guided::Guided;
 use crate::panels::window_state::WindowState;
 use crate::ui::layout::{GAP, Layout};
 use crate::ui::theme::{self, TOUCH};

@@ -8,7 +8,8 @@ use saute_study::protocol_file::Information;
 use saute_study::{Measures, Participant, Times};
 use web_time::{Duration, Instant};
 
-use crate::session::Session;
+use crate::Session;
+use crate::hands::Hands;
 
 /// A lesson to begin with.
 #[derive(Clone, Debug)]
@@ -36,7 +37,8 @@ pub struct LessonDesk {
 }
 
 impl LessonDesk {
-    pub(crate) fn begin(start: LessonStart) -> Self {
+    /// Opens a lesson.
+    pub fn begin(start: LessonStart) -> Self {
         Self { start, masses: Vec::new(), has_begun: false, shown: None, told: Vec::new(), rest: None, result: None }
     }
 
@@ -46,7 +48,7 @@ impl LessonDesk {
     }
 
     /// What it began with.
-    pub(crate) fn start(&self) -> &LessonStart {
+    pub fn start(&self) -> &LessonStart {
         &self.start
     }
 
@@ -76,40 +78,43 @@ impl LessonDesk {
     }
 
     /// True while a card asks. That a question waits is known by the session's pause.
-    pub(crate) fn asks(&self) -> bool {
+    pub fn asks(&self) -> bool {
         !self.has_begun || self.shown.is_some() || self.rest.is_some() || self.result.is_some()
     }
 
-    pub(crate) fn hides_read_outs(&self) -> bool {
+    /// True while the scenario hides read-outs.
+    pub fn hides_read_outs(&self) -> bool {
         self.has_begun && self.result.is_none() && self.start.scenario.overlays == Information::Hidden
     }
 
     /// The lesson that watches the cook.
-    pub(crate) fn watch(&mut self, session: &Session) -> Lesson {
+    pub fn watch<H: Hands>(&mut self, session: &Session<H>) -> Lesson {
         self.masses = session.kitchen.pieces().iter().map(saute_kitchen::Piece::mass).collect();
         (self.has_begun, self.shown, self.rest, self.result) = (false, None, None, None);
         self.told.clear();
         Lesson::begin(Arc::clone(&self.start.scenario), self.start.student.clone())
     }
 
-    pub(crate) fn start_cook(&mut self) {
+    /// The student begins to cook.
+    pub fn start_cook(&mut self) {
         self.has_begun = true;
     }
 
     /// Shows the truth of an answered question if it is known already.
-    pub(crate) fn show_truth(&mut self, place: usize, is_known: bool) {
+    pub fn show_truth(&mut self, place: usize, is_known: bool) {
         if is_known {
             self.shown = Some(place);
             self.told.push(place);
         }
     }
 
-    pub(crate) fn go_on(&mut self) {
+    /// The student has seen the truth that is shown.
+    pub fn go_on(&mut self) {
         self.shown = None;
     }
 
     /// The first question whose truth has become known since it was answered.
-    pub(crate) fn newly_known(&mut self, lesson: &Lesson) -> Option<usize> {
+    pub fn newly_known(&mut self, lesson: &Lesson) -> Option<usize> {
         let known = |place: &usize| {
             let asked = lesson.asked()[*place];
             asked.answer.is_some() && asked.truth.is_some() && !self.told.contains(place)
@@ -120,13 +125,13 @@ impl LessonDesk {
     }
 
     /// True if it has come to its end.
-    pub(crate) fn is_over(&self, session: &Session) -> bool {
+    pub fn is_over<H: Hands>(&self, session: &Session<H>) -> bool {
         let runs = self.has_begun && self.rest.is_none() && self.result.is_none();
         runs && (session.kitchen.time_s() >= self.start.scenario.max_s || has_rested(&session.kitchen))
     }
 
     /// Ends it. What time has not yet shown is cooked on first, if the food is out of the pan ([`Self::cook_on`]).
-    pub(crate) fn end(&mut self, session: &mut Session) {
+    pub fn end<H: Hands>(&mut self, session: &mut Session<H>) {
         self.rest = session.lesson.as_ref().and_then(|lesson| Rest::of(lesson, &session.kitchen));
         if self.rest.is_none() {
             let kitchen = session.kitchen.clone();
@@ -135,7 +140,7 @@ impl LessonDesk {
     }
 
     /// Cooks on what the lesson waits for, for no longer than `budget`; returns true once there is a result.
-    pub(crate) fn cook_on(&mut self, session: &mut Session, budget: Duration) -> bool {
+    pub fn cook_on<H: Hands>(&mut self, session: &mut Session<H>, budget: Duration) -> bool {
         let (Some(rest), Some(lesson)) = (&mut self.rest, &mut session.lesson) else { return false };
         let begun = Instant::now();
         let mut is_over = rest.tick(lesson);
@@ -147,7 +152,7 @@ impl LessonDesk {
         true
     }
 
-    fn finish(&mut self, session: &mut Session, kitchen: &saute_kitchen::Kitchen, rest: RestKind) {
+    fn finish<H: Hands>(&mut self, session: &mut Session<H>, kitchen: &saute_kitchen::Kitchen, rest: RestKind) {
         let times = Times::of(session.recording(), &session.recorder);
         let measures = Measures::read(kitchen, &self.masses, &self.start.scenario.goal, &times);
         if let Some(lesson) = &mut session.lesson {

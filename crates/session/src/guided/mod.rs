@@ -1,17 +1,15 @@
 //! A cook that a study or a lesson leads: it decides what is set out, shown and locked, and asks.
 
 mod lesson_desk;
-pub(crate) mod log_keeper;
-mod permits;
+pub mod log_keeper;
+pub mod permits;
 mod readiness;
 mod study_desk;
-#[cfg(test)]
-mod walk;
 
 pub use self::lesson_desk::{LessonDesk, LessonStart};
 pub use self::readiness::{Readiness, TrialRun};
 pub use self::study_desk::{StudyDesk, StudyStart};
-use saute_session::permits::{Permit, Permits};
+use crate::permits::{Permit, Permits};
 
 /// What leads the cook.
 pub enum Guided {

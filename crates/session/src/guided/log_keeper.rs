@@ -3,7 +3,7 @@
 use saute_study::LogRow;
 
 /// Where the rows of a study go: a file, a browser's storage, or nowhere.
-pub(crate) trait LogKeeper {
+pub trait LogKeeper {
     /// Appends rows; they are kept whole or not at all.
     ///
     /// # Errors
@@ -23,7 +23,7 @@ pub(crate) trait LogKeeper {
 }
 
 /// Rows stay in memory and are offered as a download.
-pub(crate) struct InMemory;
+pub struct InMemory;
 
 impl LogKeeper for InMemory {
     fn append(&mut self, _: &[LogRow]) -> Result<(), String> {

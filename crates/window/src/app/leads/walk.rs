@@ -6,12 +6,12 @@ use saute_kitchen::Library;
 use saute_study::Protocol;
 use saute_study::class::{Scenario, shipped};
 
-use super::{LessonStart, StudyStart};
 use crate::act::GuidedAct;
 use crate::act::samples::samples;
 use crate::act::{Act, LearnAct};
 use crate::app::SauteApp;
 use crate::start::Start;
+use saute_session::guided::{LessonStart, StudyStart};
 use saute_session::permits::Permit;
 
 const PROTOCOL: &str = r#"id = "walk"

@@ -10,8 +10,8 @@ use web_time::Instant;
 
 use super::log_keeper::{InMemory, LogKeeper};
 use super::readiness::{Readiness, TrialRun};
-use crate::session::Session;
-use crate::system::time_of_day;
+use crate::Session;
+use crate::hands::Hands;
 
 /// A study to begin with.
 pub struct StudyStart {
@@ -42,7 +42,7 @@ impl std::fmt::Debug for StudyStart {
 impl StudyStart {
     /// A study whose rows are kept in memory, as in a page without storage.
     pub fn in_memory(protocol: Arc<Protocol>, participant: Participant) -> Self {
-        let study = Study::begin(protocol, participant).started_at(time_of_day());
+        let study = Study::begin(protocol, participant);
         Self { study, earlier: Vec::new(), keeper: Box::new(InMemory), readiness: Readiness::Untried }
     }
 
@@ -59,7 +59,11 @@ impl StudyStart {
     }
 
     /// Goes on after the rows that a log holds.
-    pub(crate) fn resumed(
+    ///
+    /// # Errors
+    ///
+    /// If they are of another participant or protocol.
+    pub fn resumed(
         protocol: Arc<Protocol>,
         participant: Participant,
         (keeper, earlier): (Box<dyn LogKeeper>, Vec<LogRow>),
@@ -93,10 +97,11 @@ struct Trial {
 }
 
 impl StudyDesk {
-    pub(crate) fn begin(start: StudyStart) -> Self {
+    /// Begins a study at a time of day [ISO 8601, UTC].
+    pub fn begin(start: StudyStart, now: String) -> Self {
         let kept = start.earlier.len();
         Self {
-            study: start.study,
+            study: start.study.started_at(now),
             keeper: start.keeper,
             rows: start.earlier,
             kept,
@@ -120,24 +125,24 @@ impl StudyDesk {
     }
 
     /// The trials at whose speed the machine is to be tried now; none where that is known.
-    pub(crate) fn to_try(&self) -> Option<&Simulate> {
+    pub fn to_try(&self) -> Option<&Simulate> {
         matches!(self.readiness, Readiness::Untried).then(|| self.study.fastest_to_come()).flatten()
     }
 
     /// Tries the machine with what is set out now, at a speed; without one there is no need.
-    pub(crate) fn try_machine(&mut self, speed: Option<f64>) {
+    pub fn try_machine(&mut self, speed: Option<f64>) {
         self.readiness = speed.map_or(Readiness::NotNeeded, |speed| Readiness::Tried(TrialRun::at(speed)));
     }
 
     /// Forgets what is known of the machine.
-    pub(crate) fn try_again(&mut self) {
+    pub fn try_again(&mut self) {
         if matches!(self.readiness, Readiness::TooSlow(_)) {
             self.readiness = Readiness::Untried;
         }
     }
 
     /// So much wall time and simulated time has passed [s]; returns true if the machine was tried and it is known now.
-    pub(crate) fn pass(&mut self, wall_s: f64, simulated_s: f64) -> bool {
+    pub fn pass(&mut self, wall_s: f64, simulated_s: f64) -> bool {
         if let Some(trial) = &mut self.trial {
             trial.meter.pass(wall_s, simulated_s);
         }
@@ -177,34 +182,36 @@ impl StudyDesk {
         to_csv(&self.rows, true)
     }
 
-    pub(crate) fn hides_read_outs(&self) -> bool {
+    /// True if the condition hides read-outs.
+    pub fn hides_read_outs(&self) -> bool {
         self.study.information() == Information::Hidden
     }
 
     /// Returns true if the protocol lets participants hear the pan.
-    pub(crate) fn sounds(&self) -> bool {
+    pub fn sounds(&self) -> bool {
         self.study.protocol().sound
     }
 
-    pub(crate) fn decline(&mut self) {
+    /// The participant does not agree.
+    pub fn decline(&mut self) {
         self.has_declined = self.study.stage() == Stage::Consent;
     }
 
     /// A trial begins with what is set out now.
-    pub(crate) fn begin_trial(&mut self, session: &Session) {
+    pub fn begin_trial<H: Hands>(&mut self, session: &Session<H>) {
         let masses = session.kitchen.pieces().iter().map(saute_kitchen::Piece::mass).collect();
         let meter = PaceMeter::at(session.speed);
         self.trial = Some(Trial { masses, begun: Instant::now(), meter });
     }
 
     /// Returns true if the trial has come to its end: its time is over, or the food has rested.
-    pub(crate) fn is_over(&self, session: &Session) -> bool {
+    pub fn is_over<H: Hands>(&self, session: &Session<H>) -> bool {
         let Some(simulate) = self.study.simulate().filter(|_| self.is_running()) else { return false };
         session.kitchen.time_s() >= simulate.max_s || saute_study::class::rest::has_rested(&session.kitchen)
     }
 
     /// Ends the trial, and keeps its row.
-    pub(crate) fn end_trial(&mut self, session: &Session) {
+    pub fn end_trial<H: Hands>(&mut self, session: &Session<H>) {
         let (Some(trial), Some(simulate)) = (self.trial.take(), self.study.simulate()) else { return };
         let measures = Measures::read(
             &session.kitchen,
@@ -222,7 +229,11 @@ impl StudyDesk {
     }
 
     /// Takes an event; its rows are kept at once.
-    pub(crate) fn take(&mut self, event: Event) -> Result<(), StudyError> {
+    ///
+    /// # Errors
+    ///
+    /// If it does not belong to the present stage.
+    pub fn take(&mut self, event: Event) -> Result<(), StudyError> {
         let rows = self.study.take(event, self.begun.elapsed().as_secs_f64())?;
         self.rows.extend(rows);
         self.last = None;
@@ -231,7 +242,7 @@ impl StudyDesk {
     }
 
     /// Writes rows that are not kept yet; states why if it cannot.
-    pub(crate) fn keep_rows(&mut self) {
+    pub fn keep_rows(&mut self) {
         self.trouble = self.keeper.append(&self.rows[self.kept..]).err();
         if self.trouble.is_none() {
             self.kept = self.rows.len();
@@ -239,7 +250,7 @@ impl StudyDesk {
     }
 
     /// Keeps the session of the trial, if the protocol says so and there is a place for it; returns the name of its file.
-    fn keep_session(&mut self, session: &Session) -> Option<String> {
+    fn keep_session<H: Hands>(&mut self, session: &Session<H>) -> Option<String> {
         let Stage::Trial { phase, trial } = self.study.stage() else { return None };
         if !self.study.protocol().keep_sessions {
             return None;
