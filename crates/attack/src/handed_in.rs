@@ -10,7 +10,7 @@ use saute_plan::fit::log::log_file::LogFile;
 use saute_plan::fit::log::logger::loggers;
 use saute_plan::fit::log::reading::Choices;
 use saute_study::class::{ClassSummary, from_csv, to_csv};
-use saute_window::kept::link;
+use saute_session::kept::link;
 
 use crate::kitchen_files::LIBRARY;
 use crate::stored::SOUND;

@@ -12,6 +12,7 @@ pub mod guided;
 pub mod hands;
 pub mod hearing;
 mod judging;
+pub mod kept;
 mod kept_order;
 mod mark;
 pub mod permits;

@@ -63,6 +63,7 @@ const ARROWS: [(&str, &[&str]); 33] = [
             "saute-mirror",
             "saute-plan",
             "saute-recipe",
+            "saute-session",
             "saute-spidar-sim",
             "saute-study",
             "saute-surface",

@@ -5,7 +5,7 @@ use saute_attack::kitchen_files::LIBRARY;
 use saute_kitchen::{Command, Refused, RestOn};
 use saute_recipe::session::{Deed, DepartureCause, Entry};
 use saute_recipe::{Recipe, Recording, Replay};
-use saute_window::kept::link;
+use saute_session::kept::link;
 
 use super::other_version::of_another_version;
 use super::{hostile, is_taken, names, sound};

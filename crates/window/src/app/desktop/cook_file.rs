@@ -1,7 +1,7 @@
 //! The file in which the cook that goes on is kept.
 
 use crate::app::SauteApp;
-use crate::kept::autosave::CookStore;
+use saute_session::kept::autosave::CookStore;
 use saute_files::regular_file;
 use saute_recipe::session::session_file;
 use std::fs::File;

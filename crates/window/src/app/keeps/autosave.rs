@@ -1,7 +1,7 @@
 //! The cook that goes on is kept, so that a window that is closed, or killed, can go on with it.
 
 use crate::app::SauteApp;
-use crate::kept::autosave::{Autosave, CookStore};
+use saute_session::kept::autosave::{Autosave, CookStore};
 use saute_recipe::Recording;
 use saute_recipe::session::limits;
 

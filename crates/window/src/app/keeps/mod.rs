@@ -13,5 +13,5 @@ pub(crate) struct Keeps {
     /// The library with which the program was started.
     pub(crate) library: Arc<Library>,
     /// The cook that goes on, as it is kept.
-    pub(crate) autosave: crate::kept::autosave::Autosave,
+    pub(crate) autosave: saute_session::kept::autosave::Autosave,
 }

@@ -19,7 +19,7 @@ use saute_session::work::{Agency, Helper, Kind};
 use saute_window::SauteApp;
 use saute_window::act::{Act, AppAct, HereAct, Card, LearnAct, Setting, ViewAct};
 use saute_window::at_home::AtHomeAct;
-use saute_window::kept::link;
+use saute_session::kept::link;
 use saute_window::session::Session;
 use saute_words::language::Language;
 

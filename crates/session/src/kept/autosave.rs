@@ -1,6 +1,7 @@
 //! The cook that goes on is kept, so that a window that is closed, or killed, can go on with it.
 
-use crate::session::Session;
+use crate::Session;
+use crate::hands::Hands;
 use saute_recipe::Recording;
 use web_time::{Duration, Instant};
 
@@ -26,28 +27,34 @@ pub trait CookStore {
 
 /// What was last handed to the store.
 #[derive(Clone, Copy)]
-pub(crate) struct Written {
+pub struct Written {
     /// Number of the line of time.
     line: u64,
     at: Instant,
     /// How far that line had come [s].
-    pub(crate) time_s: f64,
+    pub time_s: f64,
     /// True if it went on beyond what is kept of one cook.
     is_full: bool,
 }
 
 /// The cook that is kept.
 #[derive(Default)]
-pub(crate) struct Autosave {
-    pub(crate) store: Option<Box<dyn CookStore>>,
-    pub(crate) kept: Option<Written>,
+pub struct Autosave {
+    /// Where it is kept; none where nothing is.
+    pub store: Option<Box<dyn CookStore>>,
+    /// What was last handed to the store.
+    pub kept: Option<Written>,
     /// The cook that was kept when the window opened, until it is decided about.
-    pub(crate) offered: Option<Recording>,
+    pub offered: Option<Recording>,
 }
 
 impl Autosave {
     /// Writes what happened since; returns true once for a cook that has become too long to be kept further.
-    pub(crate) fn follow(&mut self, session: &mut Session, at_once: bool) -> Result<bool, String> {
+    ///
+    /// # Errors
+    ///
+    /// Says why nothing more is kept.
+    pub fn follow<H: Hands>(&mut self, session: &mut Session<H>, at_once: bool) -> Result<bool, String> {
         let Some(store) = &mut self.store else { return Ok(false) };
         let Some((line, recording)) = session.unsaved() else { return Ok(false) };
         match self.kept {
