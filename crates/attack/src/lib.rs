@@ -119,7 +119,7 @@ pub const TARGETS: &[Target] = &[
         run: handed_in::class_result,
     },
     Target { name: "log", work: Work::Reads, sources: &["crates/plan/src/fit/log/"], run: handed_in::log },
-    Target { name: "link", work: Work::Reads, sources: &["crates/window/src/kept/link.rs"], run: handed_in::link },
+    Target { name: "link", work: Work::Reads, sources: &["crates/session/src/kept/link.rs"], run: handed_in::link },
     Target {
         name: "command",
         work: Work::Builds,
@@ -172,7 +172,7 @@ pub const TARGETS: &[Target] = &[
     Target {
         name: "settings",
         work: Work::Reads,
-        sources: &["crates/window/src/kept/remembered.rs", "crates/window/src/ui/stored_zoom.rs"],
+        sources: &["crates/window/src/remembered.rs", "crates/window/src/desktop/stored_zoom.rs"],
         run: machine_files::settings,
     },
     Target {

@@ -10,7 +10,7 @@ use saute_session::timeline::MOST_BYTES;
 use saute_session::{Session, SteakChoice};
 
 /// The dish of which the window's speed is measured.
-const DISH: &str = include_str!("../../../window/src/dish.toml");
+const DISH: &str = include_str!("../../../window/src/desktop/dish.toml");
 /// Length of the cook [s].
 const COOK_S: f64 = 1200.0;
 /// Budget of a slice, as the window gives it [ms].
