@@ -9,8 +9,8 @@ use saute_kitchen::{Command, Kitchen};
 use saute_plan::fit::log::log_file::LogFile;
 use saute_plan::fit::log::logger::loggers;
 use saute_plan::fit::log::reading::Choices;
-use saute_study::class::{ClassSummary, from_csv, to_csv};
 use saute_session::kept::link;
+use saute_study::class::{ClassSummary, from_csv, to_csv};
 
 use crate::kitchen_files::LIBRARY;
 use crate::stored::SOUND;

@@ -6,8 +6,8 @@ use glam::{DVec2, DVec3};
 use saute_haptics::strings::wire::{Frame, FrameError, Link};
 use saute_haptics::{Geometry, HapticCommand, HapticDevice, KeptCalibration, Spidar};
 use saute_mirror::rig_file;
-use saute_window::settings::Settings;
 use saute_window::desktop::stored_zoom;
+use saute_window::settings::Settings;
 
 use crate::text;
 

@@ -3,10 +3,11 @@
 use std::sync::Arc;
 
 use saute_kitchen::Library;
+use saute_session::guided::{LessonStart, StudyStart};
 use saute_study::class::{self, Scenario};
 use saute_study::{Participant, Protocol};
 use saute_window::browser::host::Host;
-use saute_session::guided::{LessonStart, StudyStart};
+use saute_window::browser::page_log::study_in_page;
 
 /// A shipped study with the code of its participant; a page without a script keeps its rows in memory.
 pub(crate) fn study(library: &Library, (id, code): (&str, &str), host: Option<&Host>) -> Result<StudyStart, String> {
@@ -16,7 +17,7 @@ pub(crate) fn study(library: &Library, (id, code): (&str, &str), host: Option<&H
     let protocol = Protocol::parse(text, id, library).map_err(|e| e.to_string())?;
     let (protocol, participant) = (Arc::new(protocol), participant("participant", code)?);
     match host {
-        Some(host) => StudyStart::in_page(protocol, participant, host),
+        Some(host) => study_in_page(protocol, participant, host),
         None => Ok(StudyStart::in_memory(protocol, participant)),
     }
 }

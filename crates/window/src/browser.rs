@@ -8,7 +8,7 @@ mod helper;
 pub mod host;
 mod mirrored;
 pub(crate) mod page;
-mod page_log;
+pub mod page_log;
 pub(crate) mod panels;
 pub(crate) mod system;
 

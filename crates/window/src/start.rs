@@ -6,8 +6,8 @@ use saute_kitchen::Library;
 use saute_recipe::{Recipe, Recording};
 use saute_words::language::Language;
 
-use saute_session::guided::{LessonStart, StudyStart};
 use crate::host::HostStart;
+use saute_session::guided::{LessonStart, StudyStart};
 
 /// Start options of the window.
 #[derive(Clone, Debug, Default)]

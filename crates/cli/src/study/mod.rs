@@ -12,7 +12,7 @@ use std::sync::Arc;
 
 use clap::Subcommand;
 use saute_study::{Protocol, shipped};
-use saute_session::guided::StudyStart;
+use saute_window::desktop::log_file::study_in_folder;
 
 use crate::args::HandArgs;
 use crate::commands::open;
@@ -70,7 +70,7 @@ fn window(args: StudyArgs, data: DataLibrary, hands: HandArgs) -> Result<ExitCod
     };
     let protocol = load(&protocol, &data)?;
     let participant = open::participant("--participant", &code)?;
-    let start = StudyStart::in_folder(protocol, participant, &out).map_err(|message| {
+    let start = study_in_folder(protocol, participant, &out).map_err(|message| {
         CliError::place(
             format!("--out {}", out.display()),
             message,

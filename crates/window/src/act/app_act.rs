@@ -59,7 +59,9 @@ impl AppAct {
             Self::ChooseFile | Self::CopyLink | Self::Export(Export::Cook | Export::Recipe | Export::Readings) => {
                 Traits::needing(&[Permit::Leaving])
             }
-            Self::StopHands => Traits { words: "key.stop_hands", over_cards: true, ..Traits::needing(&[Permit::Devices]) },
+            Self::StopHands => {
+                Traits { words: "key.stop_hands", over_cards: true, ..Traits::needing(&[Permit::Devices]) }
+            }
             Self::Picture => Traits { words: "key.picture", over_cards: true, ..Traits::needing(&[Permit::Eye]) },
             Self::Photo => Traits { words: "key.photo", frames_photo: true, ..Traits::needing(&[Permit::Pictures]) },
             Self::Mirror => Traits { words: "key.mirror", over_cards: true, ..Traits::needing(&[Permit::Devices]) },
@@ -71,9 +73,13 @@ impl AppAct {
             Self::Open(card) => Traits::needing(card.needs()),
             // What is open can always be closed.
             Self::Shut(_) => Traits::needing(&[]),
-            Self::Settings => Traits { words: "key.settings", over_cards: true, ..Traits::needing(Card::Settings.needs()) },
+            Self::Settings => {
+                Traits { words: "key.settings", over_cards: true, ..Traits::needing(Card::Settings.needs()) }
+            }
             Self::Help => Traits { words: "key.help", over_cards: true, ..Traits::needing(Card::Help.needs()) },
-            Self::Messages => Traits { words: "key.messages", over_cards: true, ..Traits::needing(Card::Messages.needs()) },
+            Self::Messages => {
+                Traits { words: "key.messages", over_cards: true, ..Traits::needing(Card::Messages.needs()) }
+            }
             Self::Close => Traits { words: "key.close", over_cards: true, ..Traits::needing(&[]) },
         }
     }

@@ -12,7 +12,6 @@ use web_time::{Duration, Instant};
 use super::SauteApp;
 use super::on_host::OnHost;
 use crate::act::{Act, Acts, AppAct, Card};
-use saute_session::guided::Guided;
 use crate::panels;
 use crate::panels::ways::way_words;
 use crate::panels::window_state::WindowState;
@@ -21,6 +20,7 @@ use crate::ui::fingers;
 use crate::ui::layout::Layout;
 use saute_session::MOST_OWED_S;
 use saute_session::forecasts::Shown;
+use saute_session::guided::Guided;
 
 /// Longest that one frame may spend on stepping the world [ms] (chosen: half a frame at 25 frames a second).
 const STEP_BUDGET_MS: u64 = 20;

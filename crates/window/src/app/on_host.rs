@@ -5,14 +5,13 @@ use saute_scene::mesh::strings::StringLook;
 use saute_session::export::Export;
 use saute_words::language::Language;
 
-use super::SauteApp;
 use crate::act::HereAct;
 use crate::host::HostStart;
 use crate::plan::PlanFile;
 use crate::start::Helps;
 use crate::ui::layout::{Layout, Pane};
 
-/// What the app does differently on a desktop and in a page; [`SauteApp`] does it once for each, and only one of both is compiled.
+/// What the app does differently on a desktop and in a page; [`super::SauteApp`] does it once for each, and only one of both is compiled.
 pub(crate) trait OnHost {
     /// Takes the help that a start allows: threads, sound, a folder of pictures.
     fn take_help(&mut self, helps: Helps, ctx: &Context);

@@ -3,10 +3,10 @@
 use super::SauteApp;
 use crate::app::apply::waiting::Waiting;
 use crate::frame_meter::FrameMeter;
-use saute_session::guided::Guided;
 use saute_kitchen::advice::Advice;
 use saute_session::SPEEDS;
 use saute_session::easing::Easing;
+use saute_session::guided::Guided;
 
 /// How long the clock may lag before a lower speed is chosen [wall s] (chosen: one slow moment is no slow machine).
 const PATIENCE_S: f64 = 2.0;

@@ -1,7 +1,7 @@
 //! The page's script, as the window calls it.
 
-use saute_session::kept::autosave::CookStore;
 use crate::listener::Listener;
+use saute_session::kept::autosave::CookStore;
 use saute_sound::{Event, Told, letter};
 use wasm_bindgen::prelude::wasm_bindgen;
 

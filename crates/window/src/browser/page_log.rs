@@ -40,16 +40,14 @@ impl LogKeeper for PageLog {
     }
 }
 
-impl StudyStart {
-    /// A study whose log is in the browser's storage, in memory where there is none; one that is there is gone on with.
-    ///
-    /// # Errors
-    ///
-    /// If what is there is no log, or one of another participant or protocol.
-    pub fn in_page(protocol: Arc<Protocol>, participant: Participant, host: &Host) -> Result<Self, String> {
-        let Some((log, earlier)) = PageLog::open(host)? else {
-            return Ok(Self::in_memory(protocol, participant));
-        };
-        Self::resumed(protocol, participant, (Box::new(log), earlier))
-    }
+/// A study whose log is in the browser's storage, in memory where there is none; one that is there is gone on with.
+///
+/// # Errors
+///
+/// If what is there is no log, or one of another participant or protocol.
+pub fn study_in_page(protocol: Arc<Protocol>, participant: Participant, host: &Host) -> Result<StudyStart, String> {
+    let Some((log, earlier)) = PageLog::open(host)? else {
+        return Ok(StudyStart::in_memory(protocol, participant));
+    };
+    StudyStart::resumed(protocol, participant, (Box::new(log), earlier))
 }

@@ -39,13 +39,7 @@ pub(crate) fn show_instead(_: &WindowState, _: &Ui, _: &mut Acts, _: &Layout) ->
 pub(crate) fn devices(_: &WindowState, _: &Ui, _: &mut Acts, _: &Layout) {}
 
 /// Says that a page reaches no device.
-pub(crate) fn device_settings(
-    state: &WindowState,
-    _: &mut HereMemory,
-    ui: &mut Ui,
-    _: &mut Acts,
-    is_narrow: bool,
-) {
+pub(crate) fn device_settings(state: &WindowState, _: &mut HereMemory, ui: &mut Ui, _: &mut Acts, is_narrow: bool) {
     explained(ui, is_narrow, state.settings.language.text("settings.native_only"));
 }
 

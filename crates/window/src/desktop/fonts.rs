@@ -58,8 +58,8 @@ mod tests {
     use egui::FontId;
 
     use super::*;
-    use crate::ui::japanese_font::install_font;
     use crate::panels::cards::language::name;
+    use crate::ui::japanese_font::install_font;
     use saute_words::language::Language;
 
     /// Promise: with the shipped font, which is the only one of a page, no letter of the interface is missing.

@@ -77,16 +77,14 @@ impl LogKeeper for LogFile {
     }
 }
 
-impl StudyStart {
-    /// A study whose log is a file in a folder; one that is there is gone on with.
-    ///
-    /// # Errors
-    ///
-    /// If the folder cannot be written to, or the log is of another participant or protocol.
-    pub fn in_folder(protocol: Arc<Protocol>, participant: Participant, folder: &Path) -> Result<Self, String> {
-        let (file, earlier) = LogFile::open(folder, &participant)?;
-        Self::resumed(protocol, participant, (Box::new(file), earlier))
-    }
+/// A study whose log is a file in a folder; one that is there is gone on with.
+///
+/// # Errors
+///
+/// If the folder cannot be written to, or the log is of another participant or protocol.
+pub fn study_in_folder(protocol: Arc<Protocol>, participant: Participant, folder: &Path) -> Result<StudyStart, String> {
+    let (file, earlier) = LogFile::open(folder, &participant)?;
+    StudyStart::resumed(protocol, participant, (Box::new(file), earlier))
 }
 
 /// Writes a text in place of what a file holds, and waits until it is on the disk; the file's end is where it goes on.

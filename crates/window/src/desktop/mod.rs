@@ -9,7 +9,7 @@ pub(crate) mod fonts;
 pub(crate) mod gamepad_device;
 pub mod hand;
 pub mod host;
-mod log_file;
+pub mod log_file;
 pub mod mirror_still;
 pub mod offscreen;
 pub(crate) mod panels;

@@ -4,8 +4,8 @@ use egui::{Align2, Area, Id, ProgressBar, Rect, RichText, Slider, Ui, vec2};
 use saute_scene::light::photo::Photo;
 
 use crate::act::{Act, Acts, AppAct, HereAct, hint};
-use crate::panels::window_state::WindowState;
 use crate::desktop::photo::SIZES;
+use crate::panels::window_state::WindowState;
 use crate::ui::layout::GAP;
 use crate::ui::theme;
 
@@ -69,9 +69,10 @@ fn buttons(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
         let text = RichText::new(l.text("photo.making")).size(13.0);
         ui.add(ProgressBar::new(progress).desired_width(180.0).text(text));
     } else {
-        for (key, act, first) in
-            [("photo.take", Act::App(AppAct::Picture), true), ("photo.lapse", Act::App(AppAct::Here(HereAct::TimeLapse)), false)]
-        {
+        for (key, act, first) in [
+            ("photo.take", Act::App(AppAct::Picture), true),
+            ("photo.lapse", Act::App(AppAct::Here(HereAct::TimeLapse)), false),
+        ] {
             let shown = ui.add(theme::of(ui).button(l.text(key), first));
             let explained = if first { hint(&act, l) } else { l.text("photo.lapse_hint").to_owned() };
             if shown.on_hover_text(explained).clicked() {

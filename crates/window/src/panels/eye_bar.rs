@@ -4,8 +4,8 @@ use egui::{Rect, RichText, Ui, UiBuilder, vec2};
 
 use crate::act::{Act, Acts, AppAct, ViewAct, hint};
 use crate::panels::window_state::WindowState;
-use crate::ui::glance::EyeView;
 use crate::system::IS_PAGE;
+use crate::ui::glance::EyeView;
 use crate::ui::theme;
 
 /// Shows a button for each view.

@@ -203,8 +203,7 @@ fn recipes(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
             acts.push(Act::App(AppAct::Export(what)));
         }
     }
-    if crate::system::page_address().is_some() && ui.add(theme::of(ui).button(l.text("link.copy"), false)).clicked()
-    {
+    if crate::system::page_address().is_some() && ui.add(theme::of(ui).button(l.text("link.copy"), false)).clicked() {
         acts.push(Act::App(AppAct::CopyLink));
     }
     here::recent_files(state, ui, acts);

@@ -12,7 +12,6 @@ use saute_kitchen::food::change::doneness::Measure;
 use saute_scene::quality::Quality;
 
 use crate::act::{Act, Card};
-use saute_session::guided::Guided;
 use crate::host::Here;
 use crate::input::pouring::Portion;
 use crate::learn::tutorial::Tutorial;
@@ -23,6 +22,7 @@ use crate::ui::notice::{Notice, Said};
 use crate::ui::scene_view::SceneView;
 use saute_session::Forecast;
 use saute_session::at_home::fitting::AtHome;
+use saute_session::guided::Guided;
 use saute_session::permits::{Permit, Permits};
 use saute_session::plan::live::Live;
 use saute_session::plan::planning::Planning;

@@ -9,9 +9,10 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use saute_kitchen::Library;
 use saute_picture::View;
+use saute_session::guided::{Guided, LessonStart};
 use saute_study::class::{Scenario, shipped};
 use saute_study::{LogRow, Pace, Protocol, RowKind, Stage, from_csv};
-use saute_session::guided::{Guided, LessonStart, StudyStart};
+use saute_window::desktop::log_file::study_in_folder;
 use saute_window::{Helps, SauteApp, Start};
 use saute_words::language::Language;
 
@@ -70,7 +71,7 @@ fn start(folder: &Path) -> Start {
 fn start_on(machine: Pace, folder: &Path) -> Start {
     let library = Library::embedded().expect("embedded data");
     let protocol = Arc::new(Protocol::parse(PROTOCOL, "tiny.toml", &library).expect("parses"));
-    let study = StudyStart::in_folder(protocol, "P01".parse().expect("a code"), folder).expect("begins");
+    let study = study_in_folder(protocol, "P01".parse().expect("a code"), folder).expect("begins");
     Start { study: Some(study.on_machine(machine)), ..Start::default() }
 }
 
@@ -233,7 +234,7 @@ fn a_study_that_was_closed_goes_on_after_its_last_row_and_another_protocol_is_re
     let library = Library::embedded().expect("embedded data");
     let other = PROTOCOL.replace("max_s = 25", "max_s = 20");
     let protocol = Arc::new(Protocol::parse(&other, "tiny.toml", &library).expect("parses"));
-    let refused = StudyStart::in_folder(protocol, "P01".parse().expect("a code"), &folder).expect_err("is refused");
+    let refused = study_in_folder(protocol, "P01".parse().expect("a code"), &folder).expect_err("is refused");
     assert!(refused.contains("the protocol was changed"), "{refused}");
 }
 
@@ -262,7 +263,8 @@ fn orders(harness: &Harness<'static, SauteApp>) -> usize {
 fn a_lesson_pauses_and_asks_compares_the_answer_and_gives_a_row() {
     let pictures = folder("results");
     std::fs::create_dir_all(&pictures).expect("folder");
-    let start = Start { helps: Helps { pictures: Some(pictures.clone()), ..Helps::default() }, ..lesson("when-to-flip", true) };
+    let start =
+        Start { helps: Helps { pictures: Some(pictures.clone()), ..Helps::default() }, ..lesson("when-to-flip", true) };
     let mut harness = window_with(vec2(1280.0, 720.0), start);
     save(&mut harness, "lesson-intro");
     assert!(harness.query_by_label("Leave the lesson").is_none(), "it is locked");

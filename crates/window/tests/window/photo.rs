@@ -17,7 +17,10 @@ fn window(name: &str, size: egui::Vec2) -> (Harness<'static, SauteApp>, PathBuf)
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("photos-{name}"));
     let _ = std::fs::remove_dir_all(&folder);
     std::fs::create_dir_all(&folder).expect("folder");
-    let mut harness = window_with(size, Start { helps: Helps { pictures: Some(folder.clone()), ..Helps::default() }, ..Start::default() });
+    let mut harness = window_with(
+        size,
+        Start { helps: Helps { pictures: Some(folder.clone()), ..Helps::default() }, ..Start::default() },
+    );
     let text = "[pan]\ninitial_c = 210\n[[food]]\nid = \"steak\"\nkind = \"beef-lean\"\n\
         [[step]]\nhob_w = 900\n[[step]]\nput = \"steak\"\n[[step]]\nafter_s = 900\nend = true\n";
     harness.state_mut().open_recipe(text, "steak.toml");

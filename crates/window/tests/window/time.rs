@@ -260,7 +260,10 @@ fn a_cook_is_saved_as_a_whole_or_not_at_all() {
 fn without_a_file_dialog_a_cook_is_saved_with_the_pictures() {
     let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("dialogs-{}", std::process::id()));
     std::fs::create_dir_all(&folder).expect("folder");
-    let mut harness = window_with(WIDE, Start { helps: Helps { pictures: Some(folder.clone()), ..Helps::default() }, ..Start::default() });
+    let mut harness = window_with(
+        WIDE,
+        Start { helps: Helps { pictures: Some(folder.clone()), ..Helps::default() }, ..Start::default() },
+    );
     for count in 1..=2 {
         harness.state_mut().export_without_dialog(saute_session::export::Export::Cook);
         steps(&mut harness, 2);

@@ -1,9 +1,9 @@
 //! The file in which the cook that goes on is kept.
 
 use crate::app::SauteApp;
-use saute_session::kept::autosave::CookStore;
 use saute_files::regular_file;
 use saute_recipe::session::session_file;
+use saute_session::kept::autosave::CookStore;
 use std::fs::File;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};

@@ -11,7 +11,6 @@ use glam::Vec3;
 use saute_haptics::{Health, Pose, STRINGS, StringRig};
 use saute_scene::camera::Camera;
 use saute_scene::mesh::props::COUNTER_Z;
-use saute_scene::mesh::strings::StringLook;
 
 /// Dash and gap below the worktop, and what a metre there is as a stroke from a metre away [points] (chosen: as wide as
 /// the rods).

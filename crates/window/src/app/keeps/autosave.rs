@@ -1,9 +1,9 @@
 //! The cook that goes on is kept, so that a window that is closed, or killed, can go on with it.
 
 use crate::app::SauteApp;
-use saute_session::kept::autosave::{Autosave, CookStore};
 use saute_recipe::Recording;
 use saute_recipe::session::limits;
+use saute_session::kept::autosave::{Autosave, CookStore};
 
 impl SauteApp {
     /// Keeps the cook from now on. What was kept of an earlier cook is offered first.

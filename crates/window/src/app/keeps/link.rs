@@ -1,9 +1,9 @@
 //! A cook as the fragment of an address: what it began with and every command, packed, with a version and a checksum.
 
 use crate::app::SauteApp;
-use saute_session::kept::link::{LONGEST, fragment, read};
-use crate::system::page_address;
 use crate::host::Host;
+use crate::system::page_address;
+use saute_session::kept::link::{LONGEST, fragment, read};
 use saute_session::permits::Permit;
 
 impl SauteApp {

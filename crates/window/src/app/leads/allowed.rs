@@ -37,10 +37,7 @@ fn a_study_allows_cooking_and_looking_and_nothing_that_stops_time_or_leads_out()
     }
     assert!(allow(hidden, &Act::View(ViewAct::View(View::Look))) && allow(hidden, &Act::App(AppAct::Help)));
     let louder = Act::App(AppAct::Set(Setting::Sound(true)));
-    assert!(
-        !allow(shown, &louder) && allow(of_study(true, true), &louder),
-        "what is heard is stated by the protocol"
-    );
+    assert!(!allow(shown, &louder) && allow(of_study(true, true), &louder), "what is heard is stated by the protocol");
 }
 
 #[test]

@@ -3,10 +3,10 @@
 use crate::act::Act;
 use crate::act::GuidedAct;
 use crate::app::SauteApp;
-use saute_session::guided::{Guided, LessonDesk, LessonStart, StudyDesk, StudyStart};
 use crate::host::Host;
 use crate::system::time_of_day;
 use saute_picture::View;
+use saute_session::guided::{Guided, LessonDesk, LessonStart, StudyDesk, StudyStart};
 use saute_session::permits::{Permit, Permits};
 use saute_study::class::{Scenario, shipped, to_csv};
 use saute_study::{Event, Stage};

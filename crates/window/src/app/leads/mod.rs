@@ -16,8 +16,8 @@ use saute_session::at_home::fitting::AtHome;
 use saute_session::plan::live::Live;
 use saute_session::plan::planning::Planning;
 
-use saute_session::guided::Guided;
 use crate::learn::Learning;
+use saute_session::guided::Guided;
 
 /// What leads a person, and what is searched for.
 #[derive(Default)]

@@ -2,6 +2,7 @@
 
 use crate::act::Card;
 use crate::app::SauteApp;
+use crate::app::on_host::OnHost;
 use crate::plan::PlanFile;
 use crate::plan::{PlanAct, kitchen_card};
 use saute_kitchen::Command;

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use crate::app::SauteApp;
-use saute_session::guided::{Guided, Readiness};
 use saute_kitchen::Command;
+use saute_session::guided::{Guided, Readiness};
 
 /// Power of the hob while the machine is tried [W] (chosen: a pan that sears, as in a trial).
 const HOB_W: f64 = 1800.0;

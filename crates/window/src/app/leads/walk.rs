@@ -64,7 +64,7 @@ fn state(app: &SauteApp) -> String {
         app.sights.slice,
         app.desk.card,
         app.sights.scene.placing,
-        app.sights.photo.open,
+        app.photo_is_open(),
         app.leads.planning.is_searching(),
     );
     let settings = serde_json::to_string(&app.settings).expect("is written");

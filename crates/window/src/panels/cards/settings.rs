@@ -1,6 +1,6 @@
 //! The card of the settings: how everything looks and reads, not what is cooked.
 
-use egui::{RichText, ScrollArea, Ui, vec2};
+use egui::{RichText, ScrollArea, Ui};
 use saute_scene::light::room_light::RoomLight;
 use saute_scene::light::white_balance::WhiteBalance;
 use saute_scene::quality::Quality;
@@ -8,7 +8,7 @@ use saute_scene::quality::Quality;
 use crate::act::{Act, Acts, AppAct, Card, Setting, ViewAct};
 use crate::panels::cards::frame::Framed;
 use crate::panels::cards::language;
-use crate::panels::cards::setting_row::{named, row};
+use crate::panels::cards::setting_row::{explained, named, row};
 use crate::panels::cook::speaker_switch;
 use crate::panels::here;
 use crate::panels::memory::PanelMemory;

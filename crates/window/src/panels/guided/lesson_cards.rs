@@ -8,10 +8,10 @@ use saute_study::class::{Ask, Lesson, ResultRow};
 use super::{Entries, button, card};
 use crate::act::GuidedAct;
 use crate::act::{Act, Acts, LearnAct};
-use saute_session::guided::LessonDesk;
 use crate::panels::window_state::WindowState;
 use crate::ui::aloud::spoken_value;
 use crate::ui::theme;
+use saute_session::guided::LessonDesk;
 use saute_words::guided_words;
 use saute_words::language::Language;
 

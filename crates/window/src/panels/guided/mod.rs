@@ -10,10 +10,10 @@ use std::collections::BTreeMap;
 use egui::{Id, Modal, Rect, ScrollArea, Ui};
 
 use crate::act::Acts;
-use saute_session::guided::Guided;
 use crate::panels::window_state::WindowState;
 use crate::ui::layout::Layout;
 use crate::ui::theme;
+use saute_session::guided::Guided;
 
 /// What was entered on a card so far, by the ids of its items.
 #[derive(Clone, Debug, Default, PartialEq)]

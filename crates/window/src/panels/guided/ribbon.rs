@@ -5,10 +5,10 @@ use saute_study::Stage;
 
 use crate::act::GuidedAct;
 use crate::act::{Act, Acts, LearnAct};
-use saute_session::guided::{LessonDesk, StudyDesk};
 use crate::panels::window_state::WindowState;
 use crate::ui::layout::{GAP, Layout};
 use crate::ui::{fingers, theme};
+use saute_session::guided::{LessonDesk, StudyDesk};
 
 /// Names phase and trial, and ends the trial; it never states which condition holds.
 pub(super) fn of_study(state: &WindowState, desk: &StudyDesk, ui: &Ui, acts: &mut Acts, layout: &Layout) {

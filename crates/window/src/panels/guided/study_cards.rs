@@ -7,10 +7,10 @@ use saute_study::{Answering, Answers, CookForReal, Measures, Pace, Questionnaire
 use super::{Entries, answers, button, card};
 use crate::act::GuidedAct;
 use crate::act::{Act, Acts, LearnAct};
-use saute_session::guided::{Readiness, StudyDesk, TrialRun};
 use crate::panels::window_state::WindowState;
 use crate::system::IS_PAGE;
 use crate::ui::theme;
+use saute_session::guided::{Readiness, StudyDesk, TrialRun};
 use saute_words::guided_words;
 
 /// Shows the card of the stage.

@@ -20,10 +20,10 @@ use self::now_memory::NowMemory;
 use self::now_words::{Deed, NowWords};
 use self::time_left::TimeLeft;
 use crate::act::{Act, Acts, CookAct};
-use saute_session::guided::Guided;
 use crate::panels::window_state::WindowState;
 use crate::ui::layout::{GAP, Layout};
 use crate::ui::theme::{self, TOUCH};
+use saute_session::guided::Guided;
 
 /// Its size over the scene [points].
 const SIZE: Vec2 = vec2(520.0, 64.0);

@@ -14,12 +14,12 @@ use saute_session::SteakChoice;
 use saute_session::at_home::entered::{Row, Seen};
 use saute_session::at_home::fitting::Standing;
 use saute_session::at_home::kept::KeptKitchen;
+use saute_session::kept::link;
 use saute_session::work::executor::Executor;
 use saute_session::work::{Agency, Helper, Kind};
 use saute_window::SauteApp;
-use saute_window::act::{Act, AppAct, HereAct, Card, LearnAct, Setting, ViewAct};
+use saute_window::act::{Act, AppAct, Card, HereAct, LearnAct, Setting, ViewAct};
 use saute_window::at_home::AtHomeAct;
-use saute_session::kept::link;
 use saute_window::session::Session;
 use saute_words::language::Language;
 
@@ -197,7 +197,10 @@ fn my_kitchen_reads_in_japanese_and_asks_about_a_log_that_can_be_read_in_two_way
     harness.get_by_label("hours and minutes").click();
     steps(&mut harness, 3);
     harness.get_by_label_contains("Read as hours and minutes: 180:00 from 1:00.");
-    act(&mut harness, Act::App(AppAct::Here(HereAct::OpenFile(file("unit.csv", "Time,Core\n0:00,43\n5:00,70\n14:00,115\n")))));
+    act(
+        &mut harness,
+        Act::App(AppAct::Here(HereAct::OpenFile(file("unit.csv", "Time,Core\n0:00,43\n5:00,70\n14:00,115\n")))),
+    );
     harness.get_by_label_contains("Nothing states the unit");
     harness.get_by_label("°F").click();
     steps(&mut harness, 3);

@@ -82,7 +82,10 @@ fn the_result_is_shared_as_a_picture_of_its_own_and_fits_a_phone_and_japanese() 
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("shared-results");
     let _ = std::fs::remove_dir_all(&folder);
     std::fs::create_dir_all(&folder).expect("folder");
-    let mut harness = window_with(PHONE, Start { helps: Helps { pictures: Some(folder.clone()), ..Helps::default() }, ..Start::default() });
+    let mut harness = window_with(
+        PHONE,
+        Start { helps: Helps { pictures: Some(folder.clone()), ..Helps::default() }, ..Start::default() },
+    );
     act(&mut harness, Act::Cook(CookAct::SetOut));
     let mut small = small_steak(PHONE);
     fry(&mut small, 54.0);
