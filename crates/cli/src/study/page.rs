@@ -5,7 +5,7 @@ use saute_study::Analysis;
 use saute_study::analysis::Quantity;
 
 use super::{curves_plot, tables};
-use crate::report;
+use crate::page;
 
 /// Returns the whole page.
 pub fn page(analysis: &Analysis) -> String {
@@ -20,7 +20,7 @@ pub fn page(analysis: &Analysis) -> String {
         (method(analysis))
         footer { "saute " (env!("CARGO_PKG_VERSION")) }
     };
-    report::whole(&title, "", &content)
+    page::whole(&title, "", &content)
 }
 
 fn header(analysis: &Analysis, title: &str) -> Markup {

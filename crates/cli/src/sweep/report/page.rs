@@ -5,7 +5,7 @@ use saute_sweep::Manifest;
 use saute_sweep::design::DesignKind;
 
 use super::{Found, Sensitivity, bars, tables};
-use crate::report;
+use crate::page;
 
 /// Returns the whole page.
 pub fn page(manifest: &Manifest, found: &[Sensitivity], plotted: &[String]) -> String {
@@ -18,7 +18,7 @@ pub fn page(manifest: &Manifest, found: &[Sensitivity], plotted: &[String]) -> S
         (method(manifest))
         footer { "saute " (manifest.version) ". All numbers are in sensitivity.csv." }
     };
-    report::whole(&title, "", &content)
+    page::whole(&title, "", &content)
 }
 
 fn rows(manifest: &Manifest) -> String {
