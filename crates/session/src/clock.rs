@@ -2,10 +2,11 @@
 
 use saute_kitchen::{FRAME_S, TICK_S};
 use saute_recipe::Fired;
+use saute_recipe::session::Done;
 use web_time::{Duration, Instant};
 
 use super::Session;
-use super::mark::{Mark, step_label};
+use super::mark::Mark;
 use super::permits::Permit;
 use crate::hands::Hands;
 
@@ -121,7 +122,7 @@ impl<H: Hands> Session<H> {
         let fired = fired.map_err(|e| e.to_string())?;
         self.recorder.on_steps(&self.kitchen, &fired);
         let (time_s, at) = (self.kitchen.time_s(), self.recording.moment());
-        let mark = |step: &Fired| Mark { time_s, label: step_label(step), at, step: step.as_text() };
+        let mark = |step: &Fired| Mark { time_s, done: Done::from(&step.action), at, step: step.as_text() };
         self.marks.extend(fired.iter().map(mark));
         if runner.stopped().is_some() {
             self.paused = true;

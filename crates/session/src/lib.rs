@@ -42,7 +42,6 @@ pub use self::choice::{STEAK, SteakChoice, noun};
 pub use self::clock::{MOST_OWED_S, SPEEDS};
 pub use self::foresight::Forecast;
 pub use self::mark::Mark;
-pub use self::mark::label;
 
 /// The state behind the window.
 pub struct Session<H = NoHands> {

@@ -1,10 +1,9 @@
 //! Branches: other ways that the cook went.
 
-use saute_recipe::session::{Deed, Entry};
+use saute_recipe::session::{Deed, Done, Entry};
 use saute_recipe::{Moment, Recording};
 
 use super::Ahead;
-use super::acts::label_of;
 use super::line::Line;
 use super::travel::Travel;
 use crate::Session;
@@ -33,8 +32,8 @@ pub(super) struct Branch {
 /// What a branch is called by: the act by which it differs from the one that is shown.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BranchName {
-    /// Label of the act; none if nothing was done that differs.
-    pub label: Option<String>,
+    /// The act; none if nothing was done that differs.
+    pub done: Option<Done>,
     /// When it was done, or when the two part [s].
     pub at_s: f64,
 }
@@ -137,5 +136,5 @@ pub(super) fn name_of(recording: &Recording, other: &Recording) -> BranchName {
     let own = recording.entries()[same..].iter().find(|entry| entry.deed != Deed::TakeOver);
     let theirs = other.entries().get(same);
     let at = own.or(theirs).map_or_else(|| recording.moment().time_s(), Entry::time_s);
-    BranchName { label: own.map(|entry| label_of(&entry.deed)), at_s: at }
+    BranchName { done: own.map(|entry| Done::from(&entry.deed)), at_s: at }
 }
