@@ -8,15 +8,11 @@ use web_time::{Duration, Instant};
 use super::Session;
 use super::mark::Mark;
 use super::permits::Permit;
+use super::speeds::MOST_OWED_S;
 use crate::hands::Hands;
 
-/// Speeds of simulated time over wall time [-].
-pub const SPEEDS: [f64; 5] = [1.0, 2.0, 3.0, 5.0, 20.0];
 /// Simulated time owed beyond which the machine counts as too slow, as wall time at the chosen speed [s] (chosen).
 const LATE_AFTER_S: f64 = 0.4;
-
-/// Most that is owed, as wall time at the chosen speed [s] (chosen: what a person would not notice while it is caught up).
-pub const MOST_OWED_S: f64 = 1.0;
 
 /// Time closer than this to a whole step counts as reached [s] (chosen: far above rounding, far below a frame).
 const SAME_TIME: f64 = 1e-9;

@@ -3,17 +3,9 @@
 use saute_recipe::session::Done;
 
 use super::acts::last_act;
+use super::undone::Undone;
 use crate::Session;
 use crate::hands::Hands;
-
-/// What was undone or done again.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Undone {
-    /// An act.
-    Act(Done),
-    /// The beginning of another cook.
-    Beginning,
-}
 
 impl<H: Hands> Session<H> {
     /// Goes back to before the last act, and stops there; returns what was undone.
