@@ -1,6 +1,6 @@
 //! A page that needs no other file: its frame and the style that all pages share.
 
-use maud::{DOCTYPE, Markup, PreEscaped, html};
+use maud::{DOCTYPE, Markup, PreEscaped, Render, html};
 
 /// Style of the pages.
 const STYLE: &str = include_str!("page.css");
@@ -21,4 +21,9 @@ pub fn whole(title: &str, own_style: &str, content: &Markup) -> String {
         }
     };
     page.into_string()
+}
+
+/// Returns the first row of a table: what its columns are.
+pub fn heads(heads: impl IntoIterator<Item = impl Render>) -> Markup {
+    html! { tr { @for head in heads { th scope="col" { (head) } } } }
 }

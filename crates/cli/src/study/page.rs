@@ -46,11 +46,7 @@ fn changes(analysis: &Analysis) -> Markup {
                 p { "There is nothing to compare: no cook at a real stove is in the logs, or no trial on one side of it." }
             } @else {
                 table.steps {
-                    tr {
-                        @for head in ["quantity", "compared", "condition", "n", "missing", "before", "after", "difference (90 %)"] {
-                            th scope="col" { (head) }
-                        }
-                    }
+                    (page::heads(["quantity", "compared", "condition", "n", "missing", "before", "after", "difference (90 %)"]))
                     @for change in &analysis.changes {
                         tr {
                             th scope="row" { (tables::quantity(change.quantity)) }
@@ -77,7 +73,7 @@ fn participants(analysis: &Analysis) -> Markup {
         section {
             h2 { "Who took part" }
             table.steps {
-                tr { @for head in ["participant", "condition", "trials", "missing", "answers"] { th scope="col" { (head) } } }
+                (page::heads(["participant", "condition", "trials", "missing", "answers"]))
                 @for taker in &analysis.participants {
                     tr {
                         th scope="row" { (taker.participant) }

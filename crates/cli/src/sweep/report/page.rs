@@ -42,7 +42,7 @@ fn section(manifest: &Manifest, one: &Sensitivity) -> Markup {
             h2 { (one.heading.name) @if one.heading.unit != "-" { " [" (one.heading.unit) "]" } }
             (bars::figure(manifest, one))
             table.steps {
-                tr { th scope="col" { "value" } th scope="col" { "what it does" } }
+                (page::heads(["value", "what it does"]))
                 @for (place, path) in manifest.varied.iter().enumerate() {
                     tr { th scope="row" { (path) } td style="white-space: normal" { (tables::words(one, place)) } }
                 }
