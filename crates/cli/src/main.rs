@@ -3,6 +3,7 @@
 mod args;
 mod bench_heat;
 mod bench_paper;
+mod chart;
 mod class;
 mod commands;
 mod error;
@@ -12,6 +13,7 @@ mod gallery;
 mod haptics;
 mod input;
 mod output;
+mod page;
 mod picture;
 mod plan;
 mod report;

@@ -40,6 +40,7 @@
 
 pub mod conduction;
 pub mod mesh;
+pub mod sorted;
 pub mod vector;
 
 pub use conduction::boundary::Boundary;

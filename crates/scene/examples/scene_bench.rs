@@ -2,6 +2,7 @@
 
 use std::time::Instant;
 
+use saute_heat::sorted::{Quantile, Sorted};
 use saute_scene::input::{Colouring, SceneInput};
 use saute_scene::quality::Quality;
 use saute_scene::renderer::SceneRenderer;
@@ -56,7 +57,7 @@ fn median(
     scene: &SceneInput,
     change: fn(&mut SceneInput, usize),
 ) -> f64 {
-    let mut times: Vec<f64> = (0..FRAMES)
+    let times = (0..FRAMES)
         .map(|i| {
             let mut scene = scene.clone();
             scene.time_s += i as f32 / 60.0;
@@ -66,8 +67,7 @@ fn median(
             milliseconds(start)
         })
         .collect();
-    times.sort_by(f64::total_cmp);
-    times[FRAMES / 2]
+    Sorted::new(times).quantile(0.5, Quantile::After).unwrap_or(f64::NAN)
 }
 
 fn frame(renderer: &mut SceneRenderer, device: &wgpu::Device, queue: &wgpu::Queue, scene: &SceneInput) {

@@ -2,20 +2,17 @@
 
 use saute_kitchen::{FRAME_S, TICK_S};
 use saute_recipe::Fired;
+use saute_recipe::session::Done;
 use web_time::{Duration, Instant};
 
 use super::Session;
-use super::mark::{Mark, step_label};
+use super::mark::Mark;
 use super::permits::Permit;
+use super::speeds::MOST_OWED_S;
 use crate::hands::Hands;
 
-/// Speeds of simulated time over wall time [-].
-pub const SPEEDS: [f64; 5] = [1.0, 2.0, 3.0, 5.0, 20.0];
 /// Simulated time owed beyond which the machine counts as too slow, as wall time at the chosen speed [s] (chosen).
 const LATE_AFTER_S: f64 = 0.4;
-
-/// Most that is owed, as wall time at the chosen speed [s] (chosen: what a person would not notice while it is caught up).
-pub const MOST_OWED_S: f64 = 1.0;
 
 /// Time closer than this to a whole step counts as reached [s] (chosen: far above rounding, far below a frame).
 const SAME_TIME: f64 = 1e-9;
@@ -121,7 +118,7 @@ impl<H: Hands> Session<H> {
         let fired = fired.map_err(|e| e.to_string())?;
         self.recorder.on_steps(&self.kitchen, &fired);
         let (time_s, at) = (self.kitchen.time_s(), self.recording.moment());
-        let mark = |step: &Fired| Mark { time_s, label: step_label(step), at, step: step.as_text() };
+        let mark = |step: &Fired| Mark { time_s, done: Done::from(&step.action), at, step: step.as_text() };
         self.marks.extend(fired.iter().map(mark));
         if runner.stopped().is_some() {
             self.paused = true;

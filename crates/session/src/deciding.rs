@@ -1,8 +1,11 @@
 //! The instant from which a cook is tried again: shortly before the act that decided what was missed.
 
+use saute_kitchen::Command;
 use saute_plan::goal::Better;
+use saute_recipe::session::Done;
 
 use super::Session;
+use super::mark::Mark;
 use crate::hands::Hands;
 
 /// Time before the act [s] (chosen: to see where one is, and to reach the button).
@@ -13,12 +16,14 @@ const EARLIER_S: f64 = 60.0;
 impl<H: Hands> Session<H> {
     /// Returns the time shortly before the act that decided [s]; none where there is nothing to try again.
     pub fn deciding_s(&self, better: &Better) -> Option<f64> {
-        let came_in = self.first("in");
+        let came_in = self.first(Mark::is_put);
         let at_s = match better {
             Better::RestLonger => None,
             Better::PullEarlier { by_s, .. } => self.came_out_s().map(|out_s| out_s - by_s.unwrap_or(EARLIER_S)),
             Better::PullLater { .. } | Better::LeaveIn { .. } => self.came_out_s(),
-            Better::PalerFace { .. } | Better::FlipMoreOften { .. } => self.first("flip").or_else(|| self.came_out_s()),
+            Better::PalerFace { .. } | Better::FlipMoreOften { .. } => {
+                self.first(Mark::is_flip).or_else(|| self.came_out_s())
+            }
             Better::HotterPan { .. } | Better::LessCrowded { .. } | Better::DryFaces { .. } => came_in,
             Better::MorePower { .. } | Better::LessPower { .. } => came_in.map(|in_s| in_s + BEFORE_S),
             Better::CoolerPan { .. } => self.most_power_s(),
@@ -26,16 +31,19 @@ impl<H: Hands> Session<H> {
         at_s.map(|at_s| (at_s - BEFORE_S).max(0.0))
     }
 
-    /// When something was first done, by its label [s].
-    fn first(&self, label: &str) -> Option<f64> {
-        self.marks.iter().find(|mark| mark.label == label).map(|mark| mark.time_s)
+    /// When something was first done [s].
+    fn first(&self, is_it: fn(&Mark) -> bool) -> Option<f64> {
+        self.marks.iter().find(|mark| is_it(mark)).map(|mark| mark.time_s)
     }
 
     /// When the hob was last set to the most power that it had [s].
     fn most_power_s(&self) -> Option<f64> {
-        let watts = |label: &str| label.strip_suffix(" W").and_then(|w| w.parse::<f64>().ok());
-        let powers = self.marks.iter().filter_map(|mark| Some((watts(&mark.label)?, mark.time_s)));
-        powers.max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, time_s)| time_s)
+        let power = |mark: &Mark| match mark.done {
+            // Whole watts, as they are shown: what looks the same is the same.
+            Done::Command(Command::Hob(w)) => Some((w.round(), mark.time_s)),
+            _ => None,
+        };
+        self.marks.iter().filter_map(power).max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, time_s)| time_s)
     }
 }
 
@@ -43,7 +51,7 @@ impl<H: Hands> Session<H> {
 #[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
-    use saute_kitchen::{Command, Library};
+    use saute_kitchen::Library;
     use std::sync::Arc;
 
     #[test]

@@ -10,17 +10,9 @@ use saute_kitchen::piece::carry_over::foreseen_peak;
 use saute_kitchen::{Place, celsius};
 
 use super::Session;
+use super::foreseen_peak::Forecast;
 use crate::hands::Hands;
 use crate::kept_order::Moment;
-
-/// Forecast for food that is taken out now.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Forecast {
-    /// Expected core peak [°C].
-    pub peak_c: f64,
-    /// In how many seconds.
-    pub in_s: f64,
-}
 
 /// Least rise of a resting core that is spoken of [K] (chosen: as much as the forecast is wrong).
 const RISES_K: f64 = 0.5;

@@ -15,21 +15,20 @@ impl<H: Hands> Session<H> {
         let pieces: Vec<&Piece> = std::iter::once(first).chain(others).collect();
         let mass = |piece: &&Piece| self.start_mass_g.get(&piece.id).map_or_else(|| piece.mass(), |g| 1e-3 * g);
         let masses_at_start = pieces.iter().map(mass).collect();
-        let times = [self.marks.iter().find(|mark| mark.label == "in").map(|mark| mark.time_s), self.came_out_s()];
+        let times = [self.marks.iter().find(|mark| mark.is_put()).map(|mark| mark.time_s), self.came_out_s()];
         let course = Course::of(&self.recorder, self.steak_index(), times, self.recorder.turns_of(&first.id));
         Judgement::of(&Judged { kitchen: &self.kitchen, pieces, masses_at_start }, &course, goal)
     }
 
     /// When food was last taken out of the pan [s]; none if it never was.
     pub fn came_out_s(&self) -> Option<f64> {
-        self.marks.iter().rev().find(|mark| mark.label == "out").map(|mark| mark.time_s)
+        self.marks.iter().rev().find(|mark| mark.is_rest()).map(|mark| mark.time_s)
     }
 
     /// When food last went into the pan or came out by a command [s]; 0 before that. What tongs carry out makes no mark: it came out after
     /// it went in.
     pub fn last_moved_s(&self) -> f64 {
-        let moves = |label: &str| label == "in" || label == "out";
-        self.marks.iter().rev().find(|mark| moves(&mark.label)).map_or(0.0, |mark| mark.time_s)
+        self.marks.iter().rev().find(|mark| mark.is_put() || mark.is_rest()).map_or(0.0, |mark| mark.time_s)
     }
 
     /// Returns true if all of the group that the panels show rests and nothing is in the pan.

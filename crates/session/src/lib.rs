@@ -7,6 +7,7 @@ mod deciding;
 pub mod easing;
 pub mod export;
 pub mod forecasts;
+mod foreseen_peak;
 mod foresight;
 pub mod guided;
 pub mod hands;
@@ -15,11 +16,13 @@ mod judging;
 pub mod kept;
 mod kept_order;
 mod mark;
+mod noting;
 pub mod permits;
 pub mod plan;
 pub mod playback;
 mod resumed;
 mod selection;
+mod speeds;
 mod stock;
 pub mod timeline;
 mod whole_time;
@@ -41,10 +44,9 @@ use self::permits::{NotDone, Permits};
 use self::timeline::Timeline;
 
 pub use self::choice::{STEAK, SteakChoice, noun};
-pub use self::clock::{MOST_OWED_S, SPEEDS};
-pub use self::foresight::Forecast;
+pub use self::foreseen_peak::Forecast;
 pub use self::mark::Mark;
-pub use self::mark::label;
+pub use self::speeds::{MOST_OWED_S, SPEEDS};
 
 /// The state behind the window.
 pub struct Session<H = NoHands> {

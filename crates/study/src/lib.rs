@@ -14,7 +14,6 @@ mod csv_rows;
 pub mod dictionary;
 mod log_row;
 mod measures;
-mod median;
 mod pace;
 mod participant;
 mod protocol;

@@ -1,7 +1,8 @@
 //! How a locked speed is held: the machine computes as much simulated time as wall time asks for, or falls behind.
 
+use saute_kitchen::heat::sorted::Sorted;
+
 use super::measures::Measures;
-use super::median::median;
 use super::protocol::{Simulate, Task};
 use super::state::{Stage, Study};
 
@@ -73,7 +74,7 @@ impl PaceMeter {
     pub fn pace(&self) -> Option<Pace> {
         let [wall_s, simulated_s] = self.whole;
         let of_all = (wall_s > 0.0).then(|| simulated_s / wall_s);
-        let held_median = median(&self.samples).or(of_all)?;
+        let held_median = Sorted::new(self.samples.clone()).median().or(of_all)?;
         Some(Pace { set: self.set, held_median, behind_s: (self.set * wall_s - simulated_s).max(0.0) })
     }
 }

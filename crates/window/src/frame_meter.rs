@@ -2,6 +2,8 @@
 
 use std::collections::VecDeque;
 
+use saute_kitchen::heat::sorted::{Quantile, Sorted};
+
 /// Wall time over which is measured [s] (chosen: long enough for a median, short enough to follow a change).
 const WINDOW_S: f64 = 10.0;
 
@@ -33,9 +35,9 @@ impl FrameMeter {
 
     /// Frames per second, the median of the last seconds; 0 before the second frame.
     pub fn frames_per_s(&self) -> f64 {
-        let mut apart: Vec<f64> = self.frames.iter().zip(self.frames.iter().skip(1)).map(|(a, b)| b.0 - a.0).collect();
-        apart.sort_by(f64::total_cmp);
-        apart.get(apart.len() / 2).filter(|apart| **apart > 0.0).map_or(0.0, |apart| 1.0 / apart)
+        let apart = self.frames.iter().zip(self.frames.iter().skip(1)).map(|(a, b)| b.0 - a.0);
+        let middle = Sorted::new(apart.collect()).quantile(0.5, Quantile::After);
+        middle.filter(|apart| *apart > 0.0).map_or(0.0, |apart| 1.0 / apart)
     }
 
     /// Wall time of the longest frame of the last seconds [s]; 0 before the second frame.

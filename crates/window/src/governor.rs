@@ -1,5 +1,6 @@
 //! The quality governor: chooses the rendering quality by the time that frames take.
 
+use saute_kitchen::heat::sorted::{Quantile, Sorted};
 use saute_scene::quality::Quality;
 
 /// Frames are to come this fast at least [s] (chosen: 50 a second, and what the clock of a 50 Hz screen is off).
@@ -59,9 +60,9 @@ impl Governor {
     }
 
     fn judge(&mut self) {
-        self.judged.sort_by(f64::total_cmp);
-        let (median, all_s) = (self.judged[JUDGED / 2], self.judged.iter().sum::<f64>());
-        self.judged.clear();
+        let judged = Sorted::new(std::mem::take(&mut self.judged));
+        let all_s = judged.values().iter().sum::<f64>();
+        let median = judged.quantile(0.5, Quantile::After).unwrap_or(0.0);
         if median > SLOW_S {
             self.step_down();
         } else if median > QUICK_S {

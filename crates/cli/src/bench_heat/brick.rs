@@ -3,6 +3,7 @@
 use std::time::Instant;
 
 use saute_kitchen::Library;
+use saute_kitchen::heat::sorted::Sorted;
 use saute_lab::exact::FlippedBrick;
 use saute_lab::{Case, LabReport, run};
 use saute_schema::InputError;
@@ -94,10 +95,9 @@ fn max_error(report: &LabReport, exact: &[Vec<f64>]) -> f64 {
 pub fn measure(exact: &[Vec<f64>], library: &Library) -> Result<BrickBench, InputError> {
     let whole = case(1.0, STEP_FACTOR, library)?;
     let report = timed(&whole);
-    let mut seconds: Vec<f64> = (0..RUNS).map(|_| timed(&whole).wall_s).collect();
-    seconds.sort_by(f64::total_cmp);
+    let seconds = Sorted::new((0..RUNS).map(|_| timed(&whole).wall_s).collect());
     Ok(BrickBench {
-        loop_s: seconds[RUNS / 2],
+        loop_s: seconds.median().unwrap_or(0.0),
         max_error_k: max_error(&report, exact),
         half_step_error_k: max_error(&timed(&case(1.0, 0.5 * STEP_FACTOR, library)?), exact),
         nodes: report.nodes,

@@ -2,6 +2,7 @@
 
 use std::time::Instant;
 
+use saute_kitchen::heat::sorted::Sorted;
 use saute_kitchen::{FRAME_S, Kitchen, Library};
 use saute_recipe::Cook;
 
@@ -46,10 +47,8 @@ pub fn time(scene: &Scene, library: &Library) -> Result<Timed, CliError> {
     let mut kitchen = cook.kitchen;
     let (before, mut deepest) = (mean_core(&kitchen), 0.0f64);
     let runs: Vec<f64> = (0..RUNS).map(|_| run(&mut kitchen, &mut deepest)).collect();
-    let mut sorted = runs.clone();
-    sorted.sort_by(f64::total_cmp);
     Ok(Timed {
-        cycles_per_s: sorted[RUNS / 2],
+        cycles_per_s: Sorted::new(runs.clone()).median().unwrap_or(0.0),
         runs,
         core_rise_k: mean_core(&kitchen) - before,
         max_penetration_mm: 1e3 * deepest,

@@ -6,6 +6,7 @@ use std::path::Path;
 use glam::{DQuat, DVec3};
 use saute_haptics::control::control_loop::LogRow;
 use saute_haptics::{Health, Wrench};
+use saute_kitchen::heat::sorted::{Quantile, Sorted};
 use serde::Serialize;
 
 use crate::error::CliError;
@@ -59,23 +60,16 @@ pub fn compare(
         }
         reported = now.map(|_| row.achieved);
     }
-    if mm.is_empty() || force.is_empty() {
-        return Ok(None);
-    }
+    let p99 = |values| Sorted::new(values).quantile(0.99, Quantile::Below);
+    let (Some(mm), Some(deg), false) = (p99(mm), p99(deg), force.is_empty()) else { return Ok(None) };
     let rms = |squares: &[f64]| (squares.iter().sum::<f64>() / squares.len() as f64).sqrt();
-    let pose = PoseError { mm: percentile_99(&mut mm), deg: percentile_99(&mut deg) };
+    let pose = PoseError { mm, deg };
     Ok(Some((pose, WrenchError { n: rms(&force), nm: rms(&torque) })))
 }
 
 fn angle(a: DQuat, b: DQuat) -> f64 {
     let d = b * a.conjugate();
     2.0 * DVec3::new(d.x, d.y, d.z).length().atan2(d.w.abs())
-}
-
-/// Returns the 99th percentile.
-fn percentile_99(values: &mut [f64]) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values[(values.len() - 1) * 99 / 100]
 }
 
 fn read(file: &Path) -> Result<BTreeMap<u64, TrueState>, CliError> {

@@ -1,19 +1,23 @@
 //! Temperatures, power and mass against time.
 
-use maud::{Markup, PreEscaped, html};
+use maud::{Markup, html};
 use saute_recipe::recorder::Row;
 use saute_recipe::step_record::StepRecord;
 use saute_recipe::summary::FoodOrGroup;
 use saute_recipe::{Cook, Summary};
 
-use super::plot::{Mark, Panel, Scale, marks, nice_range, nice_step};
+use crate::chart::axis::{Panel, Ticks};
+use crate::chart::figure::Figure;
+use crate::chart::moments::{Moment, moments};
+use crate::chart::scale::{Scale, nice_range, nice_step};
 use crate::wording;
 
 /// Curves of a food: class in the style sheet and name, place in a row's numbers.
 const CURVES: [(&str, usize); 3] = [("bottom", 2), ("top", 1), ("core", 0)];
 
-/// Widths of the picture on a desktop and on a phone [px]: letters of one scaled picture would be too small to read.
-const WIDTHS: [(&str, f64); 2] = [("wide", 760.0), ("narrow", 350.0)];
+/// What a reader needs to read the curves.
+const CAPTION: &str =
+    "Top and bottom are means of the face that lies above or below at that moment, so they change places at a flip.";
 
 /// Largest number of rows that are drawn; longer series are thinned (chosen: twice the pixels).
 const MOST_ROWS: usize = 1600;
@@ -33,27 +37,12 @@ pub fn section(cook: &Cook, summary: &Summary) -> Markup {
 }
 
 fn figure(rows: &[&Row], summary: &Summary, entry: &FoodOrGroup) -> Markup {
-    html! {
-        figure.plot {
-            ul.legend {
-                (legend_entry("pan", "pan, mean of the floor"))
-                @for (name, _) in CURVES.iter().rev() { (legend_entry(name, &format!("{name} of {}", entry.food.id))) }
-            }
-            @for (class, width) in WIDTHS { (Drawing { rows, summary, entry, width }.svg(class)) }
-            figcaption {
-                "Top and bottom are means of the face that lies above or below at that moment, so they change places at a flip."
-            }
-        }
-    }
-}
-
-fn legend_entry(class: &str, name: &str) -> Markup {
-    html! {
-        li {
-            svg viewBox="0 0 28 8" aria-hidden="true" { path class={ "curve " (class) } d="M1 4H27" {} }
-            (name)
-        }
-    }
+    let pan = ("pan", "pan, mean of the floor".to_owned());
+    let curves = CURVES.iter().rev().map(|(name, _)| (*name, format!("{name} of {}", entry.food.id)));
+    let legend: Vec<(&str, String)> = std::iter::once(pan).chain(curves).collect();
+    let label = format!("Temperatures, power of the hob and mass against time for {}", entry.food.id);
+    let figure = Figure { legend: &legend, label: &label, title: None, height: HEIGHT };
+    figure.markup(|width| Drawing { rows, summary, entry, width }.svg(), Some(CAPTION))
 }
 
 fn thinned(rows: &[Row]) -> Vec<&Row> {
@@ -87,25 +76,19 @@ const LEFT: f64 = 40.0;
 const RIGHT: f64 = 8.0;
 
 impl Drawing<'_> {
-    fn svg(&self, class: &str) -> Markup {
-        let moments: Vec<Mark> = self.summary.steps.iter().filter_map(|s| self.mark(s)).collect();
-        let lines = marks(self.time(), self.width, [PANELS[0][0] - 18.0, PANELS[2][1]], &moments);
-        let panels = [lines, self.temperatures(), self.power(), self.mass()].concat();
-        html! {
-            svg class=(class) viewBox={ "0 0 " (self.width) " " (HEIGHT) } role="img"
-                aria-label={ "Temperatures, power of the hob and mass against time for " (self.entry.food.id) } {
-                (PreEscaped(panels))
-            }
-        }
+    fn svg(&self) -> String {
+        let steps: Vec<Moment> = self.summary.steps.iter().filter_map(|s| self.moment(s)).collect();
+        let lines = moments(self.time(), self.width, [PANELS[0][0] - 18.0, PANELS[2][1]], &steps);
+        [lines, self.temperatures(), self.power(), self.mass()].concat()
     }
 
-    /// Returns the mark of a step that concerns this food or no single food.
-    fn mark(&self, step: &StepRecord) -> Option<Mark> {
+    /// Returns the moment of a step that concerns this food or no single food.
+    fn moment(&self, step: &StepRecord) -> Option<Moment> {
         let members = &self.summary.foods[self.entry.members.clone()];
         let concerns = step.action.target().is_none() || members.iter().any(|f| step.foods.contains(&f.id));
         let name = wording::mark(step).filter(|_| concerns)?.to_owned();
         let tooltip = format!("{}: {}", wording::duration(step.time_s), wording::step(step));
-        Some(Mark { time_s: step.time_s, name, tooltip })
+        Some(Moment { at: step.time_s, name, tooltip })
     }
 
     /// Returns core, top, bottom [°C] and mass [g] of a row.
@@ -155,7 +138,8 @@ impl Drawing<'_> {
         let end = self.summary.simulated_s;
         let (unit, per) = if end > 180.0 { ("time [min]", 60.0) } else { ("time [s]", 1.0) };
         let most = (self.width / 60.0).floor();
-        let x_axis = panel.x_axis([0.0, end], nice_step(end / per, most) * per, per, unit);
+        let ticks = Ticks { range: [0.0, end], step: nice_step(end / per, most) * per };
+        let x_axis = panel.x_axis(ticks, |time_s| (time_s / per).to_string(), unit);
         panel.y_axis(range, step, "mass [g]") + &panel.curve("mass", grams()) + &x_axis
     }
 }

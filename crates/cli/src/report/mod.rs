@@ -4,38 +4,17 @@ mod curves;
 mod doneness;
 mod key_numbers;
 mod numbers;
-pub mod plot;
 mod sections;
 
-use maud::{DOCTYPE, Markup, PreEscaped, html};
+use maud::{Markup, html};
 use saute_kitchen::doneness::ScaleChoice;
 use saute_recipe::recorder::Row;
 use saute_recipe::summary::FoodOrGroup;
 use saute_recipe::{Cook, Recipe, StoppedBy, Summary};
 
 use crate::output::section_files::Snapshot;
+use crate::page;
 use crate::wording::duration;
-
-/// Style of the pages.
-pub const STYLE: &str = include_str!("report.css");
-
-/// Returns a whole page with what is in its `main`; `own_style` follows the style that all pages share.
-pub fn whole(title: &str, own_style: &str, content: &Markup) -> String {
-    let page = html! {
-        (DOCTYPE)
-        html lang="en" {
-            head {
-                meta charset="utf-8";
-                meta name="viewport" content="width=device-width, initial-scale=1";
-                meta name="color-scheme" content="light dark";
-                title { (title) }
-                style { (PreEscaped(STYLE)) (PreEscaped(own_style)) }
-            }
-            body { main { (content) } }
-        }
-    };
-    page.into_string()
-}
 
 /// Returns the page of a cook.
 pub fn page(cook: &Cook, summary: &Summary, snapshots: &[Snapshot], scales: &ScaleChoice) -> String {
@@ -52,7 +31,7 @@ pub fn page(cook: &Cook, summary: &Summary, snapshots: &[Snapshot], scales: &Sca
             ". A simulation: for learning, not for judging whether food is safe to eat."
         }
     };
-    whole(&summary.title, &doneness::style(), &content)
+    page::whole(&summary.title, &doneness::style(), &content)
 }
 
 fn header(cook: &Cook, summary: &Summary) -> Markup {

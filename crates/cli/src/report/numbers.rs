@@ -6,6 +6,7 @@ use saute_recipe::step_record::StepRecord;
 use saute_recipe::summary::{FoodOrGroup, FoodSummary, Surface};
 use saute_recipe::{Cook, Summary};
 
+use crate::page;
 use crate::wording::{self, duration};
 
 /// Returns all tables.
@@ -78,7 +79,7 @@ fn members(summary: &Summary, group: &GroupSummary) -> Markup {
     html! {
         table.steps {
             caption { (group.mean.id) ", piece by piece" }
-            tr { @for head in heads { th scope="col" { (head) } } }
+            (page::heads(heads))
             @for food in &summary.foods[group.members.clone()] {
                 tr { th scope="row" { (food.id) } @for cell in member(food) { td { (cell) } } }
             }
@@ -131,13 +132,12 @@ fn energy(s: &Summary) -> Markup {
 
 fn steps(cook: &Cook, summary: &Summary) -> Markup {
     let entries = summary.foods_and_groups();
+    let cores = entries.iter().map(|entry| format!("core of {}", entry.food.id));
+    let heads = ["time, min:s", "step", "pan"].map(str::to_owned).into_iter().chain(cores);
     html! {
         table.steps {
             caption { "Steps" }
-            tr {
-                @for head in ["time, min:s", "step", "pan"] { th scope="col" { (head) } }
-                @for entry in &entries { th scope="col" { "core of " (entry.food.id) } }
-            }
+            (page::heads(heads))
             @for step in &summary.steps { (step_row(cook, &entries, step)) }
         }
     }

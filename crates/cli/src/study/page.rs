@@ -5,7 +5,7 @@ use saute_study::Analysis;
 use saute_study::analysis::Quantity;
 
 use super::{curves_plot, tables};
-use crate::report;
+use crate::page;
 
 /// Returns the whole page.
 pub fn page(analysis: &Analysis) -> String {
@@ -20,7 +20,7 @@ pub fn page(analysis: &Analysis) -> String {
         (method(analysis))
         footer { "saute " (env!("CARGO_PKG_VERSION")) }
     };
-    report::whole(&title, "", &content)
+    page::whole(&title, "", &content)
 }
 
 fn header(analysis: &Analysis, title: &str) -> Markup {
@@ -46,11 +46,7 @@ fn changes(analysis: &Analysis) -> Markup {
                 p { "There is nothing to compare: no cook at a real stove is in the logs, or no trial on one side of it." }
             } @else {
                 table.steps {
-                    tr {
-                        @for head in ["quantity", "compared", "condition", "n", "missing", "before", "after", "difference (90 %)"] {
-                            th scope="col" { (head) }
-                        }
-                    }
+                    (page::heads(["quantity", "compared", "condition", "n", "missing", "before", "after", "difference (90 %)"]))
                     @for change in &analysis.changes {
                         tr {
                             th scope="row" { (tables::quantity(change.quantity)) }
@@ -77,7 +73,7 @@ fn participants(analysis: &Analysis) -> Markup {
         section {
             h2 { "Who took part" }
             table.steps {
-                tr { @for head in ["participant", "condition", "trials", "missing", "answers"] { th scope="col" { (head) } } }
+                (page::heads(["participant", "condition", "trials", "missing", "answers"]))
                 @for taker in &analysis.participants {
                     tr {
                         th scope="row" { (taker.participant) }

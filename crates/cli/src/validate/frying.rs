@@ -6,8 +6,8 @@ use saute_kitchen::{Kitchen, Library, Piece, celsius};
 use saute_lab::Case;
 use saute_recipe::{Cook, Recipe, Summary};
 
-use super::chart::{Chart, Curve};
 use super::{CaseRun, timed};
+use crate::chart::curve_chart::{Curve, CurveChart};
 use crate::error::CliError;
 use crate::workers::map_all;
 
@@ -48,7 +48,7 @@ fn contact(library: &Library) -> Result<String, CliError> {
     }
     let ranges = vec![[15.0, 250.0, 650.0], [130.0, 300.0, 500.0]];
     let title = "Contact of oiled beef with a pan over time";
-    Ok(Chart { title, axes: ["time [s]", "W/(m²·K)"], from: 0.0, curves, rings: Vec::new(), ranges }.svg())
+    Ok(CurveChart { title, axes: ["time [s]", "W/(m²·K)"], from: 0.0, curves, rings: Vec::new(), ranges }.svg())
 }
 
 /// Heat that foods take in their first 90 s, against the pan's temperature at the put.
@@ -59,7 +59,7 @@ fn heat(library: &Library) -> Result<String, CliError> {
     let course = |food: usize| PANS_C.into_iter().zip(&taken[food * PANS_C.len()..]).map(|(pan, heat)| [pan, *heat]);
     let curves = FOODS.iter().enumerate().map(|(i, name)| solid((*name).to_owned(), i, course(i).collect())).collect();
     let (title, axes) = ("Heat taken in the first 90 s", ["pan when the food is put in [°C]", "kJ/m² of footprint"]);
-    Ok(Chart { title, axes, from: 140.0, curves, rings: Vec::new(), ranges: Vec::new() }.svg())
+    Ok(CurveChart { title, axes, from: 140.0, curves, rings: Vec::new(), ranges: Vec::new() }.svg())
 }
 
 /// Returns the heat over the area of the footprint [kJ/m²].
@@ -86,7 +86,7 @@ fn loss(library: &Library, runs: &[CaseRun]) -> Result<String, CliError> {
     let (title, axes) =
         ("Weight loss of a steak of 25 mm", ["highest core temperature so far [°C]", "% of the raw mass"]);
     let ranges = LOSSES_C.iter().filter_map(|core| band(runs, *core)).collect();
-    Ok(Chart { title, axes, from: 45.0, curves, rings: Vec::new(), ranges }.svg())
+    Ok(CurveChart { title, axes, from: 45.0, curves, rings: Vec::new(), ranges }.svg())
 }
 
 /// Returns the band of the case of a core temperature: core [°C], lowest and highest loss [%].
@@ -133,7 +133,7 @@ fn colour(library: &Library) -> Result<String, CliError> {
         ["L*", "a*", "b*"].into_iter().enumerate().map(|(i, name)| solid(name.to_owned(), i, course(i))).collect();
     let rings = INSIDE_OF_BEEF.iter().flat_map(|[core, l, a, b]| [[*core, *l], [*core, *a], [*core, *b]]).collect();
     let (title, axes) = ("Colour of the middle of a steak, turned each minute", ["core [°C]", "CIE L*, a*, b*"]);
-    Ok(Chart { title, axes, from: 40.0, curves, rings, ranges: Vec::new() }.svg())
+    Ok(CurveChart { title, axes, from: 40.0, curves, rings, ranges: Vec::new() }.svg())
 }
 
 /// Returns the colour of the node nearest to the middle of a piece.

@@ -1,7 +1,6 @@
 //! `saute validate`.
 
 mod case_folder;
-mod chart;
 mod colorimeter;
 mod colour;
 mod frying;

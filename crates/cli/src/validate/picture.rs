@@ -1,13 +1,14 @@
 //! Pictures of the validation: curves with expected values, and all errors over their tolerances.
 
-use std::fmt::Write;
-
 use saute_lab::{Case, LabReport, Subject};
 
-use super::chart::{COLOURS, Chart, Curve, EDGES, SIZE, page};
 use super::groups::groups;
 use super::{CaseRun, timed};
-use crate::report::plot::{Panel, Scale};
+use crate::chart::axis::Panel;
+use crate::chart::curve_chart::{Curve, CurveChart};
+use crate::chart::picture::{COLOURS, EDGES, SIZE, picture};
+use crate::chart::points;
+use crate::chart::scale::Scale;
 
 /// Number of points of a curve (chosen: one for every other pixel).
 const POINTS: usize = 240;
@@ -50,7 +51,7 @@ pub fn curves(run: &CaseRun) -> Option<String> {
 /// Draws temperatures against time, with rings at expected values.
 pub fn draw(title: &str, curves: Vec<Curve>, points: &[(&str, f64, f64)]) -> String {
     let rings = points.iter().map(|(_, time, value)| [*time, *value]).collect();
-    Chart { title, axes: ["time [s]", "°C"], from: 0.0, curves, rings, ranges: Vec::new() }.svg()
+    CurveChart { title, axes: ["time [s]", "°C"], from: 0.0, curves, rings, ranges: Vec::new() }.svg()
 }
 
 /// Draws every error over its tolerance in the order of the tables; values between the dashed lines hold.
@@ -70,13 +71,10 @@ pub fn errors(runs: &[CaseRun]) -> String {
         edges: [left, right, top, bottom],
     };
     let mut svg = panel.y_axis([-2.0, 2.0], 1.0, "error over tolerance");
-    for bound in [-1.0, 1.0] {
-        let _ = write!(svg, "<path class=\"bound\" d=\"M{left:.0} {:.1}H{right:.0}\"/>", panel.y.at(bound));
-    }
+    [-1.0, 1.0].into_iter().for_each(|bound| svg += &panel.bound(bound));
     for (i, share) in shares.iter().enumerate() {
         let colour = if share.abs() <= 1.0 { COLOURS[0] } else { COLOURS[1] };
-        let (x, y) = (panel.x.at(i as f64 + 0.5), panel.y.at(share.clamp(-2.0, 2.0)));
-        let _ = write!(svg, "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"2.5\" fill=\"{colour}\"/>");
+        svg += &points::dot(colour, [panel.x.at(i as f64 + 0.5), panel.y.at(share.clamp(-2.0, 2.0))]);
     }
-    page("Every expected value: error over tolerance, in the order of the tables", &svg)
+    picture("Every expected value: error over tolerance, in the order of the tables", &svg)
 }

@@ -5,10 +5,10 @@ use std::fmt::Write;
 use saute_kitchen::heat::Rule;
 use saute_lab::{Case, Shape, Verdict, verdicts};
 
-use super::chart::Curve;
 use super::picture::{dense, draw, expected};
 use super::verdict_text::number;
 use super::{CaseRun, timed};
+use crate::chart::curve_chart::Curve;
 use crate::workers::map_all;
 
 /// Cases with more nodes are left out: segments are summed edge by edge (chosen: some seconds per case).

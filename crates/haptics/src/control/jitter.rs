@@ -49,7 +49,8 @@ impl Jitter {
         Lateness { p50: self.quantile(0.5), p99: self.quantile(0.99), max: self.max }
     }
 
-    /// Returns the upper edge of the bin that completes a share of the steps [µs].
+    /// Returns the upper edge of the bin that completes a share of the steps [µs]. It counts bins, since the loop keeps no list of
+    /// values, which would grow.
     fn quantile(&self, share: f64) -> f64 {
         let wanted = (share * self.count as f64).ceil() as u64;
         let mut sum = 0;

@@ -38,7 +38,7 @@ impl World {
     pub fn set_blade(&mut self, pose: Option<&Pose>, spared: Option<u32>) {
         match pose {
             Some(pose) if self.show_blade(pose, RigidBodyType::KinematicPositionBased) => {
-                if let Some(body) = self.bodies.get_mut(self.blade) {
+                if let Some(body) = self.rigid.bodies.get_mut(self.rigid.blade) {
                     body.set_next_kinematic_position(scale::solver_pose(pose));
                 }
             }
@@ -55,7 +55,7 @@ impl World {
             *spring = Spring::at(*wanted);
             return;
         }
-        let Some(body) = self.bodies.get_mut(self.blade) else { return };
+        let Some(body) = self.rigid.bodies.get_mut(self.rigid.blade) else { return };
         let speeds = [scale::metres(body.linvel()), scale::metres(body.angvel()) * scale::PER_METRE];
         let [pull, spin] = spring.pull(wanted, &scale::pose(body.position()), speeds);
         body.reset_forces(true);
@@ -66,21 +66,21 @@ impl World {
 
     /// Pose of the blade; `None` while no hand holds the turner.
     pub fn blade_pose(&self) -> Option<Pose> {
-        self.bodies.get(self.blade).filter(|b| b.is_enabled()).map(|b| scale::pose(b.position()))
+        self.rigid.bodies.get(self.rigid.blade).filter(|b| b.is_enabled()).map(|b| scale::pose(b.position()))
     }
 
     /// Sum of the contact forces of foods on the blade [N].
     pub fn blade_force(&self) -> f64 {
-        let blade = self.bodies.get(self.blade).filter(|b| b.is_enabled());
+        let blade = self.rigid.bodies.get(self.rigid.blade).filter(|b| b.is_enabled());
         let colliders = blade.into_iter().flat_map(|b| b.colliders().iter());
-        let pairs = colliders.flat_map(|c| self.narrow_phase.contact_pairs_with(*c));
+        let pairs = colliders.flat_map(|c| self.rigid.narrow_phase.contact_pairs_with(*c));
         pairs.map(|p| newtons(p.total_impulse_magnitude())).sum()
     }
 
     /// Enables the blade as a body of the given type; returns true if it already was.
     fn show_blade(&mut self, pose: &Pose, driven: RigidBodyType) -> bool {
         self.settled = false;
-        let Some(body) = self.bodies.get_mut(self.blade) else { return false };
+        let Some(body) = self.rigid.bodies.get_mut(self.rigid.blade) else { return false };
         if body.is_enabled() && body.body_type() == driven {
             return true;
         }
@@ -93,16 +93,16 @@ impl World {
     }
 
     fn hide_blade(&mut self) {
-        if let Some(body) = self.bodies.get_mut(self.blade).filter(|b| b.is_enabled()) {
+        if let Some(body) = self.rigid.bodies.get_mut(self.rigid.blade).filter(|b| b.is_enabled()) {
             body.set_enabled(false);
         }
     }
 
     fn spare(&mut self, spared: Option<u32>) {
-        if spared != self.spared {
-            let before = core::mem::replace(&mut self.spared, spared);
+        if spared != self.rigid.spared {
+            let before = core::mem::replace(&mut self.rigid.spared, spared);
             for key in [before, spared].into_iter().flatten() {
-                let inside = self.foods.get(&key).is_some_and(|f| f.inside);
+                let inside = self.rigid.foods.get(&key).is_some_and(|f| f.inside);
                 self.set_groups(key, inside);
             }
         }

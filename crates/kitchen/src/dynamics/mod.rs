@@ -14,6 +14,7 @@
 
 mod blade;
 mod damping;
+mod engine;
 pub mod extent;
 pub mod gesture;
 pub mod hand;
@@ -22,6 +23,7 @@ pub mod pan_shape;
 pub mod pose;
 mod press;
 mod press_path;
+mod rigid_state;
 pub(crate) mod saved_world;
 mod scale;
 mod scoop;

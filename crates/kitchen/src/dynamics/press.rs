@@ -44,32 +44,32 @@ impl World {
     ///
     /// Without another call the force falls again over some steps.
     pub(super) fn press(&mut self, key: u32, newtons: f64) -> bool {
-        if self.press.as_ref().is_some_and(|p| p.key != key || p.newtons != newtons) {
+        if self.rigid.press.as_ref().is_some_and(|p| p.key != key || p.newtons != newtons) {
             self.end_press();
         }
         let begun = || Press { key, newtons, onset: 0.0, asked: true, burdened: BTreeSet::new() };
-        let press = self.press.get_or_insert_with(begun);
+        let press = self.rigid.press.get_or_insert_with(begun);
         press.asked = true;
         press.onset >= 1.0
     }
 
     /// Force of the press on a body [N]; 0 without one.
     pub(crate) fn pressing(&self, key: u32) -> f64 {
-        self.press.as_ref().filter(|press| press.key == key).map_or(0.0, |press| press.newtons * press.onset)
+        self.rigid.press.as_ref().filter(|press| press.key == key).map_or(0.0, |press| press.newtons * press.onset)
     }
 
     /// Returns true until the hand has lifted off.
     pub(super) fn is_pressing(&self) -> bool {
-        self.press.is_some()
+        self.rigid.press.is_some()
     }
 
     /// Applies force and damping of the press before a step; ends the press when its force has fallen.
     pub(super) fn bear_down(&mut self) {
-        let Some(press) = &mut self.press else { return };
+        let Some(press) = &mut self.rigid.press else { return };
         let by = if core::mem::take(&mut press.asked) { RIGID_S } else { -RIGID_S } / ONSET_S;
         press.onset = (press.onset + by).clamp(0.0, 1.0);
         let (key, newtons, onset) = (press.key, press.newtons, press.onset);
-        if onset <= 0.0 || newtons <= 0.0 || !self.foods.contains_key(&key) {
+        if onset <= 0.0 || newtons <= 0.0 || !self.rigid.foods.contains_key(&key) {
             if onset <= 0.0 {
                 self.end_press();
             }
@@ -96,7 +96,7 @@ impl World {
         let mut open = vec![key];
         let mut seen = BTreeSet::from([key]);
         while let Some(key) = open.pop() {
-            if self.press.as_mut().is_some_and(|p| p.burdened.insert(key)) {
+            if self.rigid.press.as_mut().is_some_and(|p| p.burdened.insert(key)) {
                 self.set_burden(key, Some(mass));
             }
             for contact in self.contacts(key) {
@@ -122,7 +122,7 @@ impl World {
     }
 
     fn end_press(&mut self) {
-        let Some(press) = self.press.take() else { return };
+        let Some(press) = self.rigid.press.take() else { return };
         press.burdened.into_iter().for_each(|key| self.set_burden(key, None));
     }
 }

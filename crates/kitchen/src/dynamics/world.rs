@@ -3,49 +3,32 @@
 use std::collections::BTreeMap;
 
 use glam::DVec3;
-use rapier3d::dynamics::{
-    CCDSolver, CoefficientCombineRule, ImpulseJointSet, IntegrationParameters, IslandManager, MultibodyJointSet,
-    RigidBody, RigidBodyBuilder, RigidBodyHandle, RigidBodySet, SoftBodySet,
-};
+use rapier3d::dynamics::{CoefficientCombineRule, IslandManager, RigidBody, RigidBodyBuilder, RigidBodySet};
 use rapier3d::geometry::{
     BroadPhaseBvh, Collider, ColliderBuilder, ColliderHandle, ColliderSet, Group, InteractionGroups,
     InteractionTestMode, NarrowPhase,
 };
 use rapier3d::math::Vector;
-use rapier3d::pipeline::PhysicsPipeline;
 use saute_food::{GRAVITY, Solid};
 use serde::{Deserialize, Serialize};
 
 use super::blade::insert_blade;
 use super::damping::damping;
+use super::engine::Engine;
 use super::pan_motion::{PanMotion, PanTarget};
 use super::pan_shape::PanShape;
 use super::pose::Pose;
-use super::press::Press;
+use super::rigid_state::{FoodBody, RigidState};
 use super::{scale, solid_shape};
 
 /// Rigid steps per second [1/s] (chosen: at 240 Hz 35 shaken shrimps penetrate each other by less than 0.5 mm).
 pub const RIGID_HZ: u32 = 240;
 /// Length of one rigid step [s].
 pub const RIGID_S: f64 = 1.0 / RIGID_HZ as f64;
-/// Size of a typical body, which scales the solver's tolerances [solver units] (chosen: 2 cm).
-const TYPICAL: f32 = 2.0;
-/// Natural frequency [Hz] and damping ratio [-] of contacts (chosen: 0.1 mm of penetration at rest, no
-/// oscillation at this step).
-const CONTACT_HZ: f32 = 230.0;
-const CONTACT_DAMPING: f32 = 4.0;
-/// Solver iterations [-] (chosen: a pile of 35 shrimps comes to rest, and penetrates by 0.3 mm when shaken).
-const ITERATIONS: usize = 2;
-/// Stabilisation iterations per solver iteration [-] (chosen: with fewer, coins leaning on each other rattle).
-const RELAXATIONS: usize = 2;
-/// Prediction distance of contacts [TYPICAL] (chosen: a millimetre).
-const PREDICTION: f32 = 0.05;
-/// Drift up to which a contact is reused [TYPICAL] (chosen: 0.2 mm).
-const RECYCLING: f32 = 0.01;
 /// Relative change of mass that updates the rigid body [-] (chosen: below what motion shows).
 const NEW_MASS: f64 = 0.01;
 
-/// Speed below which a body may sleep [TYPICAL/s] (chosen: 1 cm/s; wet food sticks when it creeps).
+/// Speed below which a body may sleep [sizes of a typical body/s] (chosen: 1 cm/s; wet food sticks when it creeps).
 const RESTING: f32 = 0.5;
 
 const FOOD_INSIDE: Group = Group::GROUP_1;
@@ -113,35 +96,11 @@ pub const BOARD_HALF: DVec3 = DVec3::new(0.13, 0.18, 0.008);
 /// Half the side length of the hob's glass [m] (chosen: one zone with its frame).
 pub const GLASS_HALF: f64 = 0.2;
 
-#[derive(Clone, Debug, Deserialize, Serialize)]
-pub(super) struct FoodBody {
-    pub(super) body: RigidBodyHandle,
-    pub(super) colliders: Vec<ColliderHandle>,
-    solid: Solid,
-    mass: f64,
-    friction: f64,
-    pub(super) inside: bool,
-}
-
 /// All rigid bodies.
 pub struct World {
-    pub(super) pipeline: PhysicsPipeline,
-    pub(super) parameters: IntegrationParameters,
-    pub(super) islands: IslandManager,
-    pub(super) broad_phase: BroadPhaseBvh,
-    pub(super) narrow_phase: NarrowPhase,
-    pub(super) bodies: RigidBodySet,
-    pub(super) colliders: ColliderSet,
-    pub(super) joints: ImpulseJointSet,
-    pub(super) multibody_joints: MultibodyJointSet,
-    pub(super) soft_bodies: SoftBodySet,
-    pub(super) ccd: CCDSolver,
+    pub(super) engine: Engine,
     pub(super) shape: PanShape,
-    pub(super) pan: RigidBodyHandle,
-    pub(super) blade: RigidBodyHandle,
-    pub(super) spared: Option<u32>,
-    pub(super) foods: BTreeMap<u32, FoodBody>,
-    pub(super) press: Option<Press>,
+    pub(super) rigid: RigidState,
     /// Motion of the pan.
     pub motion: PanMotion,
     pub(super) may_sleep: bool,
@@ -150,35 +109,13 @@ pub struct World {
 
 impl Clone for World {
     fn clone(&self) -> Self {
-        Self {
-            // Both hold scratch memory only.
-            pipeline: PhysicsPipeline::new(),
-            ccd: CCDSolver::new(),
-            parameters: self.parameters,
-            islands: self.islands.clone(),
-            broad_phase: self.broad_phase.clone(),
-            narrow_phase: self.narrow_phase.clone(),
-            bodies: self.bodies.clone(),
-            colliders: self.colliders.clone(),
-            joints: self.joints.clone(),
-            multibody_joints: self.multibody_joints.clone(),
-            soft_bodies: self.soft_bodies.clone(),
-            shape: self.shape,
-            pan: self.pan,
-            blade: self.blade,
-            spared: self.spared,
-            foods: self.foods.clone(),
-            press: self.press.clone(),
-            motion: self.motion,
-            may_sleep: self.may_sleep,
-            settled: self.settled,
-        }
+        Self { engine: Engine::new(), rigid: self.rigid.clone(), ..*self }
     }
 }
 
 impl core::fmt::Debug for World {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.debug_struct("World").field("motion", &self.motion).field("foods", &self.foods).finish_non_exhaustive()
+        f.debug_struct("World").field("motion", &self.motion).field("foods", &self.rigid.foods).finish_non_exhaustive()
     }
 }
 
@@ -202,28 +139,19 @@ impl World {
         let board = ColliderBuilder::cuboid(half.x, half.y, half.z).translation(scale::vector(BOARD_AT));
         colliders.insert(met_by(board, KITCHEN, FOOD_OUTSIDE, Against::Board));
         let blade = insert_blade(&mut bodies, &mut colliders);
-        Self {
-            pipeline: PhysicsPipeline::new(),
-            parameters: parameters(),
+        let rigid = RigidState {
             islands: IslandManager::new(),
             broad_phase: BroadPhaseBvh::new(),
             narrow_phase: NarrowPhase::new(),
             bodies,
             colliders,
-            joints: ImpulseJointSet::new(),
-            multibody_joints: MultibodyJointSet::new(),
-            soft_bodies: SoftBodySet::new(),
-            ccd: CCDSolver::new(),
-            shape,
             pan,
             blade,
             spared: None,
             foods: BTreeMap::new(),
             press: None,
-            motion,
-            may_sleep: true,
-            settled: false,
-        }
+        };
+        Self { engine: Engine::new(), shape, rigid, motion, may_sleep: true, settled: false }
     }
 
     /// The pan's surface.
@@ -234,8 +162,8 @@ impl World {
     /// Enables or disables sleeping of bodies at rest, and wakes all; it is enabled by default.
     pub fn set_sleeping(&mut self, may_sleep: bool) {
         self.may_sleep = may_sleep;
-        for food in self.foods.values() {
-            set_sleep(&mut self.bodies[food.body], may_sleep);
+        for food in self.rigid.foods.values() {
+            set_sleep(&mut self.rigid.bodies[food.body], may_sleep);
         }
         self.stir();
     }
@@ -245,7 +173,7 @@ impl World {
         let inside = self.shape.holds(self.motion.pose.to_body(pose.position));
         let mut body = RigidBodyBuilder::dynamic().pose(scale::solver_pose(pose)).ccd_enabled(true).build();
         set_sleep(&mut body, self.may_sleep);
-        let body = self.bodies.insert(body);
+        let body = self.rigid.bodies.insert(body);
         let mut food = FoodBody { body, colliders: Vec::new(), solid, mass: 0.0, friction: DEFAULT_FRICTION, inside };
         for (place, shape) in solid_shape::shapes(&food.solid) {
             let collider = ColliderBuilder::new(shape)
@@ -254,9 +182,9 @@ impl World {
                 .friction_combine_rule(CoefficientCombineRule::Min)
                 .restitution(RESTITUTION)
                 .user_data(Against::Piece(key).code());
-            food.colliders.push(self.colliders.insert_with_parent(collider, body, &mut self.bodies));
+            food.colliders.push(self.rigid.colliders.insert_with_parent(collider, body, &mut self.rigid.bodies));
         }
-        self.foods.insert(key, food);
+        self.rigid.foods.insert(key, food);
         self.set_groups(key, inside);
         self.set_mass(key, mass);
         self.stir();
@@ -264,8 +192,9 @@ impl World {
 
     /// Removes a body.
     pub fn remove(&mut self, key: u32) {
-        if let Some(food) = self.foods.remove(&key) {
-            let Self { islands, bodies, colliders, joints, multibody_joints, soft_bodies, .. } = self;
+        if let Some(food) = self.rigid.foods.remove(&key) {
+            let RigidState { islands, bodies, colliders, .. } = &mut self.rigid;
+            let Engine { joints, multibody_joints, soft_bodies, .. } = &mut self.engine;
             bodies.remove(food.body, islands, colliders, joints, multibody_joints, soft_bodies, true);
             self.stir();
         }
@@ -273,15 +202,15 @@ impl World {
 
     /// Sets the mass of a body [kg]; changes below one per cent are ignored.
     pub fn set_mass(&mut self, key: u32, mass: f64) {
-        let Some(food) = self.foods.get_mut(&key) else { return };
+        let Some(food) = self.rigid.foods.get_mut(&key) else { return };
         if (mass / food.mass.max(1e-9) - 1.0).abs() < NEW_MASS {
             return;
         }
         food.mass = mass;
-        let volume: f32 = food.colliders.iter().map(|c| self.colliders[*c].volume()).sum();
+        let volume: f32 = food.colliders.iter().map(|c| self.rigid.colliders[*c].volume()).sum();
         let density = (mass * scale::PER_KILOGRAM) as f32 / volume;
         for collider in &food.colliders {
-            if let Some(collider) = self.colliders.get_mut(*collider) {
+            if let Some(collider) = self.rigid.colliders.get_mut(*collider) {
                 collider.set_density(density);
             }
         }
@@ -289,13 +218,13 @@ impl World {
 
     /// Sets the friction coefficient of a body [-]; a contact uses the smaller one of its two.
     pub fn set_friction(&mut self, key: u32, friction: f64) {
-        let Some(food) = self.foods.get_mut(&key) else { return };
+        let Some(food) = self.rigid.foods.get_mut(&key) else { return };
         if (friction - food.friction).abs() < 0.01 {
             return;
         }
         food.friction = friction;
         for collider in &food.colliders {
-            if let Some(collider) = self.colliders.get_mut(*collider) {
+            if let Some(collider) = self.rigid.colliders.get_mut(*collider) {
                 collider.set_friction(friction as f32);
             }
         }
@@ -303,12 +232,12 @@ impl World {
 
     /// Sets the collision shape of a body; changes up to `tolerance` [m] are ignored.
     pub fn set_solid(&mut self, key: u32, solid: Solid, tolerance: f64) {
-        let Some(food) = self.foods.get_mut(&key) else { return };
+        let Some(food) = self.rigid.foods.get_mut(&key) else { return };
         if food.solid.is_near(&solid, tolerance) {
             return;
         }
         for (collider, (_, shape)) in food.colliders.iter().zip(solid_shape::shapes(&solid)) {
-            if let Some(collider) = self.colliders.get_mut(*collider) {
+            if let Some(collider) = self.rigid.colliders.get_mut(*collider) {
                 collider.set_shape(shape);
             }
         }
@@ -318,20 +247,20 @@ impl World {
 
     /// Collision shape of a body.
     pub fn solid(&self, key: u32) -> Option<&Solid> {
-        self.foods.get(&key).map(|f| &f.solid)
+        self.rigid.foods.get(&key).map(|f| &f.solid)
     }
 
     /// Keys of all bodies.
     pub fn keys(&self) -> impl Iterator<Item = u32> + '_ {
-        self.foods.keys().copied()
+        self.rigid.foods.keys().copied()
     }
 
     fn body(&self, key: u32) -> Option<&RigidBody> {
-        self.foods.get(&key).and_then(|f| self.bodies.get(f.body))
+        self.rigid.foods.get(&key).and_then(|f| self.rigid.bodies.get(f.body))
     }
 
     pub(super) fn food_body_mut(&mut self, key: u32) -> Option<&mut RigidBody> {
-        self.foods.get(&key).and_then(|f| self.bodies.get_mut(f.body))
+        self.rigid.foods.get(&key).and_then(|f| self.rigid.bodies.get_mut(f.body))
     }
 
     /// Pose of a body.
@@ -365,17 +294,17 @@ impl World {
 
     /// Mass of a body [kg].
     pub fn mass(&self, key: u32) -> f64 {
-        self.foods.get(&key).map_or(0.0, |f| f.mass)
+        self.rigid.foods.get(&key).map_or(0.0, |f| f.mass)
     }
 
     /// Present contacts of a body, sorted by counterpart.
     pub fn contacts(&self, key: u32) -> Vec<Contact> {
         let mut found: BTreeMap<Against, f64> = BTreeMap::new();
-        let Some(food) = self.foods.get(&key) else { return Vec::new() };
+        let Some(food) = self.rigid.foods.get(&key) else { return Vec::new() };
         for own in &food.colliders {
-            for pair in self.narrow_phase.contact_pairs_with(*own).filter(|p| p.has_any_active_contact()) {
+            for pair in self.rigid.narrow_phase.contact_pairs_with(*own).filter(|p| p.has_any_active_contact()) {
                 let other = if pair.collider1 == *own { pair.collider2 } else { pair.collider1 };
-                let Some(other) = self.colliders.get(other).filter(|o| o.user_data != Against::Piece(key).code())
+                let Some(other) = self.rigid.colliders.get(other).filter(|o| o.user_data != Against::Piece(key).code())
                 else {
                     continue;
                 };
@@ -390,8 +319,10 @@ impl World {
     pub fn deepest_overlap(&self) -> f64 {
         let apart = |a: &Collider, b: &Collider| a.parent() != b.parent();
         let mut deepest = 0.0f32;
-        for pair in self.narrow_phase.contact_pairs() {
-            let (Some(a), Some(b)) = (self.colliders.get(pair.collider1), self.colliders.get(pair.collider2)) else {
+        for pair in self.rigid.narrow_phase.contact_pairs() {
+            let (Some(a), Some(b)) =
+                (self.rigid.colliders.get(pair.collider1), self.rigid.colliders.get(pair.collider2))
+            else {
                 continue;
             };
             if pair.has_any_active_contact() && apart(a, b) {
@@ -404,9 +335,9 @@ impl World {
 
     /// Distance from a point to a body; 0 inside [m].
     pub fn distance(&self, key: u32, point: DVec3) -> f64 {
-        let Some(food) = self.foods.get(&key) else { return f64::INFINITY };
+        let Some(food) = self.rigid.foods.get(&key) else { return f64::INFINITY };
         let to = |c: &ColliderHandle| {
-            let collider = &self.colliders[*c];
+            let collider = &self.rigid.colliders[*c];
             collider.shape().distance_to_point(collider.position(), scale::vector(point), true)
         };
         f64::from(food.colliders.iter().map(to).fold(f32::INFINITY, f32::min)) / scale::PER_METRE
@@ -415,8 +346,8 @@ impl World {
     /// Wakes all bodies.
     pub fn stir(&mut self) {
         self.settled = false;
-        for food in self.foods.values() {
-            if let Some(body) = self.bodies.get_mut(food.body) {
+        for food in self.rigid.foods.values() {
+            if let Some(body) = self.rigid.bodies.get_mut(food.body) {
                 body.wake_up(true);
             }
         }
@@ -436,7 +367,7 @@ impl World {
                 self.stir();
             }
             self.settled = false;
-            if let Some(pan) = self.bodies.get_mut(self.pan) {
+            if let Some(pan) = self.rigid.bodies.get_mut(self.rigid.pan) {
                 pan.set_next_kinematic_position(scale::solver_pose(&self.motion.pose));
             }
         }
@@ -445,18 +376,20 @@ impl World {
             return;
         }
         let gravity = scale::vector(DVec3::new(0.0, 0.0, -GRAVITY));
-        self.pipeline.step(
+        let RigidState { islands, broad_phase, narrow_phase, bodies, colliders, .. } = &mut self.rigid;
+        let Engine { pipeline, parameters, joints, multibody_joints, soft_bodies, ccd } = &mut self.engine;
+        pipeline.step(
             gravity,
-            &self.parameters,
-            &mut self.islands,
-            &mut self.broad_phase,
-            &mut self.narrow_phase,
-            &mut self.bodies,
-            &mut self.colliders,
-            &mut self.joints,
-            &mut self.multibody_joints,
-            &mut self.soft_bodies,
-            &mut self.ccd,
+            parameters,
+            islands,
+            broad_phase,
+            narrow_phase,
+            bodies,
+            colliders,
+            joints,
+            multibody_joints,
+            soft_bodies,
+            ccd,
             &(),
             &(),
         );
@@ -466,9 +399,9 @@ impl World {
     fn after_step(&mut self) {
         let mut asleep = true;
         let mut changed = Vec::new();
-        for (key, food) in &self.foods {
+        for (key, food) in &self.rigid.foods {
             let on_table = !food.inside && self.lies_on_table(food);
-            let Some(body) = self.bodies.get_mut(food.body) else { continue };
+            let Some(body) = self.rigid.bodies.get_mut(food.body) else { continue };
             body.reset_forces(false);
             body.reset_torques(false);
             asleep &= body.is_sleeping();
@@ -486,21 +419,22 @@ impl World {
 
     fn lies_on_table(&self, food: &FoodBody) -> bool {
         let ground = Against::Ground.code();
-        let is_ground = |other: ColliderHandle| self.colliders.get(other).is_some_and(|c| c.user_data == ground);
+        let is_ground = |other: ColliderHandle| self.rigid.colliders.get(other).is_some_and(|c| c.user_data == ground);
         food.colliders.iter().any(|own| {
-            let mut pairs = self.narrow_phase.contact_pairs_with(*own).filter(|pair| pair.has_any_active_contact());
+            let mut pairs =
+                self.rigid.narrow_phase.contact_pairs_with(*own).filter(|pair| pair.has_any_active_contact());
             pairs.any(|pair| is_ground(pair.collider1) || is_ground(pair.collider2))
         })
     }
 
     /// Sets the collision groups of a food: over the pan it collides with the floor, elsewhere with table and board.
     pub(super) fn set_groups(&mut self, key: u32, inside: bool) {
-        let Some(food) = self.foods.get_mut(&key) else { return };
+        let Some(food) = self.rigid.foods.get_mut(&key) else { return };
         food.inside = inside;
         let group = if inside { FOOD_INSIDE } else { FOOD_OUTSIDE };
-        let meets = if self.spared == Some(key) { Group::ALL.difference(BLADE) } else { Group::ALL };
+        let meets = if self.rigid.spared == Some(key) { Group::ALL.difference(BLADE) } else { Group::ALL };
         for collider in &food.colliders {
-            if let Some(collider) = self.colliders.get_mut(*collider) {
+            if let Some(collider) = self.rigid.colliders.get_mut(*collider) {
                 collider.set_collision_groups(InteractionGroups::new(group, meets, InteractionTestMode::And));
             }
         }
@@ -531,21 +465,4 @@ fn set_sleep(body: &mut RigidBody, may_sleep: bool) {
     let default = rapier3d::dynamics::RigidBodyActivation::active();
     activation.normalized_linear_threshold = if may_sleep { RESTING } else { -1.0 };
     activation.angular_threshold = if may_sleep { default.angular_threshold } else { -1.0 };
-}
-
-pub(super) fn parameters() -> IntegrationParameters {
-    let mut parameters = IntegrationParameters {
-        dt: RIGID_S as f32,
-        length_unit: TYPICAL,
-        num_solver_iterations: ITERATIONS,
-        num_internal_stabilization_iterations: RELAXATIONS,
-        normalized_prediction_distance: PREDICTION,
-        normalized_contact_recycle_distance: RECYCLING,
-        ..IntegrationParameters::default()
-    };
-    for softness in [&mut parameters.contact_softness, &mut parameters.static_contact_softness] {
-        softness.natural_frequency = CONTACT_HZ;
-        softness.damping_ratio = CONTACT_DAMPING;
-    }
-    parameters
 }

@@ -141,6 +141,11 @@ pub enum Command {
 }
 
 impl Command {
+    /// Returns true for a motion of a hand: a hand gives many of them, and no recipe states one.
+    pub fn is_motion(&self) -> bool {
+        matches!(self, Self::Lead { .. } | Self::LetGo | Self::HoldPan { .. })
+    }
+
     /// Returns true if the lid prevents the command.
     pub fn needs_open_pan(&self) -> bool {
         match self {

@@ -1,6 +1,7 @@
 //! How different two pictures look: ΔE*ab after a slight blur, in the mean and at the worst hundredth.
 
 use saute_kitchen::food::Lab;
+use saute_kitchen::heat::sorted::{Quantile, Sorted};
 use saute_picture::Picture;
 
 /// Largest difference that passes (chosen: twice what a driver makes that rounds every channel another way, 0.23 and
@@ -25,10 +26,9 @@ impl Difference {
         assert_eq!((got.width, got.height), (expected.width, expected.height), "another size");
         let [got, expected] = [got, expected].map(blurred);
         let apart: Vec<f64> = got.iter().zip(&expected).map(|(a, b)| a.difference(*b)).collect();
-        let mut sorted = apart.clone();
-        sorted.sort_by(f64::total_cmp);
         let mean = apart.iter().sum::<f64>() / apart.len() as f64;
-        Self { mean, percentile: sorted[apart.len() * 99 / 100], apart }
+        let percentile = Sorted::new(apart.clone()).quantile(0.99, Quantile::After).expect("pixels");
+        Self { mean, percentile, apart }
     }
 
     /// Returns true if the difference is invisible.

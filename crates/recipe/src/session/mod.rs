@@ -65,6 +65,7 @@
 //! ```
 
 mod beginning;
+mod done;
 mod entry;
 mod moment;
 pub(crate) mod playhead;
@@ -75,6 +76,7 @@ mod stored_entries;
 mod to_recipe;
 
 pub use beginning::{Beginning, SetOutFood, set_out};
+pub use done::Done;
 pub use entry::{Deed, Entry};
 pub use moment::Moment;
 pub use playhead::{Departure, DepartureCause, Played};

@@ -8,7 +8,7 @@ use saute_plan::forecast::{Desk, Question, Wanted};
 use web_time::{Duration, Instant};
 
 use super::{Found, Present};
-use crate::work::executor::Worker;
+use crate::work::worker::Worker;
 
 /// Forecasts of one piece, with foods and pans of its own.
 pub struct Foreseeing {

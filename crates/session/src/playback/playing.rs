@@ -9,7 +9,7 @@ use web_time::{Duration, Instant as Clock};
 
 use super::{Instant, PlayOrder, Stop};
 use crate::Session;
-use crate::work::executor::Worker;
+use crate::work::worker::Worker;
 
 /// Computing time between two stops (chosen: the picture of a cook that is played moves a few times a second).
 const COMPUTED_PER_STOP: Duration = Duration::from_millis(300);

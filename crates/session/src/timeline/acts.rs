@@ -3,8 +3,6 @@
 use saute_kitchen::Command;
 use saute_recipe::session::{Deed, Entry};
 
-use crate::mark::label;
-
 /// Motions of a hand, or settings of the hob, that follow each other within this time are one act [frames] (chosen: a second).
 const ONE_ACT: u64 = 60;
 
@@ -41,22 +39,12 @@ enum Kind {
 
 fn kind(deed: &Deed) -> Kind {
     match deed {
-        Deed::Command(Command::HoldPan { .. } | Command::Lead { .. } | Command::LetGo) => Kind::Motion,
+        Deed::Command(command) if command.is_motion() => Kind::Motion,
         Deed::Command(Command::Hob(_) | Command::HobHold { .. }) => Kind::Hob,
         Deed::Command(Command::Put { .. }) => Kind::Put,
         Deed::Add(_) => Kind::Add,
         Deed::Remove(_) => Kind::Remove,
         Deed::Command(_) | Deed::TakeOver | Deed::Resume => Kind::Other,
-    }
-}
-
-/// Label of an entry, as marks have it.
-pub(super) fn label_of(deed: &Deed) -> String {
-    match deed {
-        Deed::Command(command) => label(command).unwrap_or_else(|| "hand".into()),
-        Deed::Add(_) => "add".into(),
-        Deed::Remove(_) => "remove".into(),
-        Deed::TakeOver | Deed::Resume => "recipe".into(),
     }
 }
 

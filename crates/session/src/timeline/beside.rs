@@ -5,46 +5,16 @@
 
 use std::collections::BTreeMap;
 
-use saute_kitchen::Kitchen;
-use saute_recipe::recorder::Row;
 use saute_recipe::{Moment, Recording};
 use web_time::Duration;
 
 use super::Course;
-use super::branches::{Branch, BranchName, Way, name_of, shared_entries};
+use super::branch::{Branch, BranchName, name_of, shared_entries};
 use super::travel::Travel;
+use super::way::{Stand, Way, WayBeside};
 use crate::Session;
 use crate::hands::Hands;
 use crate::playback::Purpose;
-
-/// A way as it is seen beside the others.
-pub struct WayBeside<'a> {
-    /// Which way it is.
-    pub way: Way,
-    /// Its place among the branches; none for the one that goes on.
-    pub place: Option<usize>,
-    /// The kitchen as it is seen.
-    pub kitchen: &'a Kitchen,
-    /// Series up to its end.
-    pub rows: &'a [Row],
-    /// How far it is with respect to the instant that is shown.
-    pub stand: Stand,
-}
-
-/// How far a way beside others is.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Stand {
-    /// The one that goes on.
-    Live,
-    /// It has not parted from the one that goes on; it does at this time [s].
-    Same(f64),
-    /// At the instant that is shown.
-    Here,
-    /// On its way to the instant that is shown: it is seen as it was at this time [s].
-    CatchingUp(f64),
-    /// It ended before, at this time [s], and is seen as it was then.
-    Ended(f64),
-}
 
 /// The instant of a branch that belongs to the one that is shown.
 #[derive(Clone, Copy)]
@@ -161,7 +131,7 @@ impl<H: Hands> Session<H> {
             }
         }
         if self.branch_keyframes() != kept {
-            super::keyframes::thin(&mut self.timeline);
+            self.timeline.thin();
         }
         is_behind
     }

@@ -6,27 +6,27 @@ use std::sync::Arc;
 use saute_kitchen::bytes::Models;
 use saute_kitchen::{Kitchen, Library};
 use saute_recipe::{Moment, Recipe, Replay, Runner};
+use web_time::Duration;
 
-use super::Timeline;
 use super::packed::{Packed, Stored};
 use crate::playback::Stop;
 
 /// Size of all keyframes at most [bytes] (chosen: a page has little memory, which never shrinks).
 pub const MOST_BYTES: usize = if cfg!(target_arch = "wasm32") { 8 << 20 } else { 256 << 20 };
 
-/// Size of all keyframes from which on they are packed [bytes] (chosen: a usual cook of one steak needs no packing).
-const PACKED_FROM: usize = MOST_BYTES / 2;
+/// Computing time between two keyframes (chosen: to reach any instant from a keyframe takes a part of a second).
+pub(super) const COMPUTED_PER_KEYFRAME: Duration = Duration::from_millis(250);
 
 /// An instant that is kept whole; models are shared.
 pub(super) struct Keyframe {
     pub(super) moment: Moment,
-    stored: Stored,
+    pub(super) stored: Stored,
     runner: Runner,
     plays: bool,
 }
 
 impl Keyframe {
-    fn stored_as(&self, stored: Stored) -> Self {
+    pub(super) fn stored_as(&self, stored: Stored) -> Self {
         Self { moment: self.moment, stored, runner: self.runner.clone(), plays: self.plays }
     }
 
@@ -40,7 +40,7 @@ impl Keyframe {
 
 /// The keyframes of one line, shared with the lines that part from it later.
 #[derive(Clone, Default)]
-pub(super) struct Keyframes(BTreeMap<Moment, Arc<Keyframe>>);
+pub(super) struct Keyframes(pub(super) BTreeMap<Moment, Arc<Keyframe>>);
 
 impl Keyframes {
     pub(super) fn has(&self, moment: Moment) -> bool {
@@ -90,12 +90,12 @@ impl Keyframes {
     }
 
     /// The first one that is not packed.
-    fn plain(&self) -> Option<&Arc<Keyframe>> {
+    pub(super) fn plain(&self) -> Option<&Arc<Keyframe>> {
         self.0.values().find(|keyframe| matches!(keyframe.stored, Stored::Plain(_)))
     }
 
     /// The one without which the longest gap is the shortest, and that gap [frames]; of equal ones the oldest. Both ends stay.
-    fn least_worth(&self) -> Option<(u64, Arc<Keyframe>)> {
+    pub(super) fn least_worth(&self) -> Option<(u64, Arc<Keyframe>)> {
         let all: Vec<&Arc<Keyframe>> = self.0.values().collect();
         let gaps = all.windows(3).map(|w| (w[2].moment.frame - w[0].moment.frame, Arc::clone(w[1])));
         gaps.min_by_key(|(gap, _)| *gap)
@@ -109,43 +109,8 @@ pub(super) fn bytes_of<'a>(lists: impl Iterator<Item = &'a mut Keyframes>) -> us
     each.values().sum()
 }
 
-/// Drops keyframes where they are closest until the rest keeps to its size. Call it when keyframes were added.
-pub(super) fn thin(timeline: &mut Timeline) {
-    while weigh(timeline) > MOST_BYTES {
-        let candidates = timeline.lists().filter_map(|list| list.least_worth());
-        let Some((_, least)) = candidates.min_by_key(|(gap, _)| *gap) else { return };
-        timeline.lists().for_each(|list| list.0.retain(|_, kept| !Arc::ptr_eq(kept, &least)));
-    }
-}
-
-/// Size of all keyframes [bytes]; notes whether that is much.
-fn weigh(timeline: &mut Timeline) -> usize {
-    let size = bytes_of(timeline.lists());
-    timeline.is_narrow = size > PACKED_FROM;
-    size
-}
-
 /// A keyframe that is being packed.
 pub(super) struct Packing {
-    keyframe: Arc<Keyframe>,
-    packed: Packed,
-}
-
-/// Packs a part of a keyframe where all of them need much room.
-pub(super) fn pack_on(timeline: &mut Timeline) {
-    if timeline.packing.is_none() && timeline.is_narrow {
-        let plain = timeline.lists().find_map(|list| list.plain().cloned());
-        timeline.packing = plain.map(|keyframe| Packing { keyframe, packed: Packed::default() });
-    }
-    let Some(packing) = &mut timeline.packing else { return };
-    let Stored::Plain(bytes) = &packing.keyframe.stored else { return };
-    if packing.packed.pack_on(bytes)
-        && let Some(Packing { keyframe, packed }) = timeline.packing.take()
-    {
-        let packed = Arc::new(keyframe.stored_as(Stored::Packed(packed)));
-        for kept in timeline.lists().flat_map(|list| list.0.values_mut()).filter(|kept| Arc::ptr_eq(kept, &keyframe)) {
-            *kept = Arc::clone(&packed);
-        }
-        weigh(timeline);
-    }
+    pub(super) keyframe: Arc<Keyframe>,
+    pub(super) packed: Packed,
 }

@@ -5,8 +5,7 @@ use saute_recipe::probe::Probes;
 use saute_recipe::{Moment, Recorder, Recording};
 
 use super::keyframes::Keyframes;
-use crate::hands::Hands;
-use crate::{Mark, Session};
+use crate::mark::Mark;
 
 /// Times closer than this count as equal [s] (chosen: rows state milliseconds; far below a frame).
 const SAME_TIME: f64 = 1e-3;
@@ -44,24 +43,5 @@ impl Traces {
         if self.recorder.rows.last().is_some_and(has_row) {
             self.recorder.write_row(kitchen);
         }
-    }
-}
-
-impl<H: Hands> Session<H> {
-    /// The line up to the instant that is shown.
-    pub(super) fn line(&self) -> Line {
-        Line {
-            recording: self.recording.clone(),
-            keyframes: self.timeline.course.keyframes.clone(),
-            traces: self.traces(),
-        }
-    }
-
-    pub(super) fn traces(&self) -> Traces {
-        Traces { recorder: self.recorder.clone(), probes: self.probes.clone(), marks: self.marks.clone() }
-    }
-
-    pub(super) fn show_traces(&mut self, traces: Traces) {
-        (self.recorder, self.probes, self.marks) = (traces.recorder, traces.probes, traces.marks);
     }
 }

@@ -7,35 +7,38 @@
 
 mod acts;
 mod beside;
-mod branches;
+mod branch;
+mod departing;
 mod keyframes;
 mod line;
 mod packed;
 mod put_by;
+mod room;
+mod shown;
 mod travel;
+mod turning;
 mod undo;
+mod undone;
+mod way;
 
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use saute_kitchen::Library;
 use saute_kitchen::bytes::Models;
-use saute_recipe::Moment;
+use saute_recipe::{Moment, Recipe, Recording};
 use web_time::Duration;
 
-pub use self::beside::{Stand, WayBeside};
-pub use self::branches::{BranchName, MOST_BESIDE, Way};
+pub use self::branch::BranchName;
 pub use self::keyframes::MOST_BYTES;
-pub use self::undo::Undone;
+pub use self::undone::Undone;
+pub use self::way::{MOST_BESIDE, Stand, Way, WayBeside};
 
-use self::branches::Branch;
+use self::branch::Branch;
 use self::keyframes::Keyframes;
-use self::line::Line;
-use self::put_by::PutBy;
+use self::line::{Line, Traces};
 use self::travel::Travel;
-use super::{Mark, Session};
-use crate::hands::Hands;
-
-/// Computing time between two keyframes (chosen: to reach any instant from a keyframe takes a part of a second).
-const COMPUTED_PER_KEYFRAME: Duration = Duration::from_millis(250);
-/// Frames between two keyframes at least: one second (chosen: nobody aims finer).
-const FRAMES_PER_KEYFRAME: u64 = 60;
+use crate::choice::SteakChoice;
 
 /// Everything that is beside the instant that is shown.
 #[derive(Default)]
@@ -88,6 +91,18 @@ pub(super) struct Ahead {
     is_followed: bool,
 }
 
+/// A cook that was put by.
+struct PutBy {
+    course: Course,
+    recording: Recording,
+    traces: Traces,
+    library: Arc<Library>,
+    recipe: Arc<Recipe>,
+    plays: bool,
+    choice: SteakChoice,
+    start_mass_g: BTreeMap<String, f64>,
+}
+
 impl Timeline {
     /// A cook begins.
     pub(super) fn begin(&mut self) {
@@ -126,87 +141,5 @@ impl Timeline {
             let branches = course.branches.iter_mut().map(|branch| &mut branch.line.keyframes);
             ahead.chain(branches).chain([&mut course.keyframes])
         })
-    }
-}
-
-impl<H: Hands> Session<H> {
-    /// End of what can be scrubbed to [s].
-    pub fn end_s(&self) -> f64 {
-        self.longest().moment().time_s()
-    }
-
-    /// The instant that is shown, or on its way to be shown [s].
-    pub fn shown_s(&self) -> f64 {
-        self.here().time_s()
-    }
-
-    /// Returns true while a recorded session is played up to its end.
-    pub fn catches_up(&self) -> bool {
-        self.timeline.catches_up
-    }
-
-    /// All that was recorded, after the shown instant too; it is in no file yet.
-    pub fn whole_recording(&self) -> saute_recipe::Recording {
-        let longest = self.longest();
-        longest.fork(longest.moment())
-    }
-
-    /// The instant at which travelling ends [s].
-    pub fn bound_for_s(&self) -> f64 {
-        if self.timeline.catches_up { self.end_s() } else { self.shown_s() }
-    }
-
-    /// Everything that was done, after the shown instant too.
-    pub fn all_marks(&self) -> &[Mark] {
-        self.timeline.course.ahead.as_ref().map_or(&self.marks, |ahead| &ahead.line.traces.marks)
-    }
-
-    /// Size of all keyframes [bytes].
-    pub fn keyframe_bytes(&mut self) -> usize {
-        keyframes::bytes_of(self.timeline.lists())
-    }
-
-    /// Number of keyframes of the cook that is shown.
-    pub fn keyframe_count(&self) -> usize {
-        let course = &self.timeline.course;
-        course.ahead.as_ref().map_or(&course.keyframes, |ahead| &ahead.line.keyframes).len()
-    }
-
-    /// The line of time that is shown, with its number, for a file that follows it; none while something lies ahead, or nothing was
-    /// done.
-    pub fn unsaved(&mut self) -> Option<(u64, &mut saute_recipe::Recording)> {
-        let is_at_end = !self.lies_ahead() && !self.is_travelling();
-        let has_begun = !self.recording.entries().is_empty() || self.plays;
-        (is_at_end && has_begun).then_some((self.timeline.number, &mut self.recording))
-    }
-
-    /// Keeps the instant that is shown as a keyframe.
-    pub(super) fn keep_keyframe(&mut self) {
-        let moment = self.recording.moment();
-        self.timeline.computed = Duration::ZERO;
-        if self.timeline.course.keyframes.has(moment) {
-            return;
-        }
-        self.timeline.course.models.learn(&self.kitchen);
-        let (runner, plays) = self.runner_here();
-        self.timeline.course.keyframes.keep(&self.kitchen, &runner, plays, moment);
-        keyframes::thin(&mut self.timeline);
-    }
-
-    /// Packs keyframes a little where they need much room.
-    pub(super) fn pack_keyframes(&mut self) {
-        keyframes::pack_on(&mut self.timeline);
-    }
-
-    /// Keeps a keyframe now and then.
-    pub(super) fn keep_keyframes(&mut self, computed: Duration) {
-        self.timeline.computed += computed;
-        self.pack_keyframes();
-        let apart = self.timeline.apart().max(FRAMES_PER_KEYFRAME);
-        let last = self.timeline.course.keyframes.before(self.recording.moment()).map_or(0, |k| k.moment.frame);
-        let is_due = self.timeline.computed >= COMPUTED_PER_KEYFRAME;
-        if is_due && self.kitchen.is_between_ticks() && self.kitchen.frame() >= last + apart {
-            self.keep_keyframe();
-        }
     }
 }

@@ -1,30 +1,13 @@
 //! Cooks in place of which another one began: starting over can be undone.
 
-use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use saute_kitchen::Library;
-use saute_recipe::{Recipe, Recording};
-
-use super::Course;
-use super::line::Traces;
+use super::PutBy;
+use crate::Session;
 use crate::hands::Hands;
-use crate::{Session, SteakChoice};
 
 /// Cooks that are kept (chosen: who starts over more often does not look for the first one).
 const MOST: usize = 4;
-
-/// A cook that was put by.
-pub(super) struct PutBy {
-    pub(super) course: Course,
-    recording: Recording,
-    traces: Traces,
-    library: Arc<Library>,
-    recipe: Arc<Recipe>,
-    plays: bool,
-    choice: SteakChoice,
-    start_mass_g: BTreeMap<String, f64>,
-}
 
 impl<H: Hands> Session<H> {
     /// Puts the present cook by, for another that begins.

@@ -1,17 +1,11 @@
 //! Undo and redo: back to before the last act, and forward again.
 
-use super::acts::{label_of, last_act};
+use saute_recipe::session::Done;
+
+use super::acts::last_act;
+use super::undone::Undone;
 use crate::Session;
 use crate::hands::Hands;
-
-/// What was undone or done again.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Undone {
-    /// An act, with its label.
-    Act(String),
-    /// The beginning of another cook.
-    Beginning,
-}
 
 impl<H: Hands> Session<H> {
     /// Goes back to before the last act, and stops there; returns what was undone.
@@ -25,11 +19,11 @@ impl<H: Hands> Session<H> {
             self.finish_travel();
             return self.bring_back().then_some(Undone::Beginning);
         };
-        let (to, label) = (longest.before(first)?, label_of(&longest.entries()[first].deed));
+        let (to, done) = (longest.before(first)?, Done::from(&longest.entries()[first].deed));
         self.timeline.course.redo.push(here);
         self.travel_to(to, false);
         self.set_paused(true);
-        Some(Undone::Act(label))
+        Some(Undone::Act(done))
     }
 
     /// Goes forward to where the last undo began; returns false if nothing was undone.

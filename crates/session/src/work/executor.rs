@@ -3,21 +3,15 @@
 use std::sync::Arc;
 
 use saute_kitchen::Library;
+use saute_plan::fit::run::FitRun;
+use saute_plan::schedule::search::Search;
 use web_time::{Duration, Instant};
 
 use super::Kind;
-
-/// How one kind of work is done.
-pub trait Worker {
-    /// Takes an order in place of the one before; one that is empty, or cannot be read, is none.
-    fn take(&mut self, order: &[u8]);
-
-    /// Returns true while there is something to do.
-    fn is_busy(&self) -> bool;
-
-    /// Works on for about `budget`; returns an answer where one is due.
-    fn go_on(&mut self, budget: Duration) -> Option<Vec<u8>>;
-}
+use super::job::JobWorker;
+use super::worker::Worker;
+use crate::forecasts::foreseeing::Foreseeing;
+use crate::playback::playing::Playing;
 
 /// An executor for one kind of work, with its own foods and pans.
 pub struct Executor {
@@ -30,7 +24,7 @@ pub struct Executor {
 impl Executor {
     /// An executor without an order.
     pub fn new(kind: Kind, library: Arc<Library>) -> Self {
-        Self { kind, worker: kind.worker(library), worked: Duration::ZERO }
+        Self { kind, worker: worker(kind, library), worked: Duration::ZERO }
     }
 
     /// Takes an order in place of the one before.
@@ -58,5 +52,15 @@ impl Executor {
         let done = work(&mut *self.worker);
         self.worked += begun.elapsed();
         done
+    }
+}
+
+/// Who does a kind of work.
+fn worker(kind: Kind, library: Arc<Library>) -> Box<dyn Worker> {
+    match kind {
+        Kind::Play => Box::new(Playing::new(library)),
+        Kind::Forecast => Box::new(Foreseeing::new(library)),
+        Kind::Plan => Box::new(JobWorker::<Search>::new(library)),
+        Kind::Fit => Box::new(JobWorker::<FitRun>::new(library)),
     }
 }

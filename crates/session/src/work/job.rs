@@ -7,7 +7,7 @@ use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use web_time::{Duration, Instant};
 
-use super::executor::Worker;
+use super::worker::Worker;
 
 /// Cooks at once [-] (chosen: two where there are threads; the picture needs the rest of the machine).
 pub const AT_ONCE: usize = if cfg!(target_arch = "wasm32") { 1 } else { 2 };

@@ -5,7 +5,7 @@
 //! on a thread in the native window, in a second instance of the program in a page's worker, or, where there is neither, in the
 //! window's own thread between frames. Nothing is shared: what an order needs is in its bytes, or in the embedded library.
 //!
-//! To add a kind of work: a variant of [`Kind`] with its name, and a [`Worker`] in `Kind::worker`. The page's
+//! To add a kind of work: a variant of [`Kind`] with its name, and a [`Worker`](self::worker::Worker) in [`executor`](self::executor). The page's
 //! scripts take the name as it is. An order replaces the one before and an empty one ends the work, so answers state the number of
 //! their order: some of an earlier one may still be on their way.
 
@@ -14,17 +14,11 @@ pub mod in_frames;
 pub mod job;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod thread;
+pub mod worker;
 
 use std::sync::Arc;
 
 use saute_kitchen::Library;
-use saute_plan::fit::run::FitRun;
-use saute_plan::schedule::search::Search;
-
-use self::executor::Worker;
-use self::job::JobWorker;
-use crate::forecasts::foreseeing::Foreseeing;
-use crate::playback::playing::Playing;
 
 /// A kind of work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -56,16 +50,6 @@ impl Kind {
     /// The kind with a name.
     pub fn named(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|kind| kind.name() == name)
-    }
-
-    /// Who does it.
-    fn worker(self, library: Arc<Library>) -> Box<dyn Worker> {
-        match self {
-            Self::Play => Box::new(Playing::new(library)),
-            Self::Forecast => Box::new(Foreseeing::new(library)),
-            Self::Plan => Box::new(JobWorker::<Search>::new(library)),
-            Self::Fit => Box::new(JobWorker::<FitRun>::new(library)),
-        }
     }
 
     /// Rest after work, as a share of the time that it took [-].

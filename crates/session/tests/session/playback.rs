@@ -9,9 +9,9 @@ use saute_kitchen::{Command, Library};
 use saute_recipe::Recipe;
 use saute_session::Session;
 use saute_session::playback::playing::Playing;
-use saute_session::work::executor::Worker;
 use saute_session::work::in_frames::{Frames, OrInFrames};
 use saute_session::work::thread::Threads;
+use saute_session::work::worker::Worker;
 use saute_session::work::{Agency, Helper, Kind};
 use web_time::Duration;
 

@@ -4,10 +4,13 @@ use std::sync::Arc;
 
 use saute_kitchen::{Command, Library, RestOn};
 use saute_recipe::Recipe;
+use saute_recipe::session::Done;
 use web_time::Duration;
 
 use saute_session::timeline::Undone;
 use saute_session::{Session, SteakChoice};
+use saute_words::act_words::act_words;
+use saute_words::language::Language;
 
 fn session() -> Session {
     let library = Arc::new(Library::embedded().expect("embedded data"));
@@ -40,9 +43,22 @@ fn fried() -> Session {
     s
 }
 
+/// What was done, in words.
+fn words(done: &Done) -> String {
+    act_words(done, Language::English)
+}
+
+/// What was undone, in words; none if it is no act.
+fn undone(undone: Option<Undone>) -> Option<String> {
+    match undone? {
+        Undone::Act(done) => Some(words(&done)),
+        Undone::Beginning => None,
+    }
+}
+
 /// Everything that is shown of a cook, with the state bit by bit.
 fn all_of(s: &Session) -> (u64, Vec<saute_recipe::recorder::Row>, Vec<String>, usize) {
-    let marks = s.marks.iter().map(|mark| format!("{} {}", mark.time_s, mark.label)).collect();
+    let marks = s.marks.iter().map(|mark| format!("{} {}", mark.time_s, words(&mark.done))).collect();
     (s.kitchen.state_hash(), s.recorder.rows.clone(), marks, s.recording().entries().len())
 }
 
@@ -51,7 +67,7 @@ fn undo_and_redo_come_back_to_the_same_bits() {
     let mut s = fried();
     let end = all_of(&s);
     for (what, left) in [("out", 3), ("flip", 2), ("in", 1), ("1100 W", 0)] {
-        assert_eq!(s.undo(), Some(Undone::Act(what.into())));
+        assert_eq!(undone(s.undo()).as_deref(), Some(what));
         s.finish_travel();
         assert_eq!((s.recording().entries().len(), s.paused), (left, true));
         assert_eq!(s.marks.len(), left, "{what}");
@@ -122,7 +138,7 @@ fn what_was_undone_does_not_happen_again_and_is_kept_as_a_branch() {
     cook(&mut s, 5.0);
     assert_eq!(s.recording().entries().len(), 2, "no flip");
     let [branch] = &s.branches()[..] else { panic!("one branch") };
-    assert_eq!((branch.label.as_deref(), branch.at_s.round()), (Some("flip"), 15.0));
+    assert_eq!((branch.done.as_ref().map(words), branch.at_s.round()), (Some("flip".into()), 15.0));
     // Nothing else was done: redo leads back.
     assert!(s.redo());
     s.finish_travel();
@@ -140,11 +156,11 @@ fn another_act_makes_a_branch_and_both_ways_can_be_gone() {
     let other = all_of(&s);
     assert_ne!(other.0, end.0);
     assert!(!s.redo(), "another act was done");
-    assert_eq!(s.branches()[0].label.as_deref(), Some("flip"));
+    assert_eq!(s.branches()[0].done.as_ref().map(words).as_deref(), Some("flip"));
     s.go_to_branch(0, true);
     s.finish_travel();
     assert_eq!(all_of(&s), end);
-    assert_eq!(s.branches()[0].label.as_deref(), Some("0 W"));
+    assert_eq!(s.branches()[0].done.as_ref().map(words).as_deref(), Some("0 W"));
     s.go_to_branch(0, true);
     s.finish_travel();
     assert_eq!(all_of(&s), other);
@@ -174,10 +190,10 @@ fn food_that_was_added_and_taken_away_comes_back() {
     let with = all_of(&s);
     s.remove(&["steak".into()]);
     assert_eq!(s.kitchen.pieces().len(), 2);
-    assert_eq!(s.undo(), Some(Undone::Act("remove".into())));
+    assert_eq!(s.undo(), Some(Undone::Act(Done::Remove)));
     s.finish_travel();
     assert_eq!(all_of(&s), with);
-    assert_eq!(s.undo(), Some(Undone::Act("add".into())));
+    assert_eq!(s.undo(), Some(Undone::Act(Done::Add)));
     s.finish_travel();
     assert_eq!(s.kitchen.pieces().len(), 1);
     s.redo();

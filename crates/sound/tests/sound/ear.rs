@@ -2,6 +2,8 @@
 
 use std::f64::consts::PI;
 
+use saute_heat::sorted::{Quantile, Sorted};
+
 /// A biquad filter in double precision (Bristow-Johnson's cookbook).
 #[derive(Clone, Copy)]
 struct Biquad {
@@ -117,9 +119,7 @@ pub fn bends(frames: &[[f32; 2]]) -> Vec<f64> {
 
 /// The value that a share of the values does not exceed.
 pub fn quantile(values: &[f64], share: f64) -> f64 {
-    let mut sorted = values.to_vec();
-    sorted.sort_by(f64::total_cmp);
-    sorted[((sorted.len() - 1) as f64 * share) as usize]
+    Sorted::new(values.to_vec()).quantile(share, Quantile::Below).expect("values")
 }
 
 /// Rank correlation of Spearman [-].

@@ -1,8 +1,8 @@
 //! The bootstrap interval of a median.
 
+use saute_kitchen::heat::sorted::{Quantile, Sorted};
 use serde::Serialize;
 
-use crate::median::median;
 use crate::random::Random;
 
 /// Share of the draws that an interval holds [-].
@@ -24,37 +24,22 @@ pub struct Interval {
 impl Interval {
     /// The median of values with its bootstrap interval; none without values. One value has no width.
     pub(super) fn of(values: &[f64], seeds: &[u64]) -> Option<Self> {
-        let median = median(values)?;
+        let median = Sorted::new(values.to_vec()).median()?;
         let mut random = Random::new(seeds);
-        let mut medians: Vec<f64> = (0..DRAWS)
-            .filter_map(|_| {
-                let drawn: Vec<f64> = values.iter().map(|_| values[random.place(values.len())]).collect();
-                crate::median::median(&drawn)
-            })
-            .collect();
-        medians.sort_by(f64::total_cmp);
+        let drawn = (0..DRAWS).filter_map(|_| {
+            let drawn = values.iter().map(|_| values[random.place(values.len())]).collect();
+            Sorted::new(drawn).median()
+        });
+        let medians = Sorted::new(drawn.collect());
         let tail = (1.0 - INTERVAL) / 2.0;
-        Some(Self { median, low: quantile(&medians, tail), high: quantile(&medians, 1.0 - tail) })
+        let [low, high] = [tail, 1.0 - tail].map(|share| medians.quantile(share, Quantile::Linear));
+        Some(Self { median, low: low?, high: high? })
     }
-}
-
-/// A quantile of sorted values, linear between them.
-fn quantile(sorted: &[f64], share: f64) -> f64 {
-    let at = share * (sorted.len() - 1) as f64;
-    let (low, high) = (sorted[libm::floor(at) as usize], sorted[libm::ceil(at) as usize]);
-    low + (at - libm::floor(at)) * (high - low)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn a_median_has_half_of_the_values_on_either_side() {
-        assert_eq!(median(&[3.0, 1.0, 2.0]), Some(2.0));
-        assert_eq!(median(&[4.0, 1.0, 2.0, 3.0]), Some(2.5));
-        assert_eq!(median(&[]), None);
-    }
 
     #[test]
     fn an_interval_holds_its_median_repeats_and_narrows_with_the_values() {

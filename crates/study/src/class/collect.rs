@@ -2,11 +2,11 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use saute_kitchen::heat::sorted::Sorted;
 use serde::Serialize;
 
 use super::histogram::{Bar, bars};
 use super::result_row::{MOST_QUESTIONS, ResultRow};
-use crate::median::median;
 
 /// What a class did.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -96,7 +96,7 @@ impl ScenarioSummary {
         let rows: Vec<&ResultRow> = believed.iter().map(|one| &one.row).collect();
         let first = rows.first()?;
         let codes: BTreeSet<&String> = rows.iter().filter_map(|row| row.student.as_ref()).collect();
-        let of = |value: &dyn Fn(&ResultRow) -> f64| median(&rows.iter().map(|row| value(row)).collect::<Vec<_>>());
+        let of = |value: &dyn Fn(&ResultRow) -> f64| Sorted::new(rows.iter().map(|row| value(row)).collect()).median();
         Some(Self {
             scenario: first.scenario.clone(),
             checksum: first.checksum.clone(),
@@ -122,7 +122,7 @@ fn question(rows: &[&Believed], place: usize) -> Option<QuestionSummary> {
         answers: answers.len(),
         compared: errors.len(),
         early_truths,
-        median_error: median(&errors),
+        median_error: Sorted::new(errors).median(),
         bars: bars(&answers, &truths),
     })
 }

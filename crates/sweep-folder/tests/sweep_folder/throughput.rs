@@ -6,6 +6,7 @@ use std::thread;
 use std::time::Instant;
 
 use saute_kitchen::Library;
+use saute_kitchen::heat::sorted::Sorted;
 use saute_recipe::{Cook, Recipe};
 use saute_sweep::{Base, Sweep};
 use saute_sweep_folder::SweepFolder;
@@ -58,13 +59,13 @@ fn throughput() {
     let text = library.recipes.get("medium").unwrap().replace("initial_c = 20", "initial_c = 230");
     let mut recipe = Recipe::parse(&text, "medium", &library).unwrap();
     recipe.foods.iter_mut().for_each(|food| food.coarseness = COARSENESS);
-    let mut ratios: Vec<f64> = (0..RUNS)
+    let ratios = (0..RUNS)
         .map(|_| {
             let (bare, swept) = (bare(&recipe, &library, rows), swept(&text, rows));
             println!("bare {bare:.2} rows/s, sweep {swept:.2} rows/s: {:+.1} %", 100.0 * (swept / bare - 1.0));
             swept / bare
         })
         .collect();
-    ratios.sort_by(f64::total_cmp);
-    println!("median of {RUNS}: {:+.1} % on {} threads", 100.0 * (ratios[RUNS / 2] - 1.0), cores());
+    let median = Sorted::new(ratios).median().unwrap();
+    println!("median of {RUNS}: {:+.1} % on {} threads", 100.0 * (median - 1.0), cores());
 }

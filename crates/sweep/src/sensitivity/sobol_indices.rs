@@ -3,6 +3,8 @@
 //! First order by the estimator of Saltelli, total by that of Jansen, both in `[@saltelli-2010]`. Intervals hold the middle 90 % of the
 //! estimates from base rows that are drawn with replacement.
 
+use saute_kitchen::heat::sorted::{Quantile, Sorted};
+
 use crate::design::random;
 use crate::design::saltelli::{A, B};
 use crate::sensitivity::{mean, whole_blocks};
@@ -90,9 +92,9 @@ fn estimates(blocks: &[Vec<f64>], values: usize, chosen: &[usize]) -> Option<[Ve
     Some([first.collect(), total.collect()])
 }
 
-fn estimate(value: f64, mut drawn: Vec<f64>) -> Estimate {
-    drawn.sort_by(f64::total_cmp);
-    let at = |share: f64| drawn.get((share * drawn.len() as f64) as usize).copied().unwrap_or(value);
+fn estimate(value: f64, drawn: Vec<f64>) -> Estimate {
+    let drawn = Sorted::new(drawn);
+    let at = |share: f64| drawn.quantile(share, Quantile::After).unwrap_or(value);
     Estimate { value, low: at(TAIL), high: at(1.0 - TAIL) }
 }
 

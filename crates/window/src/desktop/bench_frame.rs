@@ -2,6 +2,7 @@
 
 use std::time::Instant;
 
+use saute_kitchen::heat::sorted::{Quantile, Sorted};
 use saute_recipe::Recipe;
 use saute_scene::quality::Quality;
 use serde::Serialize;
@@ -94,8 +95,8 @@ pub fn bench_frame(start: Start, case: FrameCase, process_start: Instant) -> Res
         durations.push(frame.elapsed().as_secs_f64());
     }
     let wall_s = begin.elapsed().as_secs_f64();
-    durations.sort_by(f64::total_cmp);
-    let at = |share: f64| durations[((durations.len() - 1) as f64 * share).round() as usize];
+    let durations = Sorted::new(durations);
+    let at = |share: f64| durations.quantile(share, Quantile::Nearest).unwrap_or(wall_s);
     let session = window.app.session();
     let simulated_until = session.kitchen.time_s();
     Ok(FrameBench {
@@ -106,7 +107,7 @@ pub fn bench_frame(start: Start, case: FrameCase, process_start: Instant) -> Res
         scene_size: window.app.scene_size(),
         quality: window.app.quality(),
         recipe,
-        frames: durations.len(),
+        frames: durations.values().len(),
         simulated_s: [simulated_from, simulated_until],
         simulated_per_wall: (simulated_until - simulated_from) / wall_s,
         forecast_rounds: session.forecasts().rounds(),

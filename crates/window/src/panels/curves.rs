@@ -94,7 +94,7 @@ pub(super) fn goal_line(state: &WindowState, palette: &Palette) -> Option<HLine>
 
 /// What happened, in a language; a power is a number and needs none.
 fn mark_words(mark: &Mark, l: Language) -> String {
-    saute_words::act_words::act_words(&mark.label, l)
+    saute_words::act_words::act_words(&mark.done, l)
 }
 
 fn curves(state: &WindowState, palette: &Palette) -> Vec<Curve> {

@@ -10,7 +10,7 @@ use saute_words::language::Language;
 type Texts = BTreeMap<String, BTreeMap<String, String>>;
 
 /// Sections of names that come from the core's data: found by the English text, not by a key in the code.
-const NAMES: [&str; 20] = [
+const NAMES: [&str; 19] = [
     "food",
     "noun",
     "id",
@@ -26,7 +26,6 @@ const NAMES: [&str; 20] = [
     "amount",
     "oil",
     "event",
-    "mark",
     "deed",
     "button",
     "goal",

@@ -6,6 +6,8 @@ use egui_kittest::{Harness, kittest::Queryable};
 use saute_window::act::{Act, AppAct, CookAct, TimeAct};
 use saute_window::ui::theme::Theme;
 use saute_window::{Helps, SauteApp, Start};
+use saute_words::act_words::act_words;
+use saute_words::language::Language;
 
 use crate::harness::{click, cook, drag, press, save, steps, window, window_with};
 
@@ -280,7 +282,8 @@ fn without_a_file_dialog_a_cook_is_saved_with_the_pictures() {
 fn food_that_was_added_and_stretches_of_a_hand_have_marks() {
     let mut harness = fried(WIDE);
     let labels = |harness: &Harness<'static, SauteApp>| -> Vec<String> {
-        harness.state().session().marks.iter().skip(4).map(|mark| mark.label.clone()).collect()
+        let words = |mark: &saute_session::Mark| act_words(&mark.done, Language::English);
+        harness.state().session().marks.iter().skip(4).map(words).collect()
     };
     let session = harness.state_mut().session_mut();
     session.add(&Default::default(), 3).expect("adds");
@@ -294,7 +297,7 @@ fn food_that_was_added_and_stretches_of_a_hand_have_marks() {
         (0..30 * (1 - stretch)).for_each(|_| session.tick().expect("ticks"));
     }
     steps(&mut harness, 3);
-    assert_eq!(labels(&harness), ["add", "hand", "hand"]);
+    assert_eq!(labels(&harness), ["food added", "moved by hand", "moved by hand"]);
     save(&mut harness, "time-marks");
     // They come back when the cook is played again.
     let recording = harness.state().session().recording().clone();

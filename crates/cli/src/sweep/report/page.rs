@@ -5,7 +5,7 @@ use saute_sweep::Manifest;
 use saute_sweep::design::DesignKind;
 
 use super::{Found, Sensitivity, bars, tables};
-use crate::report;
+use crate::page;
 
 /// Returns the whole page.
 pub fn page(manifest: &Manifest, found: &[Sensitivity], plotted: &[String]) -> String {
@@ -18,7 +18,7 @@ pub fn page(manifest: &Manifest, found: &[Sensitivity], plotted: &[String]) -> S
         (method(manifest))
         footer { "saute " (manifest.version) ". All numbers are in sensitivity.csv." }
     };
-    report::whole(&title, "", &content)
+    page::whole(&title, "", &content)
 }
 
 fn rows(manifest: &Manifest) -> String {
@@ -42,7 +42,7 @@ fn section(manifest: &Manifest, one: &Sensitivity) -> Markup {
             h2 { (one.heading.name) @if one.heading.unit != "-" { " [" (one.heading.unit) "]" } }
             (bars::figure(manifest, one))
             table.steps {
-                tr { th scope="col" { "value" } th scope="col" { "what it does" } }
+                (page::heads(["value", "what it does"]))
                 @for (place, path) in manifest.varied.iter().enumerate() {
                     tr { th scope="row" { (path) } td style="white-space: normal" { (tables::words(one, place)) } }
                 }

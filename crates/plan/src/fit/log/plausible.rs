@@ -1,6 +1,7 @@
 //! Temperatures that a core or a pan can have: by them a unit is believed or doubted.
 
 use saute_kitchen::food::ZERO_C;
+use saute_kitchen::heat::sorted::{Quantile, Sorted};
 
 use crate::fit::observed::Quantity;
 
@@ -16,8 +17,8 @@ const BEGIN_OFF: f64 = 10.0;
 /// True if nearly all of a core's or a pan's temperatures are such as one has.
 pub(super) fn is_believed(points: &[(f64, f64)], quantity: Quantity) -> bool {
     let celsius = sorted_c(points);
-    let at = |share: f64| celsius.get((share * (celsius.len() - 1) as f64).round() as usize).copied().unwrap_or(0.0);
-    !celsius.is_empty() && at(0.05) >= LEAST_C && at(0.95) <= most_c(quantity)
+    let at = |share: f64| celsius.quantile(share, Quantile::Nearest);
+    at(0.05).is_some_and(|low| low >= LEAST_C) && at(0.95).is_some_and(|high| high <= most_c(quantity))
 }
 
 /// True if a core is what it must be at the time at which its food is put in.
@@ -31,15 +32,13 @@ fn most_c(quantity: Quantity) -> f64 {
     if quantity == Quantity::Pan { MOST_PAN_C } else { MOST_CORE_C }
 }
 
-fn sorted_c(points: &[(f64, f64)]) -> Vec<f64> {
-    let mut celsius: Vec<f64> = points.iter().map(|(_, kelvin)| kelvin - ZERO_C).collect();
-    celsius.sort_unstable_by(f64::total_cmp);
-    celsius
+fn sorted_c(points: &[(f64, f64)]) -> Sorted {
+    Sorted::new(points.iter().map(|(_, kelvin)| kelvin - ZERO_C).collect())
 }
 
 /// From the lowest to the highest temperature, in words.
 pub(super) fn range(points: &[(f64, f64)]) -> String {
     let celsius = sorted_c(points);
-    let [low, high] = [celsius.first(), celsius.last()].map(|end| end.copied().unwrap_or(0.0));
+    let [low, high] = [0.0, 1.0].map(|share| celsius.quantile(share, Quantile::Nearest).unwrap_or(0.0));
     format!("from {low:.0} to {high:.0} °C")
 }

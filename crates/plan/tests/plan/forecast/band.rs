@@ -1,6 +1,7 @@
 //! Promise: as many forecasts as `data/forecast.toml` states lie within the band, and its numbers are those of the campaign.
 
 use saute_kitchen::Library;
+use saute_kitchen::heat::sorted::{Quantile, Sorted};
 use saute_plan::forecast::{Bands, Question, SPANS_S};
 
 use super::comparison::{Case, Miss};
@@ -32,9 +33,8 @@ fn misses(cases: impl Iterator<Item = u64>) -> Vec<Miss> {
 }
 
 /// Smallest width that holds a share of errors.
-fn quantile(mut errors: Vec<f64>, within: f64) -> f64 {
-    errors.sort_by(f64::total_cmp);
-    errors[(within * errors.len() as f64).ceil() as usize - 1]
+fn width(errors: Vec<f64>, within: f64) -> f64 {
+    Sorted::new(errors).quantile(within, Quantile::Reached).unwrap()
 }
 
 /// With a band that holds nine in ten, fewer than nine of twelve lie within it once in forty times by chance alone.
@@ -64,7 +64,7 @@ fn campaign_finds_the_numbers_of_the_band() {
     let mut found = Vec::new();
     for question in Question::ALL {
         let own: Vec<_> = misses.iter().filter(|miss| miss.question == question).map(numbers).collect();
-        let of = |number: usize| quantile(own.iter().filter_map(|errors| errors[number]).collect(), bands.within);
+        let of = |number: usize| width(own.iter().filter_map(|errors| errors[number]).collect(), bands.within);
         let [a, b, c, peak]: [f64; NUMBERS] = core::array::from_fn(of);
         println!("{question:?} ({}): core_k = [{a:.2}, {b:.2}, {c:.2}], peak_k = {peak:.2}", own.len());
         found.push((question, [a, b, c, peak]));

@@ -11,8 +11,8 @@ impl SauteApp {
         let (undone, l) = (self.session.undo(), self.settings.language);
         self.time_was_turned();
         match undone {
-            Some(Undone::Act(label)) => {
-                let (what, time) = (act_words(&label, l), clock(self.session.shown_s()));
+            Some(Undone::Act(done)) => {
+                let (what, time) = (act_words(&done, l), clock(self.session.shown_s()));
                 let parts: [(&str, &dyn std::fmt::Display); 2] = [("what", &what), ("time", &time)];
                 self.desk.notice.say(l.fill("notice.undone", &parts));
             }

@@ -1,9 +1,8 @@
 //! Acts that are given while time is turned: they are done as soon as the instant is reached.
 
 use crate::act::{Act, CookAct};
-use saute_kitchen::Command;
-use saute_session::label;
-use saute_words::act_words::act_words;
+use saute_kitchen::{Command, kelvin};
+use saute_words::act_words::command_words;
 use saute_words::language::Language;
 
 /// What waits until the instant is reached to which time is turned.
@@ -27,10 +26,12 @@ impl Waiting {
     /// What it is called.
     pub(crate) fn words(&self, l: Language) -> String {
         match self {
-            Self::Act(Act::Cook(CookAct::HobSet(w))) => act_words(&format!("{w:.0} W"), l),
-            Self::Act(Act::Cook(CookAct::HobHold(c))) => act_words(&format!("{c:.0} °C"), l),
+            Self::Act(Act::Cook(CookAct::HobSet(w))) => command_words(&Command::Hob(*w), l),
+            Self::Act(Act::Cook(CookAct::HobHold(c))) => {
+                command_words(&Command::HobHold { temperature: kelvin(*c), power: 0.0 }, l)
+            }
             Self::Act(act) => l.text(act.traits().words).to_owned(),
-            Self::Command(command) => act_words(&label(command).unwrap_or_else(|| "hand".to_owned()), l),
+            Self::Command(command) => command_words(command, l),
         }
     }
 }

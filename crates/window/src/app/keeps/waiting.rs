@@ -4,7 +4,6 @@ use crate::act::{Act, TimeAct};
 use crate::app::SauteApp;
 use crate::app::apply::waiting::Waiting;
 use saute_kitchen::Command;
-use saute_session::label;
 
 impl SauteApp {
     /// Keeps an act that changes the cook for when the instant is reached to which time is turned; returns true if it waits now. Time
@@ -31,7 +30,7 @@ impl SauteApp {
     /// Keeps a command for then; what a hand does all the time is not kept.
     pub(crate) fn puts_off_command(&mut self, command: &Command) -> bool {
         let is_travelling = self.session.is_travelling();
-        if is_travelling && label(command).is_some() {
+        if is_travelling && !command.is_motion() {
             self.wait_with(Waiting::Command(command.clone()));
         }
         is_travelling

@@ -10,8 +10,7 @@ use crate::panels::window_state::WindowState;
 use crate::settings::Settings;
 use crate::ui::{fingers, theme};
 use saute_session::forecasts::Standing;
-use saute_session::label;
-use saute_words::act_words::act_words;
+use saute_words::act_words::command_words;
 
 /// Height of a question with its answer, and of the words above [points].
 const ROW: f32 = 29.0;
@@ -106,8 +105,8 @@ fn ask(state: &WindowState, question: Question, ui: &mut Ui, acts: &mut Acts, pl
     let mut within = ui.new_child(UiBuilder::new().id_salt(words).max_rect(place));
     within.spacing_mut().button_padding = vec2(6.0, 2.0);
     let response = within.add_enabled(commands.is_some(), button);
-    let to_what = commands.as_ref().and_then(|commands| lower_to(commands)).map(|label| {
-        let power = act_words(&label, state.settings.language);
+    let to_what = commands.as_ref().and_then(|commands| lower_to(commands)).map(|command| {
+        let power = command_words(command, state.settings.language);
         state.settings.language.fill("ahead.lower_to", &[("power", &power)])
     });
     let response = match to_what {
@@ -120,8 +119,8 @@ fn ask(state: &WindowState, question: Question, ui: &mut Ui, acts: &mut Acts, pl
 }
 
 /// What the hob is set to.
-fn lower_to(commands: &[Command]) -> Option<String> {
-    commands.iter().find(|command| matches!(command, Command::Hob(_) | Command::HobHold { .. })).and_then(label)
+fn lower_to(commands: &[Command]) -> Option<&Command> {
+    commands.iter().find(|command| matches!(command, Command::Hob(_) | Command::HobHold { .. }))
 }
 
 fn answer(state: &WindowState, standing: &Standing, ui: &Ui, row: Rect) {

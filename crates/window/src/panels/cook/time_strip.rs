@@ -45,7 +45,7 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts, size: egui::Vec2)
     let text = hovered.map(|at| match strip.mark_near(at) {
         Some(mark) => {
             let parts: [(&str, &dyn std::fmt::Display); 2] =
-                [("what", &act_words(&mark.label, l)), ("time", &clock(mark.time_s))];
+                [("what", &act_words(&mark.done, l)), ("time", &clock(mark.time_s))];
             l.fill("strip.mark", &parts)
         }
         None => l.fill("strip.hint", &[("time", &clock(strip.time_at(at)))]),

@@ -72,9 +72,9 @@ pub(crate) fn displayed<'a, 'b>(
 /// What a way is called: what was done differently in it, and when.
 pub(crate) fn way_words(name: &BranchName, l: Language) -> String {
     let time = saute_words::clock::clock(name.at_s);
-    match &name.label {
-        Some(label) => {
-            let parts: [(&str, &dyn std::fmt::Display); 2] = [("what", &act_words(label, l)), ("time", &time)];
+    match &name.done {
+        Some(done) => {
+            let parts: [(&str, &dyn std::fmt::Display); 2] = [("what", &act_words(done, l)), ("time", &time)];
             l.fill("strip.way", &parts)
         }
         None => l.fill("strip.way_without", &[("time", &time)]),

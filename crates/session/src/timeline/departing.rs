@@ -1,43 +1,14 @@
-//! Branches: other ways that the cook went.
+//! Branches are parted from, kept and gone over to.
 
-use saute_recipe::session::{Deed, Entry};
-use saute_recipe::{Moment, Recording};
+use saute_recipe::Moment;
 
 use super::Ahead;
-use super::acts::label_of;
+use super::branch::{Branch, BranchName, name_of};
 use super::line::Line;
 use super::travel::Travel;
+use super::way::MOST_BESIDE;
 use crate::Session;
 use crate::hands::Hands;
-
-/// Branches that are kept beside the one that is shown (chosen: four ways fit side by side).
-pub const MOST_BESIDE: usize = 3;
-
-/// Which of the ways that a cook went: it stays the same while others are gone over to.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Way {
-    /// Its place among the ways from 0: the lowest that was free when it began, below [`MOST_BESIDE`] + 1.
-    pub slot: usize,
-    /// A number that no other way has.
-    pub id: u64,
-}
-
-/// A way beside the one that is shown.
-pub(super) struct Branch {
-    pub(super) way: Way,
-    pub(super) line: Line,
-    /// Where it is seen beside the others.
-    pub(super) seen: Option<Travel>,
-}
-
-/// What a branch is called by: the act by which it differs from the one that is shown.
-#[derive(Clone, Debug, PartialEq)]
-pub struct BranchName {
-    /// Label of the act; none if nothing was done that differs.
-    pub label: Option<String>,
-    /// When it was done, or when the two part [s].
-    pub at_s: f64,
-}
 
 impl<H: Hands> Session<H> {
     /// An act is done here: what lay ahead of the first `entries` becomes a branch.
@@ -124,18 +95,4 @@ impl<H: Hands> Session<H> {
         self.travel_to(to, true);
         self.rejoin();
     }
-}
-
-/// Number of the first entries that two recordings share.
-pub(super) fn shared_entries(one: &Recording, other: &Recording) -> usize {
-    one.entries().iter().zip(other.entries()).take_while(|(a, b)| a == b).count()
-}
-
-/// The act by which a recording differs from another one.
-pub(super) fn name_of(recording: &Recording, other: &Recording) -> BranchName {
-    let same = shared_entries(recording, other);
-    let own = recording.entries()[same..].iter().find(|entry| entry.deed != Deed::TakeOver);
-    let theirs = other.entries().get(same);
-    let at = own.or(theirs).map_or_else(|| recording.moment().time_s(), Entry::time_s);
-    BranchName { label: own.map(|entry| label_of(&entry.deed)), at_s: at }
 }

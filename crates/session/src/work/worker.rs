@@ -1,0 +1,15 @@
+//! How one kind of work is done, wherever that is.
+
+use web_time::Duration;
+
+/// How one kind of work is done.
+pub trait Worker {
+    /// Takes an order in place of the one before; one that is empty, or cannot be read, is none.
+    fn take(&mut self, order: &[u8]);
+
+    /// Returns true while there is something to do.
+    fn is_busy(&self) -> bool;
+
+    /// Works on for about `budget`; returns an answer where one is due.
+    fn go_on(&mut self, budget: Duration) -> Option<Vec<u8>>;
+}
