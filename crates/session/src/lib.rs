@@ -38,7 +38,7 @@ use self::kept_order::KeptOrder;
 use self::permits::{NotDone, Permits};
 use self::timeline::Timeline;
 
-pub use self::choice::{STEAK, SteakChoice, noun};
+pub use self::choice::{SteakChoice, noun};
 pub use self::clock::{MOST_OWED_S, SPEEDS};
 pub use self::foresight::Forecast;
 pub use self::mark::Mark;

@@ -245,7 +245,8 @@ impl SauteApp {
         match not_done {
             NotDone::Locked => self.say("guided.locked"),
             NotDone::Refused(refused) => {
-                self.desk.notice.say(saute_words::refusal::words(refused, self.settings.language));
+                let (library, l) = (&self.session.library, self.settings.language);
+                self.desk.notice.say(saute_words::refusal::words(refused, library, l));
             }
         }
     }

@@ -39,6 +39,14 @@ impl Language {
         if locale.split(['_', '-', '.', '@']).next() == Some("ja") { Self::Japanese } else { Self::English }
     }
 
+    /// Its code, by which files and settings name it.
+    pub fn code(self) -> &'static str {
+        match self {
+            Self::English => "en",
+            Self::Japanese => "ja",
+        }
+    }
+
     /// The other one.
     pub fn other(self) -> Self {
         match self {

@@ -93,7 +93,7 @@ impl Check<'_> {
             return self.input.error(food.span().start, format!("pan = \"{pan}\" is not a pan"), remedy);
         }
         let food = SetOutFood {
-            id: if description.kinetics == "beef" { "steak".to_owned() } else { food.get_ref().clone() },
+            id: description.piece_id(food.get_ref()),
             kind: food.get_ref().clone(),
             size_mm: size_mm.clone().unwrap_or_else(|| description.size.default_mm.clone()),
             initial_c: initial_c.unwrap_or(FOOD_C),

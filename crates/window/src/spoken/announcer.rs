@@ -7,7 +7,7 @@ use saute_kitchen::advice::SMOKE_SEEN_MG_S;
 use saute_kitchen::{Piece, Place};
 use saute_session::permits::Permit;
 use saute_words::language::Language;
-use saute_words::piece_words::{group_of, name, place};
+use saute_words::piece_words::{group_of, place};
 
 use crate::session::Session;
 use crate::ui::notice::Notice;
@@ -87,7 +87,7 @@ impl Announcer {
         let mut said: Vec<String> = Vec::new();
         for (id, lies) in &now {
             let Some(key) = before(id).and_then(|before| changed(before, lies)) else { continue };
-            let parts: [(&str, &dyn Display); 2] = [("name", &name(group_of(id), l)), ("place", &lies.place)];
+            let parts: [(&str, &dyn Display); 2] = [("name", &session.name_of(group_of(id), l)), ("place", &lies.place)];
             let sentence = l.fill(key, &parts);
             if !said.contains(&sentence) {
                 said.push(sentence);

@@ -5,6 +5,7 @@ use saute_kitchen::food::change::doneness::Measure;
 use saute_picture::View;
 use saute_picture::view::MOST_KILLED;
 
+use saute_words::doneness_words;
 use saute_words::language::Language;
 use saute_words::speech::Speech;
 
@@ -56,7 +57,7 @@ impl ViewWords for View {
             Self::Look | Self::Temperature => speech.fine_temperature(value),
             Self::Moisture => number("value.moisture", 0, value),
             Self::Doneness => {
-                let class = scale.map(|s| l.called("class", s.name_of(s.of_nodes(value))));
+                let class = scale.map(|s| doneness_words::class(s, s.name_of(s.of_nodes(value)), l));
                 if let Some((scale, class)) = scale.zip(class).filter(|(s, _)| s.measure() == Measure::Share) {
                     let change = l.called("change", &scale.for_change);
                     let percent = format!("{value:.0}");

@@ -12,6 +12,7 @@ use crate::guided::LessonDesk;
 use crate::panels::window_state::WindowState;
 use crate::ui::aloud::spoken_value;
 use crate::ui::theme;
+use saute_words::doneness_words;
 use saute_words::guided_words;
 use saute_words::language::Language;
 
@@ -123,9 +124,11 @@ fn slider(state: &WindowState, ui: &mut Ui, ask: Ask, [low, high]: [f64; 2], ent
 
 fn classes(state: &WindowState, ui: &mut Ui, lesson: &Lesson, entries: &mut Entries) -> Option<f64> {
     ui.horizontal_wrapped(|ui| {
-        for (place, class) in lesson.scenario.goal.classes().iter().enumerate() {
+        let scale = &lesson.scenario.goal.scale;
+        for (place, class) in scale.class.iter().enumerate() {
             let on = entries.slider == Some(place as f64);
-            if ui.add(theme::of(ui).button(state.settings.language.called("class", class), on)).clicked() {
+            let name = doneness_words::class(scale, &class.name, state.settings.language);
+            if ui.add(theme::of(ui).button(name, on)).clicked() {
                 entries.slider = Some(place as f64);
             }
         }

@@ -158,7 +158,7 @@ fn food_that_no_button_took_out_has_its_result_too_and_nearly_raw_food_is_told_n
     let better = ResultWords::of(
         &judged(harness.state()),
         &goal(harness.state()),
-        &harness.state().session().noun(),
+        &harness.state().session().noun(Language::English),
         harness.state().settings().speech(),
     );
     println!("{}", better.better[1]);
