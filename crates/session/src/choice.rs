@@ -70,7 +70,7 @@ pub(super) fn as_recipe(library: &Library, choice: &SteakChoice) -> Result<Recip
         seed: 1,
         count: None,
     };
-    let title = noun(library, &choice.kind, Language::English);
+    let title = noun(library, &choice.kind, Language::ENGLISH);
     let text = set_out(&title, choice.hob.as_deref(), &choice.pan, choice.preheat_c, &[food]);
     Recipe::parse(&text, SET_OUT, library)
 }

@@ -164,7 +164,7 @@ impl SauteApp {
             let context = context.clone();
             app.employ(Box::new(Threads::new(Arc::new(move || context.request_repaint()), yield_to_others)));
         }
-        app.settings.language = Language::English;
+        app.settings.language = Language::ENGLISH;
         app.set_language(language);
         if refused {
             app.say("notice.settings_refused");

@@ -11,6 +11,7 @@ pub mod doneness_words;
 pub mod guided_words;
 pub mod judgement_words;
 pub mod language;
+mod language_files;
 pub mod mark_words;
 pub mod next_step;
 pub mod piece_words;

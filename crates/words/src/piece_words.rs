@@ -77,7 +77,7 @@ mod tests {
     #[test]
     fn pieces_are_spoken_of_by_names_and_not_by_ids() {
         let library = Library::embedded().expect("embedded data");
-        let said = |id| name(id, &library, Language::English);
+        let said = |id| name(id, &library, Language::ENGLISH);
         assert_eq!([said("steak"), said("steak-2")], ["steak", "steak 2"]);
         assert_eq!(said("carrot-coin.3"), "carrot coin no. 3");
         assert_eq!(said("carrot-coin-2.3"), "carrot coin 2 no. 3");

@@ -125,7 +125,7 @@ impl Check<'_> {
             AskKind::UndersideBrown => Ask::UndersideBrown,
             AskKind::ClassInTheEnd => Ask::ClassInTheEnd,
         };
-        Ok(Predict { when, ask, text: Words { en: raw.text.clone().unwrap_or_default(), ja: raw.text_ja.clone() } })
+        Ok(Predict { when, ask, text: Words::new(raw.text.as_deref().unwrap_or_default(), raw.text_ja.as_deref()) })
     }
 
     fn id(&self, id: &Spanned<String>) -> Checked<()> {
@@ -143,6 +143,6 @@ impl Check<'_> {
             let remedy = format!("{key} may have 1 to {longest} letters");
             return self.input.error(en.span().start, format!("{key} has {count} letters"), remedy);
         }
-        Ok(Words { en: en.get_ref().trim().to_owned(), ja: ja.map(|text| text.trim().to_owned()) })
+        Ok(Words::new(en.get_ref().trim(), ja.map(|text| text.trim())))
     }
 }

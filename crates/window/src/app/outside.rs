@@ -55,7 +55,7 @@ impl SauteApp {
     /// Chooses the window's language; a page without a font for Japanese asks its host for one first.
     pub fn set_language(&mut self, language: Language) {
         #[cfg(target_arch = "wasm32")]
-        if language == Language::Japanese && !self.graphics.japanese_font {
+        if language.font() == saute_words::language::Font::Japanese && !self.graphics.japanese_font {
             return self.want_font();
         }
         self.settings.language = language;

@@ -150,9 +150,9 @@ mod tests {
             if k % 20 > 0 {
                 continue;
             }
-            said.extend(announcer.news(&session, None, &notice, Language::English));
+            said.extend(announcer.news(&session, None, &notice, Language::ENGLISH));
             let seen = std::mem::replace(&mut session.permits, hidden);
-            assert!(blind.news(&session, None, &notice, Language::English).is_empty(), "where readings are hidden");
+            assert!(blind.news(&session, None, &notice, Language::ENGLISH).is_empty(), "where readings are hidden");
             session.permits = seen;
             match said.len() {
                 0 => {}
@@ -168,7 +168,7 @@ mod tests {
     fn events_orders_and_notices_are_said_once() {
         let library = Arc::new(Library::embedded().expect("embedded data"));
         let mut session = Session::new(library, &Default::default()).expect("sets out");
-        let (mut announcer, notice, l) = (Announcer::default(), Notice::default(), Language::English);
+        let (mut announcer, notice, l) = (Announcer::default(), Notice::default(), Language::ENGLISH);
         let order = |verb: &str| Some((verb.to_owned(), format!("{verb}: now.")));
         let mut news = |session: &Session, order: Option<&(String, String)>| announcer.news(session, order, &notice, l);
         assert!(news(&session, None).is_empty(), "what lies there at first is no news");
