@@ -68,7 +68,7 @@ fn marks(state: &WindowState, ui: &Ui, rect: Rect, map: &ColourMap) {
     let (view, font) = (state.settings.view, FontId::proportional(11.5));
     let (painter, bottom) = (ui.painter(), rect.top() + BAR_HEIGHT);
     let mut free_from = f32::NEG_INFINITY;
-    for &value in view.marks().iter().filter(|v| (map.from..=map.to).contains(*v)) {
+    for &value in view.spec().marks.iter().filter(|v| (map.from..=map.to).contains(*v)) {
         let x = rect.left() + map.coordinate(value) * rect.width();
         painter.line_segment([pos2(x, bottom), pos2(x, bottom + 4.0)], Stroke::new(1.0, theme::of(ui).quiet));
         let text = painter.layout_no_wrap(view.mark(value, state.settings.speech()), font.clone(), theme::of(ui).text);
