@@ -10,7 +10,7 @@ const { fetchFile, withProgress, backends, prepare, agreeOnPixels, Cover, words,
 
 const asked = new URLSearchParams(location.search);
 // Without a language in the address the kitchen takes the remembered one, else the browser's.
-const lang = ["en", "ja"].includes(asked.get("lang")) ? asked.get("lang") : "";
+const lang = document.body.dataset.languages.split(" ").includes(asked.get("lang")) ? asked.get("lang") : "";
 const recipe = asked.get("recipe") ?? "";
 /** In a frame of another page (`?embed`) nothing is kept, neither the cook nor the page. */
 const isEmbedded = asked.has("embed");

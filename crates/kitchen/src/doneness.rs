@@ -3,20 +3,27 @@
 use std::sync::Arc;
 
 use saute_food::change::doneness::Measure;
-use saute_food::{FoodModel, Rules, Scale};
+use saute_food::{FoodDescription, FoodModel, Rules, Scale};
 
 use crate::Piece;
 use crate::data::library::DEFAULT_SCALE;
 
-/// Returns the scales that say anything about a food, in their order: those made for its kinetics, else every scale that
-/// is made for none and whose change they contain.
+/// Returns the scales that are made for a food, in their order: its own, else those for its kinetics, else the general ones.
+pub fn made_for<'a>(scales: &'a [Arc<Scale>], food: &FoodDescription) -> Vec<&'a Arc<Scale>> {
+    if let Some(own) = &food.doneness {
+        return scales.iter().filter(|s| s.id == own.id).collect();
+    }
+    let of_kinetics: Vec<_> = scales.iter().filter(|s| s.is_made_for(&food.kinetics)).collect();
+    if of_kinetics.is_empty() { scales.iter().filter(|s| s.is_general()).collect() } else { of_kinetics }
+}
+
+/// Returns the scales that say anything about a food, in their order: those made for it whose change its kinetics contain.
 ///
 /// By the rules of 2013 the scale of 2013 is always among them where its change is: that system knew no other.
 pub fn fitting<'a>(scales: &'a [Arc<Scale>], food: &FoodModel) -> Vec<&'a Arc<Scale>> {
-    let kinetics = food.description().kinetics.as_str();
-    let own = scales.iter().any(|s| s.is_made_for(kinetics));
+    let made = made_for(scales, food.description());
     let of_2013 = |s: &Scale| food.rules() == Rules::Paper2013 && s.id == DEFAULT_SCALE;
-    let wanted = |s: &Scale| of_2013(s) || if own { s.is_made_for(kinetics) } else { s.for_kinetics.is_empty() };
+    let wanted = |s: &Scale| of_2013(s) || made.iter().any(|one| one.id == s.id);
     scales.iter().filter(|s| wanted(s) && s.applies_to(food.kinetics())).collect()
 }
 

@@ -6,6 +6,7 @@ use saute_kitchen::{Library, MeshSize, OutlineKind, PieceOrder, kelvin};
 use saute_recipe::Recipe;
 use saute_recipe::session::{SetOutFood, set_out};
 use saute_schema::InputError;
+use saute_words::language::Language;
 
 /// What the person chooses before putting the food in.
 #[derive(Clone, Debug, PartialEq, serde::Deserialize, serde::Serialize)]
@@ -36,7 +37,7 @@ impl SteakChoice {
 impl Default for SteakChoice {
     fn default() -> Self {
         Self {
-            kind: "beef-lean".into(),
+            kind: FIRST_FOOD.into(),
             size_mm: vec![120.0, 80.0, 25.0],
             initial_c: 5.0,
             hob: None,
@@ -46,18 +47,17 @@ impl Default for SteakChoice {
     }
 }
 
-/// Name of a steak that the window sets out; another food bears the name of its kind.
-pub const STEAK: &str = "steak";
+/// The food that is chosen until a person chooses another.
+pub(super) const FIRST_FOOD: &str = "beef-lean";
 
 /// Noun for a kind of food in a sentence.
-pub fn noun(library: &Library, kind: &str) -> String {
-    let name = library.foods.get(kind).map_or(kind, |f| f.name.as_str()).to_lowercase();
-    if name.contains(STEAK) { STEAK.to_owned() } else { name }
+pub fn noun(library: &Library, kind: &str, l: Language) -> String {
+    library.foods.get(kind).map_or_else(|| kind.to_lowercase(), |food| food.noun_in(l.code()))
 }
 
-/// Name of a food that is set out: that of a steak, or of its kind.
+/// Name of a food that is set out, as its file states it.
 pub(super) fn base_name(library: &Library, kind: &str) -> String {
-    if noun(library, kind) == STEAK { STEAK.into() } else { kind.into() }
+    library.foods.get(kind).map_or_else(|| kind.to_owned(), |food| food.piece_id(kind))
 }
 
 /// The recipe that sets out a choice and does nothing with it.
@@ -70,7 +70,8 @@ pub(super) fn as_recipe(library: &Library, choice: &SteakChoice) -> Result<Recip
         seed: 1,
         count: None,
     };
-    let text = set_out(&noun(library, &choice.kind), choice.hob.as_deref(), &choice.pan, choice.preheat_c, &[food]);
+    let title = noun(library, &choice.kind, Language::ENGLISH);
+    let text = set_out(&title, choice.hob.as_deref(), &choice.pan, choice.preheat_c, &[food]);
     Recipe::parse(&text, SET_OUT, library)
 }
 

@@ -43,7 +43,7 @@ use self::kept_order::KeptOrder;
 use self::permits::{NotDone, Permits};
 use self::timeline::Timeline;
 
-pub use self::choice::{STEAK, SteakChoice, noun};
+pub use self::choice::{SteakChoice, noun};
 pub use self::foreseen_peak::Forecast;
 pub use self::mark::Mark;
 pub use self::speeds::{MOST_OWED_S, SPEEDS};

@@ -3,9 +3,10 @@
 use saute_kitchen::{Piece, Place};
 
 use super::Session;
-use super::choice::{STEAK, noun};
+use super::choice::{FIRST_FOOD, base_name, noun};
 use crate::hands::Hands;
-use saute_words::piece_words::group_of;
+use saute_words::language::Language;
+use saute_words::piece_words::{self, group_of};
 
 impl<H: Hands> Session<H> {
     /// Returns the piece that the panels show: the selected one, else the first.
@@ -29,14 +30,19 @@ impl<H: Hands> Session<H> {
         self.kitchen.pieces().iter().position(|p| Some(&p.id) == id).unwrap_or(0)
     }
 
-    /// Returns the id of the piece that the panels show; that of a steak if there is none.
+    /// Returns the id of the piece that the panels show; that of the first food if there is none.
     pub fn steak_id(&self) -> String {
-        self.steak().map_or_else(|| STEAK.to_owned(), |p| p.id.clone())
+        self.steak().map_or_else(|| base_name(&self.library, FIRST_FOOD), |p| p.id.clone())
     }
 
-    /// Returns the noun for that piece: "steak", "carrot coin".
-    pub fn noun(&self) -> String {
-        self.steak().map_or_else(|| STEAK.to_owned(), |p| noun(&self.library, &p.kind))
+    /// Returns the noun for that piece in a language: "steak", "carrot coin".
+    pub fn noun(&self, l: Language) -> String {
+        noun(&self.library, self.steak().map_or(FIRST_FOOD, |p| p.kind.as_str()), l)
+    }
+
+    /// Returns the name of a piece or a group in a language, given its id.
+    pub fn name_of(&self, id: &str, l: Language) -> String {
+        piece_words::name(id, &self.library, l)
     }
 
     /// Returns the mass of that piece when it was set out [g].

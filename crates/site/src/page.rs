@@ -15,6 +15,8 @@ pub const INDEX: &str = "index.html";
 pub const SOURCES: &str = "web";
 /// Where the Japanese font and its licence are.
 const FONTS: &str = "crates/window/fonts";
+/// Where the texts of the program are, a file for each language.
+const TEXTS: &str = "crates/words/texts";
 const ENDINGS: [&str; 7] = ["html", "css", "js", "svg", "webmanifest", "webp", "jpg"];
 /// The picture of the page where its address is shared; no visitor loads it.
 const PICTURE: &str = "social.jpg";
@@ -36,7 +38,7 @@ pub fn files_of(folder: &Path) -> Result<Vec<PathBuf>, SiteError> {
     Ok(files)
 }
 
-/// Adds the page to a site that has the module. The page names the module's size, for the progress bar, and a version, so
+/// Adds the page to a site that has the module. The page names the languages, the module's size, for the progress bar, and a version, so
 /// that a browser never combines files of two versions from its cache.
 pub fn add(root: &Path, site: &Path, address: Option<&str>) -> Result<(), SiteError> {
     for source in sources(root)? {
@@ -47,7 +49,7 @@ pub fn add(root: &Path, site: &Path, address: Option<&str>) -> Result<(), SiteEr
     for font in files_of(&root.join(FONTS))? {
         copy_into(&font, &fonts)?;
     }
-    fill_in(site, address)
+    fill_in(site, address, &languages(root)?)
 }
 
 /// The address at which a site will be, with a slash at its end, from what was typed.
@@ -74,7 +76,7 @@ fn copy_into(source: &Path, folder: &Path) -> Result<(), SiteError> {
     fs::copy(source, folder.join(name)).map_err(at(source)).map(|_| ())
 }
 
-fn fill_in(site: &Path, address: Option<&str>) -> Result<(), SiteError> {
+fn fill_in(site: &Path, address: Option<&str>, languages: &str) -> Result<(), SiteError> {
     let (index, module) = (site.join(INDEX), site.join(MODULE));
     let bytes = fs::metadata(&module).map_err(at(&module))?.len();
     let mut hasher = crc32fast::Hasher::new();
@@ -83,14 +85,26 @@ fn fill_in(site: &Path, address: Option<&str>) -> Result<(), SiteError> {
     }
     let version = format!("{:08x}", hasher.finalize());
     let (bytes, files, social) = (bytes.to_string(), versioned_files(site)?, social(address));
+    let known: [(&str, &str); 5] = [
+        ("{{version}}", &version),
+        ("{{module_bytes}}", &bytes),
+        ("{{files}}", &files),
+        ("{{social}}", &social),
+        ("{{languages}}", languages),
+    ];
     for file in [index, site.join(SERVICE_WORKER)] {
         let text = fs::read_to_string(&file).map_err(at(&file))?;
-        let known =
-            [("{{version}}", &version), ("{{module_bytes}}", &bytes), ("{{files}}", &files), ("{{social}}", &social)];
         let filled = known.iter().fold(text, |text, (name, value)| text.replace(name, value));
         fs::write(&file, filled).map_err(at(&file))?;
     }
     Ok(())
+}
+
+/// Codes of the languages that the program speaks, which are the names of the files with its texts.
+fn languages(root: &Path) -> Result<String, SiteError> {
+    let files = files_of(&root.join(TEXTS))?;
+    let codes: Vec<&str> = files.iter().filter_map(|path| path.file_stem()?.to_str()).collect();
+    Ok(codes.join(" "))
 }
 
 /// Names of the files that the page loads with its version, as JSON; their names hold no quotes.
@@ -117,6 +131,7 @@ mod tests {
             add(&root, site.path(), None).unwrap();
             let worker = read(SERVICE_WORKER);
             assert!(!worker.contains("{{") && !read(INDEX).contains("{{"));
+            assert!(read(INDEX).contains(" data-languages=\"en ja\""), "the languages that the program speaks");
             for file in [MODULE, SCRIPT, "loader.js", "style.css", "icon.svg"] {
                 assert!(worker.contains(&format!("\"{file}\"")), "{file}");
             }

@@ -44,9 +44,7 @@ impl Options {
         let [backend, lang, recipe, link] = ["backend", "lang", "recipe", "link"].map(|key| text(object, key));
         let language = match lang.as_str() {
             "" => None,
-            "en" => Some(Language::English),
-            "ja" => Some(Language::Japanese),
-            other => return Err(format!("lang: \"{other}\" is neither \"en\" nor \"ja\"")),
+            code => Some(Language::try_from(code.to_owned()).map_err(|unknown| format!("lang: {unknown}"))?),
         };
         let recipe = Some(recipe).filter(|name| !name.is_empty());
         let named = |key, with| Some((text(object, key), text(object, with))).filter(|(name, _)| !name.is_empty());

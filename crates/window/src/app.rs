@@ -140,7 +140,7 @@ impl SauteApp {
         };
         app.draw_on(context, graphics);
         app.take_help(start.helps, context);
-        app.settings.language = Language::English;
+        app.settings.language = Language::ENGLISH;
         app.set_language(language);
         if refused {
             app.say("notice.settings_refused");
@@ -218,7 +218,8 @@ impl SauteApp {
         match not_done {
             NotDone::Locked => self.say("guided.locked"),
             NotDone::Refused(refused) => {
-                self.desk.notice.say(saute_words::refusal::words(refused, self.settings.language));
+                let (library, l) = (&self.session.library, self.settings.language);
+                self.desk.notice.say(saute_words::refusal::words(refused, library, l));
             }
         }
     }

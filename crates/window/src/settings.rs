@@ -120,7 +120,7 @@ impl Default for Settings {
     fn default() -> Self {
         Self {
             version: VERSION,
-            language: Language::English,
+            language: Language::ENGLISH,
             theme: Theme::default(),
             size: InterfaceSize::default(),
             less_motion: None,

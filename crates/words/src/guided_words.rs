@@ -3,10 +3,12 @@
 use std::collections::BTreeSet;
 use std::fmt::Display;
 
+use saute_kitchen::food::change::doneness::Class;
 use saute_study::Measures;
 use saute_study::class::{Ask, Lesson, Locked};
 use saute_study::protocol_file::Entered;
 
+use crate::doneness_words;
 use crate::language::Language;
 use crate::speech::Speech;
 
@@ -49,10 +51,9 @@ pub fn value(ask: Ask, value: Option<f64>, lesson: &Lesson, speech: Speech) -> S
         Ask::CoreNow | Ask::CoreIn(_) | Ask::CorePeak => speech.temperature(value),
         Ask::UndersideBrown => format!("{value:.0} %"),
         Ask::ClassInTheEnd => {
-            let classes = lesson.scenario.goal.classes();
-            classes
-                .get(value as usize)
-                .map_or_else(String::new, |class| speech.language.called("class", class).to_owned())
+            let scale = &lesson.scenario.goal.scale;
+            let of = |class: &Class| doneness_words::class(scale, &class.name, speech.language).to_owned();
+            scale.class.get(value as usize).map_or_else(String::new, of)
         }
     }
 }

@@ -6,6 +6,7 @@ use saute_kitchen::data::goals::Counted;
 use saute_kitchen::food::change::doneness::Measure;
 use saute_plan::goal::{Better, Goal, Judgement, Shortfall, Verdict};
 
+use crate::doneness_words::class;
 use crate::language::Language;
 use crate::mark_words::{TermRow, best_words, good_words, mark_words, table};
 use crate::speech::Speech;
@@ -40,13 +41,13 @@ pub struct ResultWords {
 }
 
 impl ResultWords {
-    /// Puts a judgement of a food, by its noun, into words.
+    /// Puts a judgement of a food, by its noun in the language, into words.
     pub fn of(judgement: &Judgement, goal: &Goal, food: &str, speech: Speech) -> Self {
         let teller = Teller { judgement, goal, speech };
         let l = speech.language;
         let is_met = judgement.verdict == Verdict::Met;
         let name = match l.called("goal", &goal.name) {
-            name if name == goal.name => l.called("class", &goal.name).to_owned(),
+            name if name == goal.name => class(&goal.scale, &goal.name, l).to_owned(),
             name => name.to_owned(),
         };
         let key = if is_met { "result.met" } else { "result.missed" };
@@ -65,7 +66,7 @@ impl ResultWords {
             good: good_words(&judgement.mark, l),
             better: [l.text("result.better").to_owned(), teller.better()],
             best: String::new(),
-            cut: l.fill("inside.section", &[("food", &l.called("noun", food))]),
+            cut: l.fill("inside.section", &[("food", &food)]),
             grey_mm: judgement.grey_mm,
         }
     }
@@ -149,7 +150,7 @@ impl Teller<'_> {
 
     fn class(&self) -> String {
         let name = self.goal.scale.class.get(self.goal.class).map_or("", |class| class.name.as_str());
-        self.speech.language.called("class", name).to_owned()
+        class(&self.goal.scale, name, self.speech.language).to_owned()
     }
 
     fn missing(&self, shortfall: Shortfall) -> String {

@@ -1,57 +1,80 @@
-//! The languages of the window, and its texts in them.
+//! The languages of the window, and its texts in them: each language is a file in `texts`.
 
-use std::collections::BTreeMap;
-use std::fmt::Display;
-use std::sync::OnceLock;
+use std::fmt::{self, Debug, Display, Formatter};
 
 use serde::{Deserialize, Serialize};
 
+use crate::language_files::LanguageFiles;
+
 /// A language of the window.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
-pub enum Language {
-    /// English.
-    #[default]
-    #[serde(rename = "en")]
-    English,
-    /// Japanese.
-    #[serde(rename = "ja")]
+#[derive(Clone, Copy, Default, PartialEq, Eq, Deserialize, Serialize)]
+#[serde(try_from = "String", into = "String")]
+pub struct Language(usize);
+
+/// The font that a language is written with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Font {
+    /// That of the window, which is always there.
+    Latin,
+    /// One with the characters of Japanese.
     Japanese,
 }
 
-/// Texts by section and key.
-type Texts = BTreeMap<String, BTreeMap<String, String>>;
-
-const ENGLISH: &str = include_str!("../texts/en.toml");
-const JAPANESE: &str = include_str!("../texts/ja.toml");
-
 impl Language {
-    /// Both of them.
-    pub const ALL: [Self; 2] = [Self::English, Self::Japanese];
+    /// English, which has every text.
+    pub const ENGLISH: Self = Self(0);
+
+    /// All of them, English first.
+    pub fn all() -> impl Iterator<Item = Self> {
+        (0..LanguageFiles::shipped().all().len()).map(Self)
+    }
+
+    /// The language of a code such as `ja`, by which files and settings name it.
+    pub fn of_code(code: &str) -> Option<Self> {
+        Self::all().find(|language| language.code() == code)
+    }
 
     /// The language of the system's environment (`LC_ALL`, `LC_MESSAGES`, `LANG`, the first that says anything).
     pub fn of_environment() -> Self {
         let said = ["LC_ALL", "LC_MESSAGES", "LANG"].into_iter().filter_map(|key| std::env::var(key).ok());
-        said.into_iter().find(|value| !value.is_empty()).map_or(Self::English, |value| Self::of_locale(&value))
+        said.into_iter().find(|value| !value.is_empty()).map_or(Self::ENGLISH, |value| Self::of_locale(&value))
     }
 
     /// The language of a locale such as `ja_JP.UTF-8`; English for those that the window does not speak.
     pub fn of_locale(locale: &str) -> Self {
-        if locale.split(['_', '-', '.', '@']).next() == Some("ja") { Self::Japanese } else { Self::English }
+        locale.split(['_', '-', '.', '@']).next().and_then(Self::of_code).unwrap_or_default()
     }
 
-    /// The other one.
-    pub fn other(self) -> Self {
-        match self {
-            Self::English => Self::Japanese,
-            Self::Japanese => Self::English,
-        }
+    /// The next one; the first after the last.
+    pub fn next(self) -> Self {
+        Self((self.0 + 1) % LanguageFiles::shipped().all().len().max(1))
+    }
+
+    /// Its code.
+    pub fn code(self) -> &'static str {
+        LanguageFiles::shipped().all().get(self.0).map_or("", |language| language.code)
     }
 
     /// The file that holds its texts.
     pub fn file(self) -> &'static str {
-        match self {
-            Self::English => ENGLISH,
-            Self::Japanese => JAPANESE,
+        LanguageFiles::shipped().all().get(self.0).map_or("", |language| language.file)
+    }
+
+    /// What it is called in itself.
+    pub fn name(self) -> &'static str {
+        self.text("language.name")
+    }
+
+    /// What it is called where its letters cannot be drawn.
+    pub fn short_name(self) -> &'static str {
+        self.text("language.short_name")
+    }
+
+    /// The font that it is written with.
+    pub fn font(self) -> Font {
+        match self.text("language.font") {
+            "japanese" => Font::Japanese,
+            _ => Font::Latin,
         }
     }
 
@@ -63,7 +86,7 @@ impl Language {
     /// A text by `section.key`, if there is one.
     pub fn find(self, key: &str) -> Option<&'static str> {
         let (section, key) = key.split_once('.')?;
-        self.texts().get(section)?.get(key).map(String::as_str)
+        LanguageFiles::shipped().find(self.0, section, key)
     }
 
     /// A text with what it leaves open put in.
@@ -76,19 +99,68 @@ impl Language {
 
     /// What the core calls by an English name, found in a section; a name of a user's own stays as it is.
     pub fn called<'a>(self, section: &str, english: &'a str) -> &'a str {
-        let Some(names) = Self::English.texts().get(section) else { return english };
-        let key = names.iter().find(|(_, name)| *name == english).map(|(key, _)| key);
-        key.and_then(|key| self.texts().get(section)?.get(key)).map_or(english, String::as_str)
+        let key = LanguageFiles::shipped().key_of(section, english);
+        key.and_then(|key| LanguageFiles::shipped().find(self.0, section, key)).unwrap_or(english)
     }
 
     /// The name of one of our own ids in a section; ids are written with hyphens, keys with underscores.
     pub fn known(self, section: &str, id: &str) -> Option<&'static str> {
-        self.texts().get(section)?.get(&id.replace('-', "_")).map(String::as_str)
+        LanguageFiles::shipped().find(self.0, section, &id.replace('-', "_"))
+    }
+}
+
+impl Debug for Language {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        f.write_str(self.code())
+    }
+}
+
+impl From<Language> for String {
+    fn from(language: Language) -> Self {
+        language.code().to_owned()
+    }
+}
+
+/// No language has this code.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct NoSuchLanguage(String);
+
+impl std::error::Error for NoSuchLanguage {}
+
+impl Display for NoSuchLanguage {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        let known: Vec<&str> = Language::all().map(Language::code).collect();
+        write!(f, "\"{}\" is no language; there are: {}", self.0, known.join(", "))
+    }
+}
+
+impl TryFrom<String> for Language {
+    type Error = NoSuchLanguage;
+
+    fn try_from(code: String) -> Result<Self, NoSuchLanguage> {
+        Self::of_code(&code).ok_or(NoSuchLanguage(code))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_file_is_a_language_that_states_its_name_and_its_font() {
+        let said: Vec<_> = Language::all().map(|l| (l.code(), l.name(), l.short_name(), l.font())).collect();
+        assert_eq!(said, [("en", "EN", "EN", Font::Latin), ("ja", "日本語", "JA", Font::Japanese)]);
+        assert_eq!((Language::default(), Language::ENGLISH.code()), (Language::ENGLISH, "en"));
+        assert!(Language::all().all(|l| l.next() != l && l.next().next() == l), "there are two");
     }
 
-    fn texts(self) -> &'static Texts {
-        static PARSED: [OnceLock<Texts>; 2] = [const { OnceLock::new() }; 2];
-        // Both files are parts of the program, and a test reads them: an error cannot reach a user.
-        PARSED[self as usize].get_or_init(|| toml::from_str(self.file()).unwrap_or_default())
+    #[test]
+    fn a_language_is_remembered_by_its_code() {
+        for (code, name) in [("en", "EN"), ("ja", "日本語")] {
+            let language = Language::try_from(code.to_owned()).expect("is known");
+            assert_eq!((language.name(), String::from(language)), (name, code.to_owned()));
+        }
+        let unknown = Language::try_from("xx".to_owned()).expect_err("no file");
+        assert_eq!(unknown.to_string(), "\"xx\" is no language; there are: en, ja");
     }
 }

@@ -91,7 +91,7 @@ mod tests {
 
     #[test]
     fn the_best_mark_is_told_with_the_last_ones() {
-        let l = Language::English;
+        let l = Language::ENGLISH;
         assert_eq!(best_words(&[], l), "");
         assert_eq!(best_words(&[61.6], l), "Your best: 62");
         assert_eq!(
@@ -105,8 +105,8 @@ mod tests {
         let parts =
             [(Part::Core, 1.0, 30.0), (Part::Even, 0.4, 40.0), (Part::Crust, 0.0, 0.0), (Part::Care, 0.97, 10.0)];
         let mark = Mark { parts, bound: Bound::Missed };
-        assert_eq!(good_words(&mark, Language::English), "Good: the core is right, and the pan never got too hot.");
+        assert_eq!(good_words(&mark, Language::ENGLISH), "Good: the core is right, and the pan never got too hot.");
         let nothing = Mark { parts: parts.map(|(part, _, weight)| (part, 0.0, weight)), bound: Bound::Missed };
-        assert_eq!(good_words(&nothing, Language::English), "");
+        assert_eq!(good_words(&nothing, Language::ENGLISH), "");
     }
 }

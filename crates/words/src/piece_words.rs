@@ -2,8 +2,9 @@
 
 use saute_kitchen::doneness::core_class;
 use saute_kitchen::food::Scale;
-use saute_kitchen::{Piece, Place, RestOn};
+use saute_kitchen::{Library, Piece, Place, RestOn};
 
+use crate::doneness_words::class;
 use crate::language::Language;
 
 /// The group that a piece belongs to: its name up to the number, its own name where there is none.
@@ -17,7 +18,7 @@ pub fn group_of(id: &str) -> &str {
 /// How done it is: the class of its core in its own words, or how far the last of its changes has come.
 pub fn doneness(scale: Option<&Scale>, piece: &Piece, l: Language) -> String {
     if let Some(scale) = scale {
-        return l.called("class", core_class(piece, scale)).to_owned();
+        return class(scale, core_class(piece, scale), l).to_owned();
     }
     let (names, fields) = (piece.model.kinetics().names(), &piece.state.changed);
     match (names.last(), fields.last()) {
@@ -45,13 +46,15 @@ pub fn place(piece: &Piece, l: Language) -> &'static str {
     })
 }
 
-/// Name of a piece or a group: our own names in the language, with the number of the group from the second on, and that of
-/// the piece in its group; names of a user's own as they are.
-pub fn name(id: &str, l: Language) -> String {
+/// Name of a piece or a group: that of its food or our own in the language, with the number of the group from the second on,
+/// and that of the piece in its group; names of a user's own as they are.
+pub fn name(id: &str, library: &Library, l: Language) -> String {
     let group = group_of(id);
     let numbered = group.rsplit_once('-').filter(|(_, number)| number.parse::<u32>().is_ok());
     let base = numbered.map_or(group, |(base, _)| base);
-    let of_kind = match l.known("id", base) {
+    let of_food = library.foods.iter().find(|(kind, food)| food.piece_id(kind) == base);
+    let known = of_food.and_then(|(_, food)| food.piece_in(l.code())).or_else(|| l.known("id", base));
+    let of_kind = match known {
         None => group.to_owned(),
         Some(name) => numbered.map_or_else(|| name.to_owned(), |(_, number)| format!("{name} {number}")),
     };
@@ -73,7 +76,8 @@ mod tests {
 
     #[test]
     fn pieces_are_spoken_of_by_names_and_not_by_ids() {
-        let said = |id| name(id, Language::English);
+        let library = Library::embedded().expect("embedded data");
+        let said = |id| name(id, &library, Language::ENGLISH);
         assert_eq!([said("steak"), said("steak-2")], ["steak", "steak 2"]);
         assert_eq!(said("carrot-coin.3"), "carrot coin no. 3");
         assert_eq!(said("carrot-coin-2.3"), "carrot coin 2 no. 3");

@@ -4,6 +4,7 @@ use saute_kitchen::Library;
 use saute_plan::goal::{Goal, Outcome, Shortfall};
 use saute_plan::schedule::{Change, Order, Plan, Sensitivity, Stage};
 
+use crate::doneness_words;
 use crate::language::Language;
 use crate::speech::Speech;
 
@@ -11,7 +12,7 @@ use crate::speech::Speech;
 pub fn target(goal: &Goal, speech: Speech) -> String {
     let l = speech.language;
     if goal.scale.class.iter().any(|class| class.name == goal.name) {
-        return l.called("class", &goal.name).to_owned();
+        return doneness_words::class(&goal.scale, &goal.name, l).to_owned();
     }
     l.fill("plan.core_of", &[("core", &speech.temperature(goal.aim))])
 }
@@ -20,7 +21,7 @@ pub fn target(goal: &Goal, speech: Speech) -> String {
 pub fn heading(order: &Order, library: &Library, speech: Speech) -> String {
     let l = speech.language;
     let size: Vec<String> = order.size_mm.iter().map(|mm| format!("{mm:.0}")).collect();
-    let food = library.foods.get(&order.food).map_or(order.food.as_str(), |food| l.called("food", &food.name));
+    let food = library.foods.get(&order.food).map_or(order.food.as_str(), |food| food.name_in(l.code()));
     let food = order.count.map_or(food.to_owned(), |count| format!("{count} × {food}"));
     let pan = library.pans.get(&order.pan).map_or(order.pan.as_str(), |pan| l.called("pan", &pan.name));
     let (size, start) = (size.join(" × "), speech.temperature(order.initial_c));
@@ -89,7 +90,7 @@ pub fn sentence(s: &Sensitivity, goal: &Goal, speech: Speech) -> String {
 pub fn class(goal: &Goal, l: Language) -> String {
     match goal.scale.class.get(goal.class) {
         Some(class) if class.name == "on target" => l.text("plan.on_target_class").to_owned(),
-        Some(class) => l.called("class", &class.name).to_owned(),
+        Some(class) => doneness_words::class(&goal.scale, &class.name, l).to_owned(),
         None => String::new(),
     }
 }

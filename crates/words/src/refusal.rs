@@ -1,27 +1,27 @@
 //! Refusals of the kitchen in the language of the window.
 
-use saute_kitchen::Refused;
+use saute_kitchen::{Library, Refused};
 
 use crate::language::Language;
 use crate::piece_words::name;
 
 /// A refusal in words.
-pub fn words(refused: &Refused, l: Language) -> String {
-    let of = |key, food: &String| l.fill(key, &[("food", &name(food, l))]);
+pub fn words(refused: &Refused, library: &Library, l: Language) -> String {
+    let of = |key, food: &String| l.fill(key, &[("food", &name(food, library, l))]);
     match refused {
         Refused::NoSuchFood(food) => of("refused.no_such_food", food),
         Refused::NotInPan(food) => of("refused.not_in_pan", food),
         Refused::NotOnBoard(food) => of("refused.not_on_board", food),
         Refused::AlreadyHalved(food) => of("refused.already_halved", food),
         Refused::BesideFood { food, most_mm } => {
-            l.fill("refused.beside_food", &[("food", &name(food, l)), ("most", most_mm)])
+            l.fill("refused.beside_food", &[("food", &name(food, library, l)), ("most", most_mm)])
         }
         Refused::AlreadyInPan(food) => of("refused.already_in_pan", food),
         Refused::DoesNotFit { food, reach_mm, floor_mm } => {
-            l.fill("refused.does_not_fit", &[("food", &name(food, l)), ("reach", reach_mm), ("floor", floor_mm)])
+            l.fill("refused.does_not_fit", &[("food", &name(food, library, l)), ("reach", reach_mm), ("floor", floor_mm)])
         }
         Refused::Occupied { food, other } => {
-            l.fill("refused.occupied", &[("food", &name(food, l)), ("other", &name(other, l))])
+            l.fill("refused.occupied", &[("food", &name(food, library, l)), ("other", &name(other, library, l))])
         }
         Refused::Waiting(food) => of("refused.waiting", food),
         Refused::EmptyPan => l.text("refused.empty_pan").to_owned(),

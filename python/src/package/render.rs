@@ -32,17 +32,6 @@ const DEFAULT_SIZE: [u32; 2] = [640, 480];
 /// Smallest and largest side of a picture [px] (chosen: a thumbnail; what every driver can draw).
 const SIDE: [u32; 2] = [16, 4096];
 
-/// Names of the views, in the order of the window's keys.
-const VIEWS: [(&str, View); 7] = [
-    ("look", View::Look),
-    ("temperature", View::Temperature),
-    ("moisture", View::Moisture),
-    ("doneness", View::Doneness),
-    ("browning", View::Browning),
-    ("lethality", View::Lethality),
-    ("marbling", View::Marbling),
-];
-
 #[pymethods]
 impl PyKitchen {
     /// A picture, height × width × 3 bytes (red, green, blue): size is (width, height) [px]; view is "look", "temperature",
@@ -107,9 +96,8 @@ fn pixels(size: &Bound<'_, PyAny>) -> PyResult<[u32; 2]> {
 }
 
 fn view_of(name: &str) -> PyResult<View> {
-    let found = VIEWS.iter().find(|(known, _)| *known == name).map(|(_, view)| *view);
-    let known = VIEWS.map(|(known, _)| known).join(", ");
-    found.ok_or_else(|| PyValueError::new_err(format!("there is no view \"{name}\"; there are: {known}")))
+    let known = View::ALL.map(|view| view.spec().id).join(", ");
+    View::of_id(name).ok_or_else(|| PyValueError::new_err(format!("there is no view \"{name}\"; there are: {known}")))
 }
 
 /// Reads where the eye is: a name, or pitch, yaw [°] and distance [mm].

@@ -21,7 +21,6 @@ use crate::args::{ListArgs, Listed};
 use crate::error::CliError;
 use crate::input::data_library::DataLibrary;
 use crate::output::{json, stderr, stdout};
-use crate::picture::choices::ViewName;
 use crate::wording;
 
 /// One line of a list.
@@ -191,9 +190,7 @@ fn goals(library: &Library) -> Vec<Entry> {
 }
 
 fn views() -> Vec<Entry> {
-    let (names, speech) = (ViewName::value_variants(), Speech::default());
-    let id = |name: &ViewName| name.to_possible_value().map_or_else(String::new, |v| v.get_name().to_owned());
-    names.iter().map(|name| Entry::new(&id(name), &View::from(*name).meaning(speech))).collect()
+    View::ALL.into_iter().map(|view| Entry::new(view.spec().id, &view.meaning(Speech::default()))).collect()
 }
 
 fn table(entries: &[Entry]) -> String {

@@ -1,5 +1,7 @@
 //! A book of figures: panels, each a view of a cook at one time.
 
+use std::borrow::Cow;
+
 use saute_picture::View;
 
 /// Position of the camera.
@@ -36,7 +38,7 @@ pub struct Figure {
     /// Caption.
     pub caption: &'static str,
     /// Panels, row by row.
-    pub panels: &'static [Panel],
+    pub panels: Cow<'static, [Panel]>,
     /// Number of panels in a row.
     pub columns: usize,
 }
@@ -51,9 +53,9 @@ pub struct Book {
     /// Folder of the cooks.
     pub folder: &'static str,
     /// Names and recipes of the cooks.
-    pub cooks: &'static [(&'static str, &'static str)],
+    pub cooks: Vec<(&'static str, &'static str)>,
     /// The figures in their order.
-    pub figures: &'static [Figure],
+    pub figures: Vec<Figure>,
 }
 
 /// A panel of the natural look.

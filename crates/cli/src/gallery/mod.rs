@@ -16,8 +16,8 @@ use saute_picture::still::png_file::png_bytes;
 use saute_picture::still::shot::ShotError;
 
 use self::figure::{Book, Figure};
-use self::looks::LOOKS;
-use self::paper::PAPER;
+use self::looks::looks;
+use self::paper::paper;
 use crate::error::CliError;
 use crate::input::data_library::DataLibrary;
 use crate::output::out_dir::OutDir;
@@ -47,7 +47,7 @@ const ALL: &str = "all";
 
 impl GalleryArgs {
     /// The figures that are asked for: all of a book, or those named.
-    fn figures(&self, book: &'static Book) -> Result<Vec<&'static Figure>, CliError> {
+    fn figures<'a>(&self, book: &'a Book) -> Result<Vec<&'a Figure>, CliError> {
         let (option, named) = match &self.looks {
             Some(food) if food != ALL => ("--looks", std::slice::from_ref(food)),
             Some(_) => ("--looks", [].as_slice()),
@@ -70,17 +70,17 @@ fn unknown(book: &Book, option: &str, name: &str) -> CliError {
 /// Cooks the recipes of the gallery, renders its figures and writes them.
 pub fn run(args: &GalleryArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
     let scales = data.scales(DEFAULT_SCALE)?;
-    let book = if args.looks.is_some() { &LOOKS } else { &PAPER };
-    let figures = args.figures(book)?;
+    let book = if args.looks.is_some() { looks() } else { paper() };
+    let figures = args.figures(&book)?;
     let shows = |cook: &str| figures.iter().any(|figure| figure.panels.iter().any(|panel| panel.cook == cook));
-    let cooks: Vec<&str> = book.cooks.iter().map(|(cook, _)| *cook).filter(|cook| shows(cook)).collect();
+    let cooks: Vec<&'static str> = book.cooks.iter().map(|(cook, _)| *cook).filter(|cook| shows(cook)).collect();
     let out = OutDir::prepare(&args.out)?;
     let gpu = Gpu::open().map_err(ShotError::from)?;
     let progress = Progress::over((cooks.len() + figures.len()) as u64);
     let mut moments = Vec::new();
     for cook in cooks {
         progress.next(format!("cooking {cook}"));
-        moments.extend(moment::moments(book, cook, &data.library)?);
+        moments.extend(moment::moments(&book, cook, &data.library)?);
     }
     let mut files = Vec::new();
     for figure in &figures {
@@ -88,7 +88,7 @@ pub fn run(args: &GalleryArgs, data: &DataLibrary) -> Result<ExitCode, CliError>
         let picture = plate::plate(&gpu, figure, &moments, &scales, args.size);
         files.push((format!("{}.png", figure.name), png_bytes(&picture)?));
     }
-    files.push((book.page.to_owned(), page::page(book, &figures, &moments).into_bytes()));
+    files.push((book.page.to_owned(), page::page(&book, &figures, &moments).into_bytes()));
     let place = out.place();
     out.fill(files)?;
     stderr::say(format!("{} figures and {} are in {place}", figures.len(), book.page));

@@ -21,7 +21,7 @@ pub struct Moment {
 
 /// Plays a cook of a book once and keeps every moment that a figure shows.
 pub fn moments(book: &Book, cook: &'static str, library: &Library) -> Result<Vec<Moment>, ShotError> {
-    let panels = book.figures.iter().flat_map(|figure| figure.panels);
+    let panels = book.figures.iter().flat_map(|figure| figure.panels.iter());
     let mut times: Vec<f64> = panels.filter(|panel| panel.cook == cook).map(|panel| panel.after_s).collect();
     times.sort_by(f64::total_cmp);
     times.dedup();

@@ -1,42 +1,42 @@
 //! Names of views, white balances, lights, qualities and stereo modes on the command line.
 
 use clap::ValueEnum;
+use clap::builder::PossibleValue;
 use saute_mirror::stereo::Stereo;
 use saute_picture::View;
 use saute_scene::light::room_light::RoomLight;
 use saute_scene::light::white_balance::WhiteBalance;
 use saute_scene::quality::Quality;
 
-/// Names of the views.
-#[derive(Clone, Copy, Debug, ValueEnum)]
-pub enum ViewName {
-    /// Appearance to the eye.
-    Look,
-    /// Temperature now.
-    Temperature,
-    /// Water content relative to the raw food.
-    Moisture,
-    /// Doneness by the highest temperature so far.
-    Doneness,
-    /// Browning index.
-    Browning,
-    /// Log reduction of pathogens.
-    Lethality,
-    /// Fat in the flesh.
-    Marbling,
+/// A view by its name.
+#[derive(Clone, Copy, Debug)]
+pub struct ViewName(pub View);
+
+/// All views by their names.
+static VIEW_NAMES: [ViewName; View::ALL.len()] = {
+    let mut names = [ViewName(View::Look); View::ALL.len()];
+    let mut at = 0;
+    while at < names.len() {
+        names[at] = ViewName(View::ALL[at]);
+        at += 1;
+    }
+    names
+};
+
+impl ValueEnum for ViewName {
+    fn value_variants<'a>() -> &'a [Self] {
+        &VIEW_NAMES
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        let spec = self.0.spec();
+        Some(PossibleValue::new(spec.id).help(spec.about))
+    }
 }
 
 impl From<ViewName> for View {
     fn from(name: ViewName) -> Self {
-        match name {
-            ViewName::Look => Self::Look,
-            ViewName::Temperature => Self::Temperature,
-            ViewName::Moisture => Self::Moisture,
-            ViewName::Doneness => Self::Doneness,
-            ViewName::Browning => Self::Browning,
-            ViewName::Lethality => Self::Lethality,
-            ViewName::Marbling => Self::Marbling,
-        }
+        name.0
     }
 }
 

@@ -49,7 +49,7 @@ pub struct ShotArgs {
     #[arg(long, value_name = "SECONDS,…", value_parser = seconds, value_delimiter = ',', conflicts_with_all = ["mirror", "at"])]
     pub contact_sheet: Vec<f64>,
     /// Meaning of the colours.
-    #[arg(long, value_enum, default_value_t = ViewName::Look, conflicts_with = "split")]
+    #[arg(long, value_enum, default_value_t = ViewName(View::Look), conflicts_with = "split")]
     pub view: ViewName,
     /// Renders the look in the left half and this view of the same instant in the right half, see `saute list views`.
     #[arg(long, value_name = "VIEW", value_parser = field)]
@@ -107,12 +107,10 @@ pub struct ShotArgs {
 
 /// Reads a view other than the look.
 fn field(text: &str) -> Result<View, String> {
-    let names = ViewName::value_variants().iter().filter_map(ValueEnum::to_possible_value).skip(1);
-    let fields: Vec<String> = names.map(|name| name.get_name().to_owned()).collect();
-    match ViewName::from_str(text, false) {
-        Ok(name) if View::from(name) != View::Look => Ok(name.into()),
-        _ => Err(format!("write a view other than the look: {}", fields.join(", "))),
-    }
+    let mut fields = View::ALL.into_iter().filter(|view| *view != View::Look);
+    let known: Vec<&str> = fields.clone().map(|view| view.spec().id).collect();
+    let found = fields.find(|view| view.spec().id == text);
+    found.ok_or_else(|| format!("write a view other than the look: {}", known.join(", ")))
 }
 
 /// Reads a time from the start of the recipe [s].

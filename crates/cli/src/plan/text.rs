@@ -13,7 +13,7 @@ use saute_words::speech::Speech;
 use crate::wording::clock;
 
 /// Language of the command.
-const EN: Language = Language::English;
+const EN: Language = Language::ENGLISH;
 
 /// Returns the plan on one screen.
 pub fn text(plan: &Plan, wall: Duration) -> String {

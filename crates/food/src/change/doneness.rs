@@ -1,5 +1,7 @@
 //! Doneness of each point: scales of named classes, by peak temperature or by the share of a change, and their shares.
 
+use std::collections::BTreeMap;
+
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -15,6 +17,10 @@ pub struct Class {
     /// Name of the class.
     #[schemars(example = &"medium")]
     pub name: String,
+    /// The name in other languages, by their codes; without it that which the program knows for the English one.
+    #[serde(default)]
+    #[schemars(extend("examples" = [{ "ja": "ミディアム" }]))]
+    pub names: BTreeMap<String, String>,
     /// Lowest peak temperature of the class [°C].
     #[schemars(range(min = 0.0, max = 120.0), example = 60.0)]
     pub from_c: Option<f64>,
@@ -61,6 +67,10 @@ pub struct Scale {
     /// Label for people.
     #[schemars(example = &"My scale")]
     pub name: String,
+    /// The label in other languages, by their codes; without it that which the program knows for the English one.
+    #[serde(default)]
+    #[schemars(extend("examples" = [{ "ja": "わたしの目盛り" }]))]
+    pub names: BTreeMap<String, String>,
     /// The classes, ascending; each ends where the next begins, and the first has no lower end.
     #[schemars(length(min = 2, max = MOST_CLASSES))]
     pub class: Vec<Class>,
@@ -72,6 +82,9 @@ pub struct Scale {
     #[serde(default)]
     #[schemars(extend("examples" = [["shrimp"]]))]
     pub for_kinetics: Vec<String>,
+    /// True if the file of a food states it: it is that food's own. The reader of the files sets it.
+    #[serde(skip)]
+    pub is_of_one_food: bool,
     /// Goal for the core unless the cook sets another, in the unit of the classes [°C or %]; without it the goal that was
     /// last set for another scale without one.
     #[schemars(range(min = 0.0, max = 120.0), example = 63.0)]
@@ -118,6 +131,11 @@ impl Scale {
     /// Returns true if the scale is made for the kinetics with an id.
     pub fn is_made_for(&self, kinetics: &str) -> bool {
         self.for_kinetics.iter().any(|id| id == kinetics)
+    }
+
+    /// Returns true if the scale is made for no food and no kinetics.
+    pub fn is_general(&self) -> bool {
+        self.for_kinetics.is_empty() && !self.is_of_one_food
     }
 
     /// Returns a value in the unit of the classes [°C or %] in the unit of the nodes [K or -].
@@ -170,13 +188,15 @@ mod tests {
     use super::*;
 
     fn scale(bounds: &[f64]) -> Scale {
-        let class = |c: &f64| Class { name: format!("from {c}"), from_c: Some(*c), from_pct: None };
+        let class = |c: &f64| Class { name: format!("from {c}"), from_c: Some(*c), ..Class::default() };
         Scale {
             id: "own".into(),
             name: "Own".into(),
+            names: BTreeMap::new(),
             class: bounds.iter().map(class).collect(),
             for_change: "myosin".into(),
             for_kinetics: Vec::new(),
+            is_of_one_food: false,
             goal: None,
             source: String::new(),
             confidence: Confidence::Low,

@@ -6,13 +6,16 @@ mod properties;
 mod relations;
 mod shape;
 mod tissue;
+mod words;
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::body::form::Form;
+use crate::change::doneness::Scale;
 use crate::paper_2013::Rules;
 
 pub(crate) use kinetics::Effects;
@@ -24,6 +27,7 @@ pub use lab_colour::{LabColour, LabShift};
 pub use properties::{Anisotropy, Colours, Crust, FatMelting, Freezing, Sorption, SurfaceProperties};
 pub use shape::{NaturalForm, OutlineKind, OutlineShape, SizeRange, Spine, SurfaceFile};
 pub use tissue::{Composition, Core, FatCap, Marbling, Sheaths};
+pub use words::{FILE_LANGUAGE, FoodWords};
 
 /// Confidence in the numbers of a table.
 #[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema, PartialEq, Eq)]
@@ -68,6 +72,11 @@ pub struct FoodDescription {
     /// Id of the kinetics file: what heat does to this kind of flesh.
     #[schemars(example = &"beef")]
     pub kinetics: String,
+    /// What the food is called, by the code of the language.
+    #[serde(default)]
+    pub words: BTreeMap<String, FoodWords>,
+    /// The food's own scale of doneness, in whose words no other food is spoken of; without it the scales for its kinetics.
+    pub doneness: Option<Scale>,
     /// Form of the pieces.
     #[schemars(example = &"steak")]
     pub form: Form,

@@ -19,9 +19,29 @@ pub(crate) fn file_hashes(
     let hash = |path: &String, text: &String| {
         let surface = surfaces.get(path).map(surface_bytes).unwrap_or_default();
         // Line ends of another system do not change what a file says.
-        hash_of([text.replace('\r', "").as_bytes(), &surface])
+        let text = text.replace('\r', "");
+        let text = if path.starts_with("foods/") { without_words(&text) } else { text };
+        hash_of([text.as_bytes(), &surface])
     };
     files.iter().map(|(path, text)| (path.clone(), hash(path, text))).collect()
+}
+
+/// Tables of a food's file that no piece is built from: what it is called, and in whose words its doneness is.
+const WORDS: [&str; 2] = ["words", "doneness"];
+
+/// Returns the text of a food's file without the tables that no piece is built from: a cook that was kept before a food got
+/// another name goes on after it.
+fn without_words(text: &str) -> String {
+    let head = |line: &str| {
+        let name = line.trim_start_matches('[').split(['.', ']']).next().unwrap_or_default().trim();
+        line.starts_with('[').then(|| WORDS.contains(&name))
+    };
+    let mut is_of_words = false;
+    let is_kept = |line: &&str| {
+        is_of_words = head(line).unwrap_or(is_of_words);
+        !is_of_words
+    };
+    text.split_inclusive('\n').filter(is_kept).collect()
 }
 
 fn surface_bytes(soup: &Soup) -> Vec<u8> {
@@ -61,4 +81,40 @@ impl Library {
 fn is_of_pan(file: &str, pan: &str) -> bool {
     let Some(id) = file.strip_suffix(".toml") else { return false };
     pan.strip_prefix(id).is_some_and(|rest| rest.is_empty() || rest.starts_with('-'))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const FOOD: &str = "name = \"Tofu\"\nform = \"steak\"\n\n[size]\nmin_mm = 3\n\n[natural]\nwedge = 0.1\n";
+    const WORDS: &str = "[words.en]\nnoun = \"tofu\"\n\n[words.ja]\nname = \"豆腐\"\n\n[doneness]\nid = \"tofu\"\n\n";
+
+    fn hash(path: &str, text: &str) -> u64 {
+        file_hashes(&[(path.to_owned(), text.to_owned())].into(), &BTreeMap::new())[path]
+    }
+
+    #[test]
+    fn what_a_food_is_called_does_not_change_what_it_is() {
+        let (words_first, words_last) = (FOOD.replace("[size]", &format!("{WORDS}[size]")), format!("{FOOD}{WORDS}"));
+        for named in [words_first, words_last] {
+            assert_eq!(without_words(&named), FOOD);
+            assert_eq!(hash("foods/tofu.toml", &named), hash("foods/tofu.toml", FOOD));
+            let thicker = named.replace("0.1", "0.2");
+            assert_ne!(hash("foods/tofu.toml", &thicker), hash("foods/tofu.toml", FOOD));
+        }
+        assert_ne!(hash("pans/tofu.toml", WORDS), hash("pans/tofu.toml", ""), "of foods alone");
+    }
+
+    /// Kept cooks of foods that had no words in their files yet go on.
+    #[test]
+    fn the_shipped_foods_are_what_they_were_without_words() {
+        let foods: BTreeMap<String, String> =
+            Library::embedded_files().into_iter().filter(|(path, _)| path.starts_with("foods/")).collect();
+        assert!(foods.len() >= 7);
+        for (path, text) in foods {
+            let rest = without_words(&text);
+            assert!(text.contains("[words.en]") && !rest.contains("[words") && !rest.contains("\n\n\n"), "{path}");
+        }
+    }
 }

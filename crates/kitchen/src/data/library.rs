@@ -13,8 +13,9 @@ use serde::Deserialize;
 use crate::data::at_home::KitchenAtHome;
 use crate::data::goals::GoalDescription;
 use crate::data::loading::{Loading, OwnFiles};
+use crate::data::relations::scale_fault;
 use crate::data::room::Room;
-use crate::data::shelf::data_files;
+use crate::data::shelf::{data_files, food_picture};
 use crate::liquids::fond::FondData;
 use crate::liquids::oil::OilDescription;
 use crate::pan::hob::HobDescription;
@@ -151,6 +152,33 @@ impl Library {
         Ok(())
     }
 
+    /// The scale that a food states for itself is sound, has an id of its own and a change of the food's kinetics.
+    pub(crate) fn check_own_scale(
+        &self,
+        food: &FoodDescription,
+        scale: &Scale,
+        file: &DataFile,
+    ) -> Result<(), LibraryError> {
+        let error = |key: &str, message| Err(file.error(&format!("doneness.{key}"), message));
+        if let Err((key, message)) = scale_fault(scale) {
+            return error(key, message);
+        }
+        if self.scale(&scale.id).is_some() {
+            return error("id", format!("there is another scale \"{}\": use another id", scale.id));
+        }
+        if !scale.for_kinetics.is_empty() {
+            let message = "for_kinetics does not go with the scale of one food: leave it out";
+            return error("for_kinetics", message.to_owned());
+        }
+        match self.kinetics.get(&food.kinetics) {
+            Some(kinetics) if !scale.applies_to(kinetics) => {
+                let known = kinetics.names().join(", ");
+                error("for_change", format!("for_change is none of the food's changes: write one of {known}"))
+            }
+            _ => Ok(()),
+        }
+    }
+
     /// Goals name kinetics, a scale and a class that are there; what is set aside may be missing.
     pub(crate) fn check_goals(&self, file: &DataFile) -> Result<(), LibraryError> {
         for (at, goal) in self.goals.iter().enumerate() {
@@ -210,6 +238,11 @@ impl Library {
     /// The ids of a table, for messages.
     pub fn names<T>(table: &BTreeMap<String, T>) -> String {
         table.keys().map(String::as_str).collect::<Vec<_>>().join(", ")
+    }
+
+    /// The picture of a shipped food for lists, a PNG file; none for a food of the user's own.
+    pub fn food_picture(id: &str) -> Option<&'static [u8]> {
+        food_picture(id)
     }
 
     /// Every data file that the program carries, for tests of the data itself.

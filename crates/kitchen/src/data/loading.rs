@@ -87,6 +87,7 @@ impl<'a> Loading<'a> {
         self.settle_foods(&mut library)?;
         library.set_aside.clone_from(&self.set_aside);
         self.settle_scales(&mut library)?;
+        self.settle_own_scales(&mut library)?;
         self.settle_goals(&mut library)?;
         library.set_aside = self.set_aside;
         Ok((library, self.faults))
@@ -261,6 +262,22 @@ impl<'a> Loading<'a> {
         if let Err(error) = library.check_scales(&self.file(DONENESS_FILE)) {
             self.fault(DONENESS_FILE, error)?;
             library.scales.clear();
+        }
+        Ok(())
+    }
+
+    /// Adds the scales that foods state for themselves. A food whose scale cannot be used is set aside.
+    fn settle_own_scales(&mut self, library: &mut Library) -> Result<(), LibraryError> {
+        let own = library.foods.iter().filter_map(|(id, food)| Some((id.clone(), food.doneness.clone()?)));
+        for (id, scale) in own.collect::<Vec<_>>() {
+            let path = format!("foods/{id}.toml");
+            match library.check_own_scale(&library.foods[&id], &scale, &self.file(&path)) {
+                Ok(()) => library.scales.push(Arc::new(Scale { is_of_one_food: true, ..scale })),
+                Err(error) => {
+                    library.foods.remove(&id);
+                    self.fault(&path, error)?;
+                }
+            }
         }
         Ok(())
     }

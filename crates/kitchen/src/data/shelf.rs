@@ -5,7 +5,7 @@
 use std::collections::BTreeMap;
 use std::sync::{LazyLock, OnceLock};
 
-use include_dir::{Dir, include_dir};
+use include_dir::{Dir, File, include_dir};
 use saute_food::components::Components;
 use saute_food::{FoodDescription, Kinetics};
 
@@ -94,6 +94,11 @@ pub(crate) fn data_files() -> BTreeMap<String, String> {
     let mut files = BTreeMap::new();
     collect(&DATA, "", &mut files);
     files
+}
+
+/// Returns the picture of a shipped food, which is beside its file; none for a food that the program does not ship.
+pub(crate) fn food_picture(id: &str) -> Option<&'static [u8]> {
+    DATA.get_file(format!("foods/{id}.png")).map(File::contents)
 }
 
 fn collect(dir: &Dir, prefix: &str, files: &mut BTreeMap<String, String>) {

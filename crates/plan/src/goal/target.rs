@@ -1,5 +1,6 @@
 //! The goal of a cook: a class of doneness, or a temperature of the core, with a crust.
 
+use std::collections::BTreeMap;
 use std::str::FromStr;
 
 use saute_kitchen::data::goals::{Counted, GoalDescription};
@@ -142,14 +143,16 @@ impl Goal {
     }
 
     fn of_core(core_c: f64, crust_pct: f64) -> Self {
-        let class = |name: &str, from: f64| Class { name: name.to_owned(), from_c: Some(from), from_pct: None };
+        let class = |name: &str, from: f64| Class { name: name.to_owned(), from_c: Some(from), ..Class::default() };
         let (low, high) = (core_c - HALF_BAND_K, core_c + HALF_BAND_K);
         let scale = Scale {
             id: "core".to_owned(),
             name: format!("within {HALF_BAND_K} K of {core_c} °C"),
+            names: BTreeMap::new(),
             class: vec![class("colder", 0.0), class("on target", low), class("hotter", high)],
             for_change: String::new(),
             for_kinetics: Vec::new(),
+            is_of_one_food: false,
             goal: None,
             source: "the cook's".to_owned(),
             confidence: Confidence::High,

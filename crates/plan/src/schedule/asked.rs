@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use saute_kitchen::Library;
+use saute_kitchen::doneness::made_for;
 use saute_kitchen::food::Scale;
 use serde::{Deserialize, Serialize};
 
@@ -54,11 +55,10 @@ pub enum AskedError {
 
 /// Returns the scales of doneness that say anything about a food, in their order: those made for it, else the general ones.
 pub fn scales_for<'a>(library: &'a Library, food: &str) -> Vec<&'a Arc<Scale>> {
-    let Some(id) = library.foods.get(food).map(|food| food.kinetics.as_str()) else { return Vec::new() };
-    let Some(kinetics) = library.kinetics.get(id) else { return Vec::new() };
-    let own = library.scales.iter().any(|scale| scale.is_made_for(id));
-    let fits = |scale: &&Arc<Scale>| if own { scale.is_made_for(id) } else { scale.for_kinetics.is_empty() };
-    library.scales.iter().filter(fits).filter(|scale| scale.applies_to(kinetics)).collect()
+    let Some(food) = library.foods.get(food) else { return Vec::new() };
+    let Some(kinetics) = library.kinetics.get(&food.kinetics) else { return Vec::new() };
+    let made = made_for(&library.scales, food);
+    made.into_iter().filter(|scale| scale.applies_to(kinetics)).collect()
 }
 
 /// Returns the scale of a food by an id, or the first that fits the food.

@@ -61,9 +61,9 @@ fn one_tick_does_not_flicker() {
 
 #[test]
 fn captions_are_said_in_both_languages() {
-    assert_eq!(Caption::Lively.words(false, Language::English), "sizzle, lively");
-    assert_eq!(Caption::Crackle.words(false, Language::English), "crackling: dry");
-    assert_eq!(Caption::Boil.words(true, Language::English), "boiling, under the lid");
-    assert_eq!(Caption::Quiet.words(true, Language::English), "quiet");
-    assert_eq!(Caption::Boil.words(true, Language::Japanese), "ぐつぐつ沸く（ふたの下）");
+    assert_eq!(Caption::Lively.words(false, Language::ENGLISH), "sizzle, lively");
+    assert_eq!(Caption::Crackle.words(false, Language::ENGLISH), "crackling: dry");
+    assert_eq!(Caption::Boil.words(true, Language::ENGLISH), "boiling, under the lid");
+    assert_eq!(Caption::Quiet.words(true, Language::ENGLISH), "quiet");
+    assert_eq!(Caption::Boil.words(true, Language::of_code("ja").expect("Japanese")), "ぐつぐつ沸く（ふたの下）");
 }

@@ -45,7 +45,7 @@ fn fried() -> Session {
 
 /// What was done, in words.
 fn words(done: &Done) -> String {
-    act_words(done, Language::English)
+    act_words(done, Language::ENGLISH)
 }
 
 /// What was undone, in words; none if it is no act.

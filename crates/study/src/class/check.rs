@@ -93,7 +93,7 @@ impl Check<'_> {
             return self.input.error(food.span().start, format!("pan = \"{pan}\" is not a pan"), remedy);
         }
         let food = SetOutFood {
-            id: if description.kinetics == "beef" { "steak".to_owned() } else { food.get_ref().clone() },
+            id: description.piece_id(food.get_ref()),
             kind: food.get_ref().clone(),
             size_mm: size_mm.clone().unwrap_or_else(|| description.size.default_mm.clone()),
             initial_c: initial_c.unwrap_or(FOOD_C),
@@ -125,7 +125,7 @@ impl Check<'_> {
             AskKind::UndersideBrown => Ask::UndersideBrown,
             AskKind::ClassInTheEnd => Ask::ClassInTheEnd,
         };
-        Ok(Predict { when, ask, text: Words { en: raw.text.clone().unwrap_or_default(), ja: raw.text_ja.clone() } })
+        Ok(Predict { when, ask, text: Words::new(raw.text.as_deref().unwrap_or_default(), raw.text_ja.as_deref()) })
     }
 
     fn id(&self, id: &Spanned<String>) -> Checked<()> {
@@ -143,6 +143,6 @@ impl Check<'_> {
             let remedy = format!("{key} may have 1 to {longest} letters");
             return self.input.error(en.span().start, format!("{key} has {count} letters"), remedy);
         }
-        Ok(Words { en: en.get_ref().trim().to_owned(), ja: ja.map(|text| text.trim().to_owned()) })
+        Ok(Words::new(en.get_ref().trim(), ja.map(|text| text.trim())))
     }
 }

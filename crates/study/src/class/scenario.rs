@@ -1,6 +1,6 @@
 //! A checked scenario.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use saute_kitchen::Library;
@@ -39,13 +39,13 @@ pub struct Scenario {
     pub checksum: u32,
 }
 
-/// A text in English, and in Japanese where the file has it.
+/// A text in English, and in other languages where the file has it.
 #[derive(Clone, Debug, Default, Eq, PartialEq)]
 pub struct Words {
     /// English.
     pub en: String,
-    /// Japanese.
-    pub ja: Option<String>,
+    /// The others by their codes.
+    pub others: BTreeMap<String, String>,
 }
 
 /// A question at which the cook pauses.
@@ -97,9 +97,14 @@ impl Scenario {
 }
 
 impl Words {
-    /// The text in Japanese if it is asked for and there, else in English.
-    pub fn of(&self, japanese: bool) -> &str {
-        self.ja.as_deref().filter(|_| japanese).unwrap_or(&self.en)
+    /// The text in English, and in Japanese where there is one.
+    pub(super) fn new(en: &str, ja: Option<&str>) -> Self {
+        Self { en: en.to_owned(), others: ja.map(|text| ("ja".to_owned(), text.to_owned())).into_iter().collect() }
+    }
+
+    /// The text in a language, given its code; in English where it is not there.
+    pub fn of(&self, language: &str) -> &str {
+        self.others.get(language).unwrap_or(&self.en)
     }
 }
 

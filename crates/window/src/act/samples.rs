@@ -235,7 +235,7 @@ fn settings() -> Vec<Setting> {
         Setting::White(_) => Setting::White(WhiteBalance::Neutral),
         Setting::Light(_) => Setting::Light(RoomLight::Evening),
         Setting::Quality(_) => Setting::Quality(QualityChoice::Automatic),
-        Setting::Language(_) => Setting::Language(Language::Japanese),
+        Setting::Language(_) => Setting::Language(Language::ENGLISH.next()),
         Setting::Fahrenheit(_) => Setting::Fahrenheit(true),
         Setting::Size(_) => Setting::Size(InterfaceSize::Large),
         Setting::LessMotion(_) => Setting::LessMotion(true),

@@ -62,7 +62,7 @@ impl Setting {
             | Self::White(_)
             | Self::Light(_)
             | Self::Quality(_)
-            | Self::Language(Language::English | Language::Japanese)
+            | Self::Language(_)
             | Self::Fahrenheit(_)
             | Self::Size(_)
             | Self::LessMotion(_) => &[Permit::Comfort],

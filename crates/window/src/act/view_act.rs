@@ -110,15 +110,10 @@ impl ViewAct {
 }
 
 fn shows(view: View) -> Traits {
-    let reads = |words| Traits { frames_photo: true, ..reading(words) };
+    let [_, _, words] = view.spec().texts;
     match view {
-        View::Look => Traits { subject: Subject::Views, frames_photo: true, ..eye("key.look") },
-        View::Temperature => reads("key.temperature"),
-        View::Moisture => reads("key.moisture"),
-        View::Doneness => reads("key.doneness"),
-        View::Browning => reads("key.browning"),
-        View::Lethality => reads("key.lethality"),
-        View::Marbling => reads("key.marbling"),
+        View::Look => Traits { subject: Subject::Views, frames_photo: true, ..eye(words) },
+        _ => Traits { frames_photo: true, ..reading(words) },
     }
 }
 

@@ -58,7 +58,6 @@ mod tests {
     use egui::FontId;
 
     use super::*;
-    use crate::panels::cards::language::name;
     use crate::ui::japanese_font::install_font;
     use saute_words::language::Language;
 
@@ -68,7 +67,9 @@ mod tests {
         let ctx = egui::Context::default();
         install_font(&ctx, Arc::new(FontData::from_static(SHIPPED)));
         let _ = ctx.run_ui(egui::RawInput::default(), |_| {});
-        let texts = Language::ALL.map(|l| l.file().to_owned() + name(true, l)).concat();
+        let library = saute_kitchen::Library::embedded().expect("embedded data");
+        let foods = library.foods.values().flat_map(|food| food.words.values().map(|words| format!("{words:?}")));
+        let texts = Language::all().map(|l| l.file().to_owned()).chain(foods).collect::<String>();
         let font = FontId::proportional(15.0);
         let is_missing = |letter: &char| !ctx.fonts_mut(|fonts| fonts.has_glyph(&font, *letter));
         let missing: String = texts.chars().filter(|letter| !letter.is_control()).filter(is_missing).collect();

@@ -10,6 +10,7 @@ use crate::panels::section_read::Inside;
 use crate::panels::window_state::WindowState;
 use crate::settings::Settings;
 use crate::ui::{fingers, theme};
+use saute_words::doneness_words;
 use saute_words::piece_words::change;
 
 /// Bounds of a class in the chosen unit; the first and the last bear the unit.
@@ -43,13 +44,13 @@ fn selector(state: &WindowState, ui: &mut Ui, acts: &mut Acts, scale: &Scale) {
         ui.spacing_mut().interact_size.y = fingers::height(ui, 22.0);
         ui.spacing_mut().button_padding = vec2(8.0, 2.0);
         ui.label(RichText::new(l.text("doneness.by")).size(12.5).color(theme::of(ui).quiet));
-        let own = l.called("scale", &scale.name);
+        let own = doneness_words::label(scale, l);
         let text = RichText::new(own).size(13.0);
         let combo = ComboBox::from_id_salt("scale").selected_text(text).width(ui.available_width() - 4.0);
         let mut chosen = None;
         let shown = combo.show_ui(ui, |ui| {
             for other in &state.session.fitting_scales() {
-                if ui.selectable_label(other.id == scale.id, l.called("scale", &other.name)).clicked() {
+                if ui.selectable_label(other.id == scale.id, doneness_words::label(other, l)).clicked() {
                     chosen = Some(other.id.clone());
                 }
             }
@@ -68,11 +69,11 @@ fn bar(state: &WindowState, inside: &Inside, ui: &mut Ui, scale: &Scale) {
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), 20.0), Sense::hover());
     let l = state.settings.language;
     let share = |name: &str, share: f64| {
-        l.fill("doneness.share", &[("class", &l.called("class", name)), ("percent", &format!("{share:.0}"))])
+        l.fill("doneness.share", &[("class", &doneness_words::class(scale, name, l)), ("percent", &format!("{share:.0}"))])
     };
     let spoken: Vec<String> = scale.class.iter().zip(shares).map(|(c, s)| share(&c.name, s)).collect();
     let spoken = spoken.join(l.text("doneness.list_joint"));
-    let spoken = l.fill("doneness.section", &[("scale", &l.called("scale", &scale.name)), ("shares", &spoken)]);
+    let spoken = l.fill("doneness.section", &[("scale", &doneness_words::label(scale, l)), ("shares", &spoken)]);
     response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Label, true, &spoken));
     let hint = match scale.measure() {
         Measure::Peak => l.text("doneness.section_hint").to_owned(),
@@ -96,7 +97,7 @@ fn columns(state: &WindowState, inside: &Inside, ui: &mut Ui, scale: &Scale) {
     let room = ui.available_width() - gap * (scale.class.len() - 1) as f32;
     // As many letters as its name or its range needs, at least.
     let l = state.settings.language;
-    let name = |c: usize| l.called("class", &scale.class[c].name);
+    let name = |c: usize| doneness_words::class(scale, &scale.class[c].name, l);
     let letters = |c: usize| width_in_letters(name(c)).max(6.0);
     let all: f32 = (0..scale.class.len()).map(letters).sum();
     ui.horizontal_top(|ui| {

@@ -18,6 +18,7 @@ use crate::settings::Settings;
 use crate::ui::aloud::spoken_value;
 use crate::ui::{fingers, theme};
 use saute_words::clock::clock;
+use saute_words::doneness_words;
 
 /// Height of the picture of the cut at most [points].
 const CUT_HEIGHT: f32 = 42.0;
@@ -112,8 +113,7 @@ fn cut(state: &WindowState, inside: &Inside, ui: &mut Ui, acts: &mut Acts) {
     let size = texture.size_vec2();
     let scale = (width / size.x).min(CUT_HEIGHT / size.y);
     let l = state.settings.language;
-    let noun = state.session.noun();
-    let food = l.called("noun", &noun);
+    let food = state.session.noun(l);
     let alt = l.fill("inside.section", &[("food", &food)]);
     ui.vertical_centered(|ui| {
         ui.add(egui::Image::new((texture.id(), size * scale)).corner_radius(5).alt_text(alt));
@@ -242,11 +242,8 @@ fn goal_hint(state: &WindowState) -> String {
 fn goals(settings: &Settings, scale: &Scale, ui: &mut Ui, acts: &mut Acts) {
     for (place, class) in scale.class.iter().enumerate().skip(1) {
         let goal = class_goal(scale, place);
-        let name = RichText::new(settings.language.called("class", &class.name)).size(if scale.class.len() > 4 {
-            11.5
-        } else {
-            15.0
-        });
+        let name = doneness_words::class(scale, &class.name, settings.language);
+        let name = RichText::new(name).size(if scale.class.len() > 4 { 11.5 } else { 15.0 });
         let on = (settings.goal(scale) - goal).abs() < 0.5;
         if ui.selectable_label(on, name).on_hover_text(settings.language.text("inside.goal_hint")).clicked() {
             acts.push(Act::App(AppAct::Set(Setting::Goal(goal))));

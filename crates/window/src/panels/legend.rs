@@ -8,6 +8,7 @@ use crate::act::{Act, Acts, ViewAct};
 use crate::panels::window_state::WindowState;
 use crate::spoken::view_words::ViewWords;
 use crate::ui::{fingers, theme};
+use saute_words::doneness_words;
 use saute_words::language::Language;
 
 /// Size of the bar with its marks at most [points].
@@ -67,7 +68,7 @@ fn marks(state: &WindowState, ui: &Ui, rect: Rect, map: &ColourMap) {
     let (view, font) = (state.settings.view, FontId::proportional(11.5));
     let (painter, bottom) = (ui.painter(), rect.top() + BAR_HEIGHT);
     let mut free_from = f32::NEG_INFINITY;
-    for &value in view.marks().iter().filter(|v| (map.from..=map.to).contains(*v)) {
+    for &value in view.spec().marks.iter().filter(|v| (map.from..=map.to).contains(*v)) {
         let x = rect.left() + map.coordinate(value) * rect.width();
         painter.line_segment([pos2(x, bottom), pos2(x, bottom + 4.0)], Stroke::new(1.0, theme::of(ui).quiet));
         let text = painter.layout_no_wrap(view.mark(value, state.settings.speech()), font.clone(), theme::of(ui).text);
@@ -83,14 +84,14 @@ fn marks(state: &WindowState, ui: &Ui, rect: Rect, map: &ColourMap) {
 
 /// The classes of a scale with their patterns, under its label.
 fn classes(ui: &mut Ui, scale: &Scale, l: Language, width: f32) {
-    let label = l.fill("doneness.by_scale", &[("scale", &l.called("scale", &scale.name))]);
+    let label = l.fill("doneness.by_scale", &[("scale", &doneness_words::label(scale, l))]);
     let label = RichText::new(label).size(12.5).color(theme::of(ui).quiet);
     ui.label(label);
     ui.allocate_ui(vec2(width.min(2.0 * BAR.x), 0.0), |ui| {
         ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().item_spacing = vec2(10.0, 4.0);
             for (place, class) in scale.class.iter().enumerate() {
-                let name = l.called("class", &class.name);
+                let name = doneness_words::class(scale, &class.name, l);
                 let text = ui.painter().layout_no_wrap(name.to_owned(), FontId::proportional(13.0), theme::of(ui).text);
                 let size = vec2(28.0 + text.size().x, 18.0);
                 let (rect, response) = ui.allocate_exact_size(size, Sense::hover());

@@ -26,8 +26,7 @@ const KIND: f32 = 44.0;
 pub fn show(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut Acts) {
     let library = &state.session.library;
     let l = state.settings.language;
-    let noun = noun(library, &state.settings.choice.kind);
-    let food = l.called("noun", &noun);
+    let food = noun(library, &state.settings.choice.kind, l);
     heading(ui, l.fill("pantry.mine", &[("food", &food)]));
     let is_free = !state.forbids(&Act::Cook(CookAct::SetOut)) && !state.forbids(&Act::Cook(CookAct::Add(1)));
     free(state, is_free, ui, |ui| {
@@ -63,7 +62,7 @@ fn food_and_pan(state: &WindowState, choice: &mut SteakChoice, stills: &mut Stil
     }
     let coldest = coldest(library, &choice.kind);
     temperature(ui, l.text("pantry.start_temperature"), &mut choice.initial_c, coldest, 30.0, fahrenheit);
-    plan_it(l.called("noun", &noun(library, &choice.kind)), ui, acts, l);
+    plan_it(&noun(library, &choice.kind, l), ui, acts, l);
     ui.separator();
     heading(ui, l.text("pantry.hob"));
     hobs(ui, library, choice, l);
@@ -107,7 +106,7 @@ fn list(ui: &mut Ui, salt: &str, shown: &str, spoken: &str, content: impl FnOnce
 fn kinds(ui: &mut Ui, library: &Library, choice: &mut SteakChoice, stills: &mut Stills, l: Language) {
     ui.spacing_mut().item_spacing.y = 3.0;
     for (id, food) in &library.foods {
-        let clicked = kind(ui, stills.of(ui.ctx(), id), l.called("food", &food.name), choice.kind == *id);
+        let clicked = kind(ui, stills.of(ui.ctx(), id), food.name_in(l.code()), choice.kind == *id);
         if clicked && choice.kind != *id {
             choice.kind.clone_from(id);
             choice.size_mm.clone_from(&food.size.default_mm);

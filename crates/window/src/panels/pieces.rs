@@ -11,7 +11,7 @@ use crate::ui::aloud::heading;
 use crate::ui::{fingers, theme};
 use saute_words::language::Language;
 use saute_words::piece_words::group_of;
-use saute_words::piece_words::{doneness, grams, name, place};
+use saute_words::piece_words::{doneness, grams, place};
 
 /// What a line says.
 struct Line {
@@ -89,7 +89,7 @@ fn piece_line(state: &WindowState, ui: &mut Ui, acts: &mut Acts, id: &str, inden
         name: if indent > 0.0 {
             id.trim_start_matches(group_of(id)).trim_start_matches('.').to_owned()
         } else {
-            name(id, l)
+            state.session.name_of(id, l)
         },
         fold: None,
         core: state.settings.temperature(celsius(piece.core())),
@@ -97,7 +97,7 @@ fn piece_line(state: &WindowState, ui: &mut Ui, acts: &mut Acts, id: &str, inden
         state: format!("{} · {}", doneness(state.scale_of(piece).as_deref(), piece, l), place(piece, l)),
     };
     let selected = state.session.steak().is_some_and(|p| p.id == id);
-    let spoken = spoken(&line, l.fill("piece.select", &[("name", &name(id, l))]), l);
+    let spoken = spoken(&line, l.fill("piece.select", &[("name", &state.session.name_of(id, l))]), l);
     if shown(ui, &line, indent, selected, &spoken) {
         acts.push(Act::View(ViewAct::Select(id.to_owned())));
     }
@@ -114,7 +114,7 @@ fn group_lines(
     let line = means(state, group, members, open);
     let selected = !open && state.session.steak().is_some_and(|p| members.contains(&p.id));
     let l = state.settings.language;
-    let what = l.fill(if open { "piece.fold" } else { "piece.unfold" }, &[("name", &name(group, l))]);
+    let what = l.fill(if open { "piece.fold" } else { "piece.unfold" }, &[("name", &state.session.name_of(group, l))]);
     let spoken = spoken(&line, what, l);
     if shown(ui, &line, 0.0, selected, &spoken) {
         if open {
@@ -154,7 +154,7 @@ fn means(state: &WindowState, group: &str, members: &[String], open: bool) -> Li
     let states = states.iter().map(|(word, count)| l.fill("piece.count_of", &[("count", count), ("place", word)]));
     let states: Vec<String> = states.collect();
     Line {
-        name: l.fill("piece.group", &[("name", &name(group, l)), ("count", &pieces.len())]),
+        name: l.fill("piece.group", &[("name", &state.session.name_of(group, l)), ("count", &pieces.len())]),
         fold: Some(open),
         core: state.settings.temperature(celsius(mean(&Piece::core))),
         mass: l.fill("piece.mean_mass", &[("mass", &format!("{:.1} g", 1e3 * mean(&Piece::mass)))]),

@@ -7,7 +7,7 @@ use saute_kitchen::{Piece, celsius};
 use crate::panels::window_state::WindowState;
 use crate::spoken::view_words::ViewWords;
 use crate::ui::theme;
-use saute_words::piece_words::{doneness, grams, name, place};
+use saute_words::piece_words::{doneness, grams, place};
 
 /// How far it is below a mouse, and above a finger [points].
 const BY_MOUSE: Vec2 = vec2(18.0, 14.0);
@@ -33,7 +33,7 @@ pub fn show(state: &WindowState, ui: &Ui, whole: Rect) {
     area.fixed_pos(at).pivot(pivot).constrain_to(whole.shrink(6.0)).show(ui.ctx(), |ui| {
         theme::of(ui).panel().fill(theme::of(ui).solid).inner_margin(9).show(ui, |ui| {
             ui.spacing_mut().item_spacing.y = 2.0;
-            ui.label(RichText::new(name(&piece.id, l)).size(14.5).strong().color(theme::of(ui).text));
+            ui.label(RichText::new(state.session.name_of(&piece.id, l)).size(14.5).strong().color(theme::of(ui).text));
             if let Some(here) = here(state, piece) {
                 ui.add(egui::Label::new(RichText::new(here).size(14.5).strong()).extend());
             }

@@ -1,30 +1,23 @@
-//! Pictures of the foods in the pantry; `scripts/food-pictures.sh` draws them with the program itself.
+//! Pictures of the foods in the pantry, which are beside the files of the foods.
 
 use std::collections::BTreeMap;
 
 use egui::{ColorImage, Context, TextureHandle, TextureOptions};
+use saute_kitchen::Library;
 
-/// Ids of the shipped foods with their pictures.
-const FILES: [(&str, &[u8]); 7] = [
-    ("beef-lean", include_bytes!("../../stills/beef-lean.png")),
-    ("beef-marbled", include_bytes!("../../stills/beef-marbled.png")),
-    ("beef-patty", include_bytes!("../../stills/beef-patty.png")),
-    ("carrot-coin", include_bytes!("../../stills/carrot-coin.png")),
-    ("carrot-stick", include_bytes!("../../stills/carrot-stick.png")),
-    ("leek-ring", include_bytes!("../../stills/leek-ring.png")),
-    ("shrimp", include_bytes!("../../stills/shrimp.png")),
-];
-
-/// The pictures as textures, each made when it is first shown.
+/// The pictures as textures by the id of the food, each made when it is first shown.
 #[derive(Default)]
-pub struct Stills(BTreeMap<&'static str, Option<TextureHandle>>);
+pub struct Stills(BTreeMap<String, Option<TextureHandle>>);
 
 impl Stills {
     /// Returns the picture of a food; none for a food of the user's own.
     pub fn of(&mut self, ctx: &Context, food: &str) -> Option<TextureHandle> {
-        let (id, file) = FILES.into_iter().find(|(id, _)| *id == food)?;
-        let load = || decoded(file).map(|image| ctx.load_texture(id, image, TextureOptions::LINEAR));
-        self.0.entry(id).or_insert_with(load).clone()
+        if !self.0.contains_key(food) {
+            let image = Library::food_picture(food).and_then(decoded);
+            let texture = image.map(|image| ctx.load_texture(food, image, TextureOptions::LINEAR));
+            self.0.insert(food.to_owned(), texture);
+        }
+        self.0.get(food).cloned().flatten()
     }
 }
 
@@ -42,11 +35,15 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_shipped_food_has_a_picture() {
-        let library = saute_kitchen::Library::embedded().expect("embedded data");
+    fn every_shipped_food_has_a_picture_and_one_of_the_users_has_none() {
+        let library = Library::embedded().expect("embedded data");
         for food in library.foods.keys() {
-            let (_, file) = FILES.iter().find(|(id, _)| id == food).expect("run scripts/food-pictures.sh");
+            let file = Library::food_picture(food).expect("run scripts/food-pictures.sh");
             assert_eq!(decoded(file).expect("decodes").size, [108, 72], "{food}");
         }
+        let ctx = Context::default();
+        let mut stills = Stills::default();
+        assert!(stills.of(&ctx, "leek-ring").is_some() && stills.of(&ctx, "leek-ring").is_some());
+        assert!(stills.of(&ctx, "chicken-breast").is_none());
     }
 }

@@ -5,7 +5,6 @@ use saute_kitchen::Library;
 use saute_plan::schedule::{Plan, Step};
 
 use saute_words::clock::clock;
-use saute_words::language::Language;
 use saute_words::speech::Speech;
 use saute_words::{cue_words, plan_words};
 
@@ -15,10 +14,10 @@ const STYLE: &str = include_str!("kitchen_card.css");
 pub fn page(plan: &Plan, library: &Library, speech: Speech) -> String {
     let l = speech.language;
     let title = plan_words::heading(&plan.order, library, speech);
-    let food = library.foods.get(&plan.order.food).map_or(plan.order.food.as_str(), |food| food.name.as_str());
+    let food = library.foods.get(&plan.order.food).map_or(plan.order.food.as_str(), |food| food.name_in(l.code()));
     let page = html! {
         (DOCTYPE)
-        html lang=(if l == Language::Japanese { "ja" } else { "en" }) {
+        html lang=(l.code()) {
             head {
                 meta charset="utf-8";
                 meta name="viewport" content="width=device-width, initial-scale=1";
@@ -27,7 +26,7 @@ pub fn page(plan: &Plan, library: &Library, speech: Speech) -> String {
             }
             body {
                 main {
-                    h1 { (l.called("food", food)) ", " (plan_words::target(&plan.order.goal, speech)) }
+                    h1 { (food) ", " (plan_words::target(&plan.order.goal, speech)) }
                     p { (title) }
                     @if let Some(why) = plan_words::why_not(plan, speech) { p.notice { (why) } }
                     @if plan.is_rough { p.notice { (l.text("plan.rough")) } }

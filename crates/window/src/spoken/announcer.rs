@@ -7,7 +7,7 @@ use saute_kitchen::advice::SMOKE_SEEN_MG_S;
 use saute_kitchen::{Piece, Place};
 use saute_session::permits::Permit;
 use saute_words::language::Language;
-use saute_words::piece_words::{group_of, name, place};
+use saute_words::piece_words::{group_of, place};
 
 use crate::session::Session;
 use crate::ui::notice::Notice;
@@ -87,7 +87,7 @@ impl Announcer {
         let mut said: Vec<String> = Vec::new();
         for (id, lies) in &now {
             let Some(key) = before(id).and_then(|before| changed(before, lies)) else { continue };
-            let parts: [(&str, &dyn Display); 2] = [("name", &name(group_of(id), l)), ("place", &lies.place)];
+            let parts: [(&str, &dyn Display); 2] = [("name", &session.name_of(group_of(id), l)), ("place", &lies.place)];
             let sentence = l.fill(key, &parts);
             if !said.contains(&sentence) {
                 said.push(sentence);
@@ -150,9 +150,9 @@ mod tests {
             if k % 20 > 0 {
                 continue;
             }
-            said.extend(announcer.news(&session, None, &notice, Language::English));
+            said.extend(announcer.news(&session, None, &notice, Language::ENGLISH));
             let seen = std::mem::replace(&mut session.permits, hidden);
-            assert!(blind.news(&session, None, &notice, Language::English).is_empty(), "where readings are hidden");
+            assert!(blind.news(&session, None, &notice, Language::ENGLISH).is_empty(), "where readings are hidden");
             session.permits = seen;
             match said.len() {
                 0 => {}
@@ -168,7 +168,7 @@ mod tests {
     fn events_orders_and_notices_are_said_once() {
         let library = Arc::new(Library::embedded().expect("embedded data"));
         let mut session = Session::new(library, &Default::default()).expect("sets out");
-        let (mut announcer, notice, l) = (Announcer::default(), Notice::default(), Language::English);
+        let (mut announcer, notice, l) = (Announcer::default(), Notice::default(), Language::ENGLISH);
         let order = |verb: &str| Some((verb.to_owned(), format!("{verb}: now.")));
         let mut news = |session: &Session, order: Option<&(String, String)>| announcer.news(session, order, &notice, l);
         assert!(news(&session, None).is_empty(), "what lies there at first is no news");

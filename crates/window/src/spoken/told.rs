@@ -9,7 +9,7 @@ use crate::session::Session;
 use crate::settings::Settings;
 use saute_session::permits::Permit;
 use saute_words::clock::clock;
-use saute_words::piece_words::{doneness, name, place};
+use saute_words::piece_words::{doneness, place};
 
 /// Pieces that are described one by one (chosen: more are not kept apart by ear).
 const MOST: usize = 6;
@@ -47,12 +47,12 @@ fn is_hidden(session: &Session, settings: &Settings) -> bool {
 fn one(piece: &Piece, session: &Session, settings: &Settings) -> String {
     let l = settings.language;
     if is_hidden(session, settings) {
-        let parts: [(&str, &dyn Display); 2] = [("name", &name(&piece.id, l)), ("place", &place(piece, l))];
+        let parts: [(&str, &dyn Display); 2] = [("name", &session.name_of(&piece.id, l)), ("place", &place(piece, l))];
         return l.fill("told.place", &parts);
     }
     let shown = |kelvin: f64| settings.temperature(celsius(kelvin));
     let scale = session.scales(&settings.scale).of(&piece.model).cloned();
-    let (name, done) = (name(&piece.id, l), doneness(scale.as_deref(), piece, l));
+    let (name, done) = (session.name_of(&piece.id, l), doneness(scale.as_deref(), piece, l));
     let (core, below, above) = (shown(piece.core()), shown(piece.face(true)), shown(piece.face(false)));
     let parts: [(&str, &dyn Display); 6] = [
         ("name", &name),
@@ -85,7 +85,7 @@ mod tests {
         let english = told(&session, &Settings::default());
         let expected = ["Pan ", "1400 W", "steak: in the pan, core 5 °C", "Time 0:05"];
         assert!(expected.iter().all(|part| english.replace('\u{a0}', " ").contains(part)), "{english}");
-        let japanese = told(&session, &Settings { language: Language::Japanese, ..Settings::default() });
+        let japanese = told(&session, &Settings { language: Language::of_code("ja").expect("Japanese"), ..Settings::default() });
         assert!(japanese.contains("フライパン") && !japanese.contains('{'), "{japanese}");
         session.permits = Permits::only(&Permit::ALWAYS);
         let hidden = told(&session, &Settings::default());

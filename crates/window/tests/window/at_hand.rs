@@ -26,7 +26,7 @@ fn no_control_lies_on_another_on_a_desk_or_on_a_phone() {
     for (size, name) in [(vec2(1280.0, 720.0), "wide"), (vec2(390.0, 844.0), "upright"), (vec2(844.0, 390.0), "lying")]
     {
         let mut harness = window(size);
-        for language in saute_words::language::Language::ALL {
+        for language in saute_words::language::Language::all() {
             harness.state_mut().set_language(language);
             steps(&mut harness, 14);
             save(&mut harness, &format!("at-hand-{name}-{language:?}"));

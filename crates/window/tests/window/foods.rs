@@ -5,6 +5,7 @@ use egui_kittest::{Harness, kittest::Queryable};
 use saute_kitchen::Command;
 use saute_picture::View;
 use saute_window::{SauteApp, Start};
+use saute_words::language::Language;
 
 use crate::harness::{cook, press, save, steps, window};
 
@@ -98,7 +99,7 @@ fn every_food_is_set_out_with_its_own_name_and_size() {
         steps(&mut harness, 3);
         let piece = harness.state().session().steak().expect("a piece");
         assert_eq!(&piece.kind, id);
-        let noun = harness.state().session().noun();
+        let noun = harness.state().session().noun(Language::ENGLISH);
         harness.get_by_label_contains(&format!("a raw {noun}"));
         harness.get_by_label("In the pan").click();
         steps(&mut harness, 14);

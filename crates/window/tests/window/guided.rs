@@ -326,7 +326,7 @@ fn a_locked_lesson_takes_no_file_no_link_and_no_other_recipe_and_a_free_one_can_
 
 #[test]
 fn lessons_and_studies_fit_a_phone_and_speak_japanese() {
-    let start = Start { language: Some(Language::Japanese), ..lesson("first-steak", false) };
+    let start = Start { language: Some(crate::harness::japanese()), ..lesson("first-steak", false) };
     let mut harness = window_with(vec2(390.0, 844.0), start);
     save(&mut harness, "lesson-intro-phone-ja");
     click(&mut harness, "始める");

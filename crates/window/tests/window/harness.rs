@@ -8,6 +8,12 @@ use egui_kittest::Harness;
 use egui_kittest::wgpu::{create_render_state, default_wgpu_setup};
 use egui_wgpu::{RenderState, RendererOptions, WgpuSetup, WgpuSetupExisting};
 use saute_window::{SauteApp, Start};
+use saute_words::language::Language;
+
+/// The language of the tests beside English.
+pub fn japanese() -> Language {
+    Language::of_code("ja").expect("Japanese is a language")
+}
 
 /// The window at a size.
 pub fn window(size: egui::Vec2) -> Harness<'static, SauteApp> {

@@ -20,8 +20,8 @@ const LATIN: [&str; 40] = [
 
 fn japanese(size: egui::Vec2) -> Harness<'static, SauteApp> {
     let mut harness = window(size);
-    harness.state_mut().set_language(Language::Japanese);
-    assert_eq!(harness.state().settings().language, Language::Japanese, "needs a Japanese font: fonts-ipafont-gothic");
+    harness.state_mut().set_language(crate::harness::japanese());
+    assert_eq!(harness.state().settings().language, crate::harness::japanese(), "needs a Japanese font: fonts-ipafont-gothic");
     steps(&mut harness, 3);
     harness
 }
@@ -148,7 +148,7 @@ fn a_recipe_of_ours_plays_in_japanese() {
 fn no_letter_lacks_its_picture() {
     let harness = japanese(SIZES[0].0);
     let font = FontId::proportional(15.0);
-    for l in Language::ALL {
+    for l in Language::all() {
         for letter in l.file().chars().filter(|c| !c.is_control()) {
             assert!(harness.ctx.fonts_mut(|f| f.has_glyph(&font, letter)), "{letter} ({:x})", letter as u32);
         }
@@ -158,14 +158,14 @@ fn no_letter_lacks_its_picture() {
 #[test]
 fn the_first_start_shows_three_steps_once_and_the_help_calls_them_back() {
     for (size, name) in SIZES {
-        for language in Language::ALL {
+        for language in Language::all() {
             let mut harness = first_start(size, language);
-            let code = if language == Language::English { "en" } else { "ja" };
+            let code = language.code();
             assert!(harness.state().first_steps_are_open());
             for key in ["first.set_out", "first.heat", "first.watch"] {
                 harness.get_by_label_contains(language.text(key));
             }
-            if language == Language::Japanese {
+            if language == crate::harness::japanese() {
                 no_english(&harness, "first steps");
             }
             buttons_have_room(&harness, size);
@@ -206,7 +206,7 @@ fn first_start(size: egui::Vec2, language: Language) -> Harness<'static, SauteAp
     let mut harness =
         Harness::builder().with_size(size).with_step_dt(0.05).wgpu_setup(graphics()).build_eframe(move |cc| {
             let graphics = cc.wgpu_render_state.as_ref();
-            let code = if language == Language::English { "en" } else { "ja" };
+            let code = language.code();
             let stored = format!("{{\"language\":\"{code}\"}}");
             SauteApp::start(&cc.egui_ctx, graphics, Some(stored), Default::default()).expect("starts")
         });
@@ -223,6 +223,6 @@ fn the_language_is_chosen_in_the_settings() {
     steps(&mut harness, 3);
     harness.get_by_label("Language: 日本語").click();
     steps(&mut harness, 3);
-    assert_eq!(harness.state().settings().language, Language::Japanese);
+    assert_eq!(harness.state().settings().language, crate::harness::japanese());
     harness.get_by_label("閉じる");
 }

@@ -26,7 +26,7 @@ struct MirrorWindow {
 impl eframe::App for MirrorWindow {
     fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
         self.view.take_keys(ui);
-        self.view.show(ui, &mut self.settings, Some(&self.scene), Quality::Smooth, Language::English);
+        self.view.show(ui, &mut self.settings, Some(&self.scene), Quality::Smooth, Language::ENGLISH);
     }
 }
 
@@ -174,7 +174,7 @@ fn the_mirrors_choices_stand_on_a_card_in_both_languages() {
         steps(&mut harness, 3);
         assert!(harness.state().settings().mirror.pan_shown);
         save(&mut harness, &format!("mirror-card-{name}"));
-        harness.state_mut().set_language(Language::Japanese);
+        harness.state_mut().set_language(crate::harness::japanese());
         steps(&mut harness, 3);
         save(&mut harness, &format!("mirror-card-{name}-ja"));
         harness.input_mut().events.push(Event::PointerGone);

@@ -71,9 +71,9 @@ fn every_setting_is_chosen_on_the_card() {
             assert_eq!(settings(&harness).moves_less(), less);
         }
         choose(&mut harness, "Language: 日本語");
-        assert_eq!(settings(&harness).language, Language::Japanese);
+        assert_eq!(settings(&harness).language, crate::harness::japanese());
         choose(&mut harness, "言語: EN");
-        assert_eq!(settings(&harness).language, Language::English);
+        assert_eq!(settings(&harness).language, Language::ENGLISH);
         choose(&mut harness, "Done");
         assert!(!harness.state().settings_are_open());
     }
@@ -125,7 +125,7 @@ fn the_card_has_room_in_both_themes_and_languages() {
             choose(&mut harness, &format!("Panels: {theme}"));
             choices_have_room(&harness, size);
             save(&mut harness, &format!("settings-{name}-{code}"));
-            harness.state_mut().set_language(Language::Japanese);
+            harness.state_mut().set_language(crate::harness::japanese());
             steps(&mut harness, 3);
             choices_have_room(&harness, size);
             save(&mut harness, &format!("settings-{name}-{code}-ja"));

@@ -282,7 +282,7 @@ fn without_a_file_dialog_a_cook_is_saved_with_the_pictures() {
 fn food_that_was_added_and_stretches_of_a_hand_have_marks() {
     let mut harness = fried(WIDE);
     let labels = |harness: &Harness<'static, SauteApp>| -> Vec<String> {
-        let words = |mark: &saute_session::Mark| act_words(&mark.done, Language::English);
+        let words = |mark: &saute_session::Mark| act_words(&mark.done, Language::ENGLISH);
         harness.state().session().marks.iter().skip(4).map(words).collect()
     };
     let session = harness.state_mut().session_mut();

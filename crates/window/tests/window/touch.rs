@@ -154,7 +154,7 @@ fn every_control_is_as_high_as_a_thumb_is_wide_once_a_finger_was_seen() {
 
 #[test]
 fn what_there_is_to_learn_is_under_the_thumb_on_a_phone_in_every_language() {
-    for language in saute_words::language::Language::ALL {
+    for language in saute_words::language::Language::all() {
         let mut harness = touched(PHONE);
         harness.state_mut().set_language(language);
         steps(&mut harness, 14);

@@ -33,10 +33,10 @@ fn every_view_has_a_key_a_chip_and_a_legend() {
         press(&mut harness, key);
         steps(&mut harness, 12);
         assert_eq!(harness.state().settings().view, view);
-        save(&mut harness, &format!("view-{}", view.name(saute_words::language::Language::English).to_lowercase()));
+        save(&mut harness, &format!("view-{}", view.name(saute_words::language::Language::ENGLISH).to_lowercase()));
         harness.get_by_label("Look").click();
         steps(&mut harness, 2);
-        harness.get_by_label(view.name(saute_words::language::Language::English)).click();
+        harness.get_by_label(view.name(saute_words::language::Language::ENGLISH)).click();
         steps(&mut harness, 2);
         assert_eq!(harness.state().settings().view, view);
         if !matches!(view, View::Look | View::Doneness) {
@@ -49,12 +49,12 @@ fn every_view_has_a_key_a_chip_and_a_legend() {
 fn a_phone_has_every_view_with_its_legend() {
     let mut harness = fried(vec2(390.0, 844.0));
     for view in View::ALL {
-        harness.get_by_label(view.name(saute_words::language::Language::English)).click();
+        harness.get_by_label(view.name(saute_words::language::Language::ENGLISH)).click();
         steps(&mut harness, 12);
         assert_eq!(harness.state().settings().view, view);
         save(
             &mut harness,
-            &format!("phone-view-{}", view.name(saute_words::language::Language::English).to_lowercase()),
+            &format!("phone-view-{}", view.name(saute_words::language::Language::ENGLISH).to_lowercase()),
         );
     }
 }

@@ -161,7 +161,7 @@ fn on_a_phone_two_ways_are_seen_at_a_time() {
     steps(&mut harness, 4);
     assert!(harness.query_all_by_label("0 W at 1:00").count() == 2, "column and legend");
     act(&mut harness, Act::App(AppAct::Set(Setting::Theme(Theme::Light))));
-    act(&mut harness, Act::App(AppAct::Set(Setting::Language(Language::Japanese))));
+    act(&mut harness, Act::App(AppAct::Set(Setting::Language(crate::harness::japanese()))));
     steps(&mut harness, 10);
     save(&mut harness, "ja-phone-ways-light");
     harness.set_size(WIDE);
@@ -169,7 +169,7 @@ fn on_a_phone_two_ways_are_seen_at_a_time() {
     save(&mut harness, "ja-ways-light");
     // Fingers.
     harness.set_size(PHONE);
-    act(&mut harness, Act::App(AppAct::Set(Setting::Language(Language::English))));
+    act(&mut harness, Act::App(AppAct::Set(Setting::Language(Language::ENGLISH))));
     let (device_id, id) = (egui::TouchDeviceId(1), egui::TouchId(1));
     for phase in [egui::TouchPhase::Start, egui::TouchPhase::End] {
         harness.event(egui::Event::Touch { device_id, id, phase, pos: egui::pos2(4.0, 4.0), force: None });

@@ -30,7 +30,7 @@ impl Format for DonenessFile {
 }
 
 /// Returns an error with the key that is wrong and what to write instead if a scale cannot be used.
-fn scale_fault(scale: &Scale) -> Result<(), (&'static str, String)> {
+pub(crate) fn scale_fault(scale: &Scale) -> Result<(), (&'static str, String)> {
     let plain = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
     if scale.id.is_empty() || !scale.id.chars().all(plain) {
         return Err(("id", format!("id = \"{}\" cannot be used: write letters, digits, - and _", scale.id)));
@@ -61,7 +61,7 @@ fn class_fault(scale: &Scale) -> Result<(), String> {
     if let Some(i) = (0..classes.len()).find(|&i| classes[i].name.trim().is_empty() || repeated(i)) {
         return Err(format!("class name \"{}\" is empty or repeated: name each class", classes[i].name));
     }
-    let of_2013 = scale.measure() == Measure::Peak && scale.for_kinetics.is_empty();
+    let of_2013 = scale.measure() == Measure::Peak && scale.is_general();
     if scale.id == DEFAULT_SCALE && !(of_2013 && classes.iter().map(|c| c.name.as_str()).eq(DEFAULT_CLASSES)) {
         let names = DEFAULT_CLASSES.join(", ");
         return Err(format!(

@@ -6,6 +6,7 @@ mod hob;
 mod oil;
 mod pan;
 
+pub(crate) use self::doneness::scale_fault;
 use crate::data::at_home::KitchenAtHome;
 use crate::data::room::Room;
 use crate::liquids::fond::FondData;

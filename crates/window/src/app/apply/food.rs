@@ -5,7 +5,6 @@ use saute_plan::forecast::Question;
 
 use crate::app::SauteApp;
 use saute_kitchen::piece::memory::MOST_PIECES;
-use saute_words::piece_words::name;
 
 impl SauteApp {
     /// Puts the wet cloth under the pan for its default time.
@@ -105,7 +104,8 @@ impl SauteApp {
             Ok(group) => {
                 let first = self.session.members(&group).into_iter().next();
                 self.session.select(first);
-                self.desk.notice.say(l.fill("pantry.added", &[("count", &count), ("food", &name(&group, l))]));
+                let food = self.session.name_of(&group, l);
+                self.desk.notice.say(l.fill("pantry.added", &[("count", &count), ("food", &food)]));
             }
             Err(error) => self.say_trouble(&error),
         }

@@ -6,7 +6,6 @@ use crate::ui::theme;
 use egui::{Align2, FontId, Pos2, Rect, Sense, Stroke, Ui, Vec2, vec2};
 use saute_recipe::probe::SeenPoint;
 use saute_recipe::probe::{MOST_PROBES, NoProbeLeft};
-use saute_words::piece_words::name;
 
 /// From the point of a probe to its number [points] (chosen: neither finger nor number hides the point).
 const NUMBER_AT: Vec2 = vec2(15.0, -17.0);
@@ -38,7 +37,8 @@ impl SauteApp {
                 // What a probe is for is its curve.
                 self.settings.curves_open = true;
                 self.session.select(Some(piece.clone()));
-                self.desk.notice.say(l.fill("probe.is_in", &[("number", &number), ("food", &name(&piece, l))]));
+                let food = self.session.name_of(&piece, l);
+                self.desk.notice.say(l.fill("probe.is_in", &[("number", &number), ("food", &food)]));
             }
             Err(NoProbeLeft) => self.desk.notice.say(l.fill("probe.none_left", &[("most", &MOST_PROBES)])),
         }

@@ -2,6 +2,7 @@
 
 use crate::app::SauteApp;
 use saute_kitchen::food::Scale;
+use saute_words::doneness_words;
 use std::sync::Arc;
 
 impl SauteApp {
@@ -21,7 +22,7 @@ impl SauteApp {
             }
         };
         let key = if self.settings.scale == spoken.id { "notice.scale" } else { "notice.scale_own" };
-        self.desk.notice.say(l.fill(key, &[("scale", &l.called("scale", &spoken.name))]));
+        self.desk.notice.say(l.fill(key, &[("scale", &doneness_words::label(&spoken, l))]));
     }
 
     /// Selects the next of the scales of doneness that fit the food.

@@ -7,7 +7,7 @@ use crate::plan::PlanFile;
 use crate::ui::japanese_font;
 use js_sys::Uint8Array;
 use saute_session::export::Export;
-use saute_words::language::Language;
+use saute_words::language::{Font, Language};
 use std::path::Path;
 use std::sync::Arc;
 use wasm_bindgen::closure::Closure;
@@ -35,7 +35,9 @@ impl SauteApp {
         if let Some(bytes) = font {
             self.here.inbox.taken_font = Some(Arc::new(egui::FontData::from_owned(bytes)));
             self.graphics.japanese_font = self.install_taken_font(ctx);
-            self.set_language(Language::Japanese);
+            if let Some(language) = Language::all().find(|language| language.font() == Font::Japanese) {
+                self.set_language(language);
+            }
         }
         for (name, read) in files {
             self.take_file(&name, read);

@@ -8,7 +8,7 @@ mod script;
 use egui::{Context, Ui};
 use saute_scene::mesh::strings::StringLook;
 use saute_session::export::Export;
-use saute_words::language::Language;
+use saute_words::language::{Font, Language};
 
 use super::SauteApp;
 use super::on_host::OnHost;
@@ -93,7 +93,7 @@ impl OnHost for SauteApp {
 
     /// The page's script fetches the font.
     fn waits_for_font(&mut self, language: Language) -> bool {
-        let waits = language == Language::Japanese && !self.graphics.japanese_font;
+        let waits = language.font() == Font::Japanese && !self.graphics.japanese_font;
         if waits {
             self.want_font();
         }

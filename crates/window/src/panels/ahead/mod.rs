@@ -12,6 +12,7 @@ use saute_plan::forecast::{Outlook, Question};
 use crate::panels::window_state::WindowState;
 use crate::settings::Settings;
 use saute_session::forecasts::Standing;
+use saute_words::doneness_words;
 
 /// Returns true if forecasts are made and wanted: then there is room for them.
 pub fn are_shown(state: &WindowState) -> bool {
@@ -22,14 +23,14 @@ pub fn are_shown(state: &WindowState) -> bool {
 fn class(state: &WindowState, outlook: &Outlook) -> Option<String> {
     let (piece, scale) = (state.session.steak()?, state.scale()?);
     let class = outlook.class(&scale, at_core(piece, &scale))?;
-    Some(state.settings.language.called("class", &scale.class[class].name).to_owned())
+    Some(doneness_words::class(&scale, &scale.class[class].name, state.settings.language).to_owned())
 }
 
 /// The class of a highest core temperature [°C], in the cook's words; none where no scale tells doneness by it.
 fn class_of_peak(state: &WindowState, peak_c: f64) -> Option<String> {
     let scale = state.scale().filter(|scale| scale.measure() == Measure::Peak)?;
     let class = &scale.class[scale.class_of(kelvin(peak_c))];
-    Some(state.settings.language.called("class", &class.name).to_owned())
+    Some(doneness_words::class(&scale, &class.name, state.settings.language).to_owned())
 }
 
 /// A temperature [K] as a number in the chosen unit.

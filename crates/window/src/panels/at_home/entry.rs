@@ -8,6 +8,7 @@ use crate::at_home::acts::SCALE;
 use crate::panels::window_state::WindowState;
 use crate::ui::theme;
 use saute_session::at_home::entered::{Cooked, Row, Seen};
+use saute_words::doneness_words;
 
 /// Most rows by hand [-] (chosen: who has more has a log).
 const MOST_ROWS: usize = 40;
@@ -127,11 +128,11 @@ fn class(state: &WindowState, ui: &mut Ui, at: usize, row: &mut Row) {
     if row.value.is_empty() {
         row.value = scale.class.iter().find(|class| class.name == "medium").map_or(String::new(), |c| c.name.clone());
     }
-    let shown = l.called("class", &row.value).to_owned();
+    let shown = doneness_words::class(scale, &row.value, l).to_owned();
     let combo = egui::ComboBox::from_id_salt(("class", at)).selected_text(&shown).width(104.0);
     let response = combo.show_ui(ui, |ui| {
         for class in &scale.class {
-            ui.selectable_value(&mut row.value, class.name.clone(), l.called("class", &class.name));
+            ui.selectable_value(&mut row.value, class.name.clone(), doneness_words::class(scale, &class.name, l));
         }
     });
     let spoken = format!("{}: {shown}", l.text(Seen::Class.words()));

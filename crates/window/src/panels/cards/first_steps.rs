@@ -8,6 +8,7 @@ use crate::panels::window_state::WindowState;
 use crate::ui::aloud::heading;
 use crate::ui::theme;
 use saute_words::clock::whole_minutes;
+use saute_words::doneness_words;
 
 /// Size of a picture [points].
 const PICTURE: Vec2 = vec2(112.0, 78.0);
@@ -210,7 +211,7 @@ fn title(state: &WindowState) -> String {
         || l.text("first.title").to_owned(),
         |scale| {
             let class = scale.name_of(scale.of_nodes(state.settings.goal(&scale)));
-            l.fill("first.title_to", &[("class", &l.called("class", class))])
+            l.fill("first.title_to", &[("class", &doneness_words::class(&scale, class, l))])
         },
     )
 }

@@ -9,6 +9,7 @@ use crate::panels::cards::frame::Framed;
 use crate::panels::cards::setting_row::{explained, row};
 use crate::panels::window_state::WindowState;
 use crate::ui::{fingers, theme};
+use saute_words::doneness_words;
 
 /// Width of the card at most, and below which its names stand above their choices [points].
 const WIDTH: f32 = 620.0;
@@ -55,7 +56,9 @@ fn goals(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
 /// What a goal wants, in words.
 fn wants(state: &WindowState, goal: &GoalDescription) -> String {
     let l = state.settings.language;
-    let class = goal.class.as_deref().map_or("", |class| l.called("class", class));
+    let named = goal.scale.as_deref().and_then(|id| state.session.library.scale(id));
+    let of_scale = |class| named.map_or_else(|| l.called("class", class), |scale| doneness_words::class(scale, class, l));
+    let class = goal.class.as_deref().map_or("", of_scale);
     let share = match goal.counts {
         Counted::Section => {
             let key = if goal.core_counts { "goals.section_and_core" } else { "goals.section" };
@@ -66,8 +69,7 @@ fn wants(state: &WindowState, goal: &GoalDescription) -> String {
     let crust = (goal.crust_pct > 0.0).then(|| l.fill("goals.crust", &[("percent", &goal.crust_pct)]));
     let charred =
         (goal.most_charred_pct < 100.0).then(|| l.fill("goals.charred", &[("percent", &goal.most_charred_pct)]));
-    let named = goal.scale.as_deref().and_then(|id| state.session.library.scale(id));
-    let scale = named.map(|scale| l.fill("goals.on_scale", &[("scale", &l.called("scale", &scale.name))]));
+    let scale = named.map(|scale| l.fill("goals.on_scale", &[("scale", &doneness_words::label(scale, l))]));
     let parts: Vec<String> = [Some(share), crust, charred, scale].into_iter().flatten().collect();
     parts.join(l.text("doneness.list_joint"))
 }

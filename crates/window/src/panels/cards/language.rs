@@ -5,24 +5,23 @@ use egui::Ui;
 use crate::act::{Act, Acts, AppAct, Setting};
 use crate::panels::window_state::WindowState;
 use crate::ui::theme;
-use saute_words::language::Language;
+use saute_words::language::{Font, Language};
 
-/// Shows a chip that bears the other language's own name; where its letters cannot be drawn, its code.
+/// Shows a chip that bears the next language's own name; where its letters cannot be drawn, its code.
 pub fn chip(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
-    let other = state.settings.language.other();
-    let name = name(state.japanese_font, other);
+    let next = state.settings.language.next();
+    let name = name(state.japanese_font, next);
     let hint = state.settings.language.fill("top.language", &[("name", &name)]);
     if ui.add(theme::of(ui).button(name, false).min_size(egui::vec2(theme::TOUCH, 38.0))).on_hover_text(hint).clicked()
     {
-        acts.push(Act::App(AppAct::Set(Setting::Language(other))));
+        acts.push(Act::App(AppAct::Set(Setting::Language(next))));
     }
 }
 
 /// A language's own name; where its letters cannot be drawn, its code.
 pub fn name(japanese_font: bool, language: Language) -> &'static str {
-    match language {
-        Language::English => "EN",
-        Language::Japanese if japanese_font => "日本語",
-        Language::Japanese => "JA",
+    match language.font() {
+        Font::Japanese if !japanese_font => language.short_name(),
+        Font::Latin | Font::Japanese => language.name(),
     }
 }

@@ -8,7 +8,6 @@ use crate::act::{Act, Acts, Card, LearnAct};
 use crate::panels::cards::frame::Framed;
 use crate::panels::window_state::WindowState;
 use crate::ui::{fingers, theme};
-use saute_words::language::Language;
 
 /// Width of the card at most [points].
 const WIDTH: f32 = 520.0;
@@ -33,11 +32,11 @@ pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, whole: Rect) {
 }
 
 fn row(state: &WindowState, ui: &mut Ui, acts: &mut Acts, id: &str, scenario: &Scenario) {
-    let japanese = state.settings.language == Language::Japanese;
+    let language = state.settings.language.code();
     let size = vec2(ui.available_width(), fingers::height(ui, HEIGHT));
-    if ui.add(theme::of(ui).button(scenario.title.of(japanese), false).min_size(size)).clicked() {
+    if ui.add(theme::of(ui).button(scenario.title.of(language), false).min_size(size)).clicked() {
         acts.push(Act::Learn(LearnAct::Guided(GuidedAct::Lesson(id.to_owned()))));
     }
-    ui.label(RichText::new(scenario.intro.of(japanese)).size(13.0).color(theme::of(ui).quiet));
+    ui.label(RichText::new(scenario.intro.of(language)).size(13.0).color(theme::of(ui).quiet));
     ui.add_space(6.0);
 }

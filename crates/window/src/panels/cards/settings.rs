@@ -69,11 +69,13 @@ fn choices(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mu
     }
     let drawn = quality_word(QualityChoice::Always(state.quality), l);
     explained(ui, narrow, &l.fill("settings.quality_now", &[("quality", &drawn)]));
-    let languages = Language::ALL.map(|other| (language::name(state.japanese_font, other), other == now.language));
+    let all: Vec<Language> = Language::all().collect();
+    let named = |one: &Language| (language::name(state.japanese_font, *one), *one == now.language);
+    let languages: Vec<_> = all.iter().map(named).collect();
     let units = [("°C", !now.fahrenheit), ("°F", now.fahrenheit)];
     let mut language_and_unit = |ui: &mut Ui| {
         if let Some(chosen) = row(ui, narrow, l.text("settings.language"), &languages) {
-            set(Setting::Language(Language::ALL[chosen]));
+            set(Setting::Language(all[chosen]));
         }
         if let Some(unit) = row(ui, narrow, l.text("settings.unit"), &units) {
             set(Setting::Fahrenheit(unit == 1));

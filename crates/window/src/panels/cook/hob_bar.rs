@@ -14,6 +14,7 @@ use crate::ui::bell::{self, Bell};
 use crate::ui::theme;
 use saute_session::SPEEDS;
 use saute_words::clock::clock;
+use saute_words::doneness_words;
 
 /// Height of a control for a mouse, and space at the sides of its text [points].
 const DESK: f32 = 36.0;
@@ -84,8 +85,8 @@ fn temperatures(state: &WindowState, ui: &mut Ui) {
     let (core, pan) = (shown(piece.core()), shown(state.session.kitchen.pan_temperature()));
     ui.label(RichText::new(l.fill("hob.core_and_pan", &[("core", &core), ("pan", &pan)])).size(18.0).strong());
     if let Some(scale) = state.scale() {
-        let class = l.called("class", core_class(piece, &scale));
-        let class = l.fill("hob.class_so_far", &[("class", &class), ("scale", &l.called("scale", &scale.name))]);
+        let class = doneness_words::class(&scale, core_class(piece, &scale), l);
+        let class = l.fill("hob.class_so_far", &[("class", &class), ("scale", &doneness_words::label(&scale, l))]);
         ui.label(RichText::new(class).size(13.0).color(theme::of(ui).quiet));
     }
 }

@@ -52,7 +52,7 @@ fn recipe(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let (done, all) = (runner.waiting_step(), runner.recipe().steps.len());
     bar(ui, done as f32 / all.max(1) as f32, &l.fill("hob.progress", &[("done", &done), ("all", &all)]));
     let title = l.called("recipe", &runner.recipe().title);
-    let step = saute_words::next_step::words(runner, state.settings.speech());
+    let step = saute_words::next_step::words(runner, &state.session.library, state.settings.speech());
     let text = l.fill("hob.next_step", &[("title", &title), ("step", &step)]);
     said(ui, RichText::new(text).color(theme::of(ui).quiet));
 }

@@ -12,8 +12,8 @@ use crate::panels::window_state::WindowState;
 use crate::ui::aloud::spoken_value;
 use crate::ui::theme;
 use saute_session::guided::LessonDesk;
+use saute_words::doneness_words;
 use saute_words::guided_words;
-use saute_words::language::Language;
 
 /// Shows the card that is due; returns false while the cook runs.
 pub(super) fn show(
@@ -43,9 +43,8 @@ pub(super) fn show(
 
 fn intro(state: &WindowState, desk: &LessonDesk, ui: &Ui, acts: &mut Acts, whole: Rect) {
     let (l, scenario) = (state.settings.language, desk.scenario());
-    let japanese = l == Language::Japanese;
     let content = |ui: &mut Ui| {
-        ui.label(scenario.intro.of(japanese));
+        ui.label(scenario.intro.of(l.code()));
         ui.add_space(4.0);
         let goal = l.called("goal", &scenario.goal.goal.name);
         ui.label(RichText::new(l.fill("study.goal", &[("goal", &goal)])).strong());
@@ -56,7 +55,7 @@ fn intro(state: &WindowState, desk: &LessonDesk, ui: &Ui, acts: &mut Acts, whole
             );
         }
     };
-    card(ui, ("intro", scenario.title.of(japanese)), whole, content, |ui| {
+    card(ui, ("intro", scenario.title.of(l.code())), whole, content, |ui| {
         if button(ui, l.text("lesson.begin"), true) {
             acts.push(Act::Learn(LearnAct::Guided(GuidedAct::BeginLesson)));
         }
@@ -83,7 +82,7 @@ fn question(
     let predict = &lesson.scenario.predictions[place];
     let answer = std::cell::Cell::new(None);
     let content = |ui: &mut Ui| {
-        let before = predict.text.of(l == Language::Japanese);
+        let before = predict.text.of(l.code());
         if !before.is_empty() {
             ui.label(before);
         }
@@ -123,9 +122,11 @@ fn slider(state: &WindowState, ui: &mut Ui, ask: Ask, [low, high]: [f64; 2], ent
 
 fn classes(state: &WindowState, ui: &mut Ui, lesson: &Lesson, entries: &mut Entries) -> Option<f64> {
     ui.horizontal_wrapped(|ui| {
-        for (place, class) in lesson.scenario.goal.classes().iter().enumerate() {
+        let scale = &lesson.scenario.goal.scale;
+        for (place, class) in scale.class.iter().enumerate() {
             let on = entries.slider == Some(place as f64);
-            if ui.add(theme::of(ui).button(state.settings.language.called("class", class), on)).clicked() {
+            let name = doneness_words::class(scale, &class.name, state.settings.language);
+            if ui.add(theme::of(ui).button(name, on)).clicked() {
                 entries.slider = Some(place as f64);
             }
         }
@@ -154,7 +155,7 @@ fn cooked_on(state: &WindowState, desk: &LessonDesk, rest: &Rest, ui: &Ui, whole
         let passed = saute_words::clock::clock(rest.lasted_s());
         ui.label(RichText::new(l.fill("lesson.cooked_on_s", &[("time", &passed)])).size(17.0).strong());
     };
-    card(ui, ("cooked-on", desk.scenario().title.of(l == Language::Japanese)), whole, content, |_| {});
+    card(ui, ("cooked-on", desk.scenario().title.of(l.code())), whole, content, |_| {});
 }
 
 fn result(
@@ -174,7 +175,7 @@ fn result(
         ui.add_space(4.0);
         ui.label(RichText::new(l.text("lesson.hand_in")).size(13.0).color(theme::of(ui).quiet));
     };
-    card(ui, ("result", desk.scenario().title.of(l == Language::Japanese)), whole, content, |ui| {
+    card(ui, ("result", desk.scenario().title.of(l.code())), whole, content, |ui| {
         for (key, act, first) in [
             ("lesson.save", GuidedAct::SaveResult, true),
             ("lesson.copy", GuidedAct::CopyResult, false),

@@ -30,7 +30,7 @@ pub(super) fn of_lesson(state: &WindowState, desk: &LessonDesk, ui: &Ui, acts: &
         return;
     }
     let l = state.settings.language;
-    let title = desk.scenario().title.of(l == saute_words::language::Language::Japanese).to_owned();
+    let title = desk.scenario().title.of(l.code()).to_owned();
     let goal = l.called("goal", &desk.scenario().goal.goal.name).to_owned();
     ribbon(ui, layout, (&title, &goal), |ui| {
         end_button(state, ui, acts, "lesson.end", GuidedAct::EndLesson);

@@ -4,6 +4,7 @@ use crate::panels::window_state::WindowState;
 use saute_kitchen::Piece;
 use saute_kitchen::advice::Advice;
 use saute_kitchen::doneness::core_class;
+use saute_words::doneness_words;
 
 /// What a button states that sets the hob as advised [W].
 pub(crate) fn do_it_words(watts: f64, state: &WindowState) -> String {
@@ -28,10 +29,10 @@ pub(crate) fn advice_words(advice: Advice, state: &WindowState) -> String {
         Advice::TooHot { smokes: false, to_w, hottest_c } => hotter("advice.too_hot", to_w, hottest_c),
         Advice::BothBrown { to_w } => hob("advice.both_brown", to_w),
         Advice::TurnDown { to_w, hottest_c } => hotter("advice.turn_down", to_w, hottest_c),
-        Advice::PutIn { .. } => l.fill("advice.put_in", &[("food", &l.called("noun", &state.session.noun()))]),
+        Advice::PutIn { .. } => l.fill("advice.put_in", &[("food", &state.session.noun(l))]),
         Advice::Wet { .. } => l.text("advice.wet").to_owned(),
         Advice::Browns { .. } => l.text("advice.browns").to_owned(),
-        Advice::Flip => l.fill("advice.flip", &[("food", &l.called("noun", &state.session.noun()))]),
+        Advice::Flip => l.fill("advice.flip", &[("food", &state.session.noun(l))]),
         Advice::TakeOut { peak_c } => at("advice.take_out", peak_c),
         Advice::Ready { .. } => l.fill("advice.ready", &[("class", &class_now(state))]),
         Advice::NotReady { share_pct, until_pct } => {
@@ -48,9 +49,11 @@ pub(crate) fn advice_words(advice: Advice, state: &WindowState) -> String {
 
 /// The class of the core of the piece that the panels show; empty where no scale says anything about it.
 pub(crate) fn class_now(state: &WindowState) -> String {
-    let class = |piece: &Piece| Some(core_class(piece, state.scale_of(piece)?.as_ref()).to_owned());
-    let class = state.session.steak().and_then(class).unwrap_or_default();
-    state.settings.language.called("class", &class).to_owned()
+    let class = |piece: &Piece| {
+        let scale = state.scale_of(piece)?;
+        Some(doneness_words::class(&scale, core_class(piece, &scale), state.settings.language).to_owned())
+    };
+    state.session.steak().and_then(class).unwrap_or_default()
 }
 
 /// What a resting piece has reached, with its class where a scale says anything about it.
@@ -63,7 +66,7 @@ pub(crate) fn resting_words(key: &'static str, peak_c: f64, state: &WindowState)
             &[
                 ("temperature", &state.settings.temperature(peak_c)),
                 ("class", &class_now(state)),
-                ("scale", &l.called("scale", &scale.name)),
+                ("scale", &doneness_words::label(&scale, l)),
             ],
         ),
     };

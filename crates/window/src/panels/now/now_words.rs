@@ -221,7 +221,7 @@ impl Words<'_> {
 
     fn of_food(&self, key: &'static str) -> String {
         let l = self.state.settings.language;
-        l.fill(key, &[("food", &l.called("noun", &self.state.session.noun()))])
+        l.fill(key, &[("food", &self.state.session.noun(l))])
     }
 
     fn class(&self, key: &'static str) -> String {
@@ -233,6 +233,6 @@ impl Words<'_> {
         let Some(left_s) = left_s else { return self.text(otherwise) };
         let l = self.state.settings.language;
         let time = clock(10.0 * (0.1 * left_s).ceil());
-        l.fill(key, &[("food", &capitalised(l.called("noun", &self.state.session.noun()))), ("time", &time)])
+        l.fill(key, &[("food", &capitalised(&self.state.session.noun(l))), ("time", &time)])
     }
 }

@@ -11,6 +11,7 @@ use crate::plan::choice::{MOST_FLIPS, PlanChoice};
 use crate::ui::aloud::heading;
 use crate::ui::theme;
 use saute_session::SteakChoice;
+use saute_words::doneness_words;
 
 /// Height of the kinds of plans [points] (chosen: what follows keeps its room in a low window).
 const CHIP: f32 = 34.0;
@@ -73,13 +74,13 @@ fn find(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
 /// The list of the foods; another one begins with its own size, and with the crust that is usual for it.
 fn foods(state: &WindowState, ui: &mut Ui, choice: &mut SteakChoice, plan: &mut PlanChoice) {
     let (library, l) = (&state.session.library, state.settings.language);
-    let name = l.called("food", library.foods.get(&choice.kind).map_or(choice.kind.as_str(), |food| &food.name));
+    let name = library.foods.get(&choice.kind).map_or(choice.kind.as_str(), |food| food.name_in(l.code()));
     let name = name.to_owned();
     let combo = egui::ComboBox::from_id_salt("plan-food").selected_text(&name).width(ui.available_width() - 8.0);
     let before = choice.kind.clone();
     let shown = combo.show_ui(ui, |ui| {
         for (id, food) in &library.foods {
-            ui.selectable_value(&mut choice.kind, id.clone(), l.called("food", &food.name));
+            ui.selectable_value(&mut choice.kind, id.clone(), food.name_in(l.code()));
         }
     });
     let spoken = l.fill("plan.food_spoken", &[("food", &name)]);
@@ -106,7 +107,7 @@ fn target(state: &WindowState, ui: &mut Ui, choice: &SteakChoice, plan: &mut Pla
             let wanted = plan.class_on(scale, state.settings).to_owned();
             for class in &scale.class {
                 let on = !plan.by_core && class.name == wanted;
-                if chip(ui, l.called("class", &class.name), on) {
+                if chip(ui, doneness_words::class(scale, &class.name, l), on) {
                     (plan.by_core, plan.class) = (false, class.name.clone());
                 }
             }
@@ -128,11 +129,11 @@ fn scale_list(
 ) {
     let l = state.settings.language;
     let here = scales.iter().find(|scale| scale.id == plan.scale).or(scales.first());
-    let name = here.map_or("", |scale| l.called("scale", &scale.name));
+    let name = here.map_or("", |scale| doneness_words::label(scale, l));
     let combo = egui::ComboBox::from_id_salt("plan-scale").selected_text(name).width(ui.available_width() - 8.0);
     let shown = combo.show_ui(ui, |ui| {
         for scale in scales {
-            ui.selectable_value(&mut plan.scale, scale.id.clone(), l.called("scale", &scale.name));
+            ui.selectable_value(&mut plan.scale, scale.id.clone(), doneness_words::label(scale, l));
         }
     });
     let spoken = l.fill("plan.scale_spoken", &[("scale", &name)]);

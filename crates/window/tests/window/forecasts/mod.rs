@@ -85,7 +85,7 @@ fn flip() -> Command {
 }
 
 fn usual() -> (Harness<'static, SauteApp>, AtOnce) {
-    frying(vec2(1280.0, 720.0), Language::English)
+    frying(vec2(1280.0, 720.0), Language::ENGLISH)
 }
 
 /// Whole degrees of a core at a time ahead, as they are written.
@@ -300,7 +300,7 @@ fn a_thread_answers_what_the_same_thread_answers() {
 
 #[test]
 fn a_phone_shows_forecasts_in_its_drawer_and_japanese_has_room() {
-    let (mut harness, _) = frying(vec2(390.0, 844.0), Language::English);
+    let (mut harness, _) = frying(vec2(390.0, 844.0), Language::ENGLISH);
     harness.get_by_label("Inside").click();
     steps(&mut harness, 12);
     save(&mut harness, "forecast-phone");
@@ -309,7 +309,7 @@ fn a_phone_shows_forecasts_in_its_drawer_and_japanese_has_room() {
     harness.key_press(egui::Key::G);
     steps(&mut harness, 12);
     save(&mut harness, "forecast-phone-more");
-    let (mut harness, _) = frying(vec2(1280.0, 720.0), Language::Japanese);
+    let (mut harness, _) = frying(vec2(1280.0, 720.0), crate::harness::japanese());
     save(&mut harness, "forecast-line-ja");
     harness.key_press(egui::Key::G);
     steps(&mut harness, 12);

@@ -186,10 +186,10 @@ fn values_by_hand_are_entered_row_by_row_and_a_wrong_one_is_named() {
 fn my_kitchen_reads_in_japanese_and_asks_about_a_log_that_can_be_read_in_two_ways() {
     let library = Library::embedded().expect("embedded data");
     let mut harness = entered(WIDE, &library);
-    act(&mut harness, Act::App(AppAct::Set(Setting::Language(Language::Japanese))));
+    act(&mut harness, Act::App(AppAct::Set(Setting::Language(crate::harness::japanese()))));
     harness.get_by_label("わたしの台所を求める");
     save(&mut harness, "athome-japanese");
-    act(&mut harness, Act::App(AppAct::Set(Setting::Language(Language::English))));
+    act(&mut harness, Act::App(AppAct::Set(Setting::Language(Language::ENGLISH))));
     let text = "Time,Core\n1:00,6\n2:30,20\n4:00,40\n";
     act(&mut harness, Act::App(AppAct::Here(HereAct::OpenFile(file("two-ways.csv", text)))));
     harness.get_by_label("The times can be read in two ways: which are they?");

@@ -248,7 +248,7 @@ fn a_step_that_came_late_is_what_to_do_better_and_the_same_plan_again_opens_its_
         steps(&mut harness, 4);
         harness.get_by_label_contains("One thing to do better");
     }
-    harness.state_mut().set_language(Language::Japanese);
+    harness.state_mut().set_language(crate::harness::japanese());
     steps(&mut harness, 4);
     save(&mut harness, "plan-result-japanese");
 }

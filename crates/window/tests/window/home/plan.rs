@@ -301,7 +301,7 @@ fn the_plan_cooks_itself_and_is_saved_as_a_card_and_as_a_recipe_that_is_the_plan
 fn a_plan_reads_in_japanese() {
     let library = Library::embedded().expect("embedded data");
     let mut harness = found(WIDE, plan(&library));
-    act(&mut harness, Act::App(AppAct::Set(Setting::Language(Language::Japanese))));
+    act(&mut harness, Act::App(AppAct::Set(Setting::Language(crate::harness::japanese()))));
     harness.get_by_label("自分で焼く");
     save(&mut harness, "plan-found-japanese");
     harness.get_by_label("自分で焼く").click();

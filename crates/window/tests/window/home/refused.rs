@@ -13,8 +13,8 @@ use crate::harness::{save, steps, window};
 #[test]
 fn refusals_of_a_search_and_of_a_fit_speak_both_languages() {
     let words = [
-        (Language::English, "this food cannot be set out like this", "nothing was entered that can be compared"),
-        (Language::Japanese, "この食材はこのままでは用意できません", "比べられる値がありません"),
+        (Language::ENGLISH, "this food cannot be set out like this", "nothing was entered that can be compared"),
+        (crate::harness::japanese(), "この食材はこのままでは用意できません", "比べられる値がありません"),
     ];
     for (language, of_search, of_fit) in words {
         let mut harness = window(WIDE);

@@ -100,7 +100,7 @@ fn the_result_is_shared_as_a_picture_of_its_own_and_fits_a_phone_and_japanese() 
     let ground = shared.get_pixel(2, 2);
     let inked = shared.pixels().filter(|pixel| *pixel != ground).count();
     assert!(inked > 40_000, "{inked} pixels are painted");
-    harness.state_mut().set_language(Language::Japanese);
+    harness.state_mut().set_language(crate::harness::japanese());
     steps(&mut harness, 10);
     save(&mut harness, "result-phone-ja");
     harness.get_by_label("画像で共有").click();
@@ -161,7 +161,7 @@ fn food_that_no_button_took_out_has_its_result_too_and_nearly_raw_food_is_told_n
     let better = ResultWords::of(
         &judged(harness.state()),
         &goal(harness.state()),
-        &harness.state().session().noun(),
+        &harness.state().session().noun(Language::ENGLISH),
         harness.state().settings().speech(),
     );
     println!("{}", better.better[1]);

@@ -1,0 +1,113 @@
+//! Scales of doneness and their classes by name: a food's own words first, then those that the program knows.
+
+use saute_kitchen::food::Scale;
+
+use crate::language::Language;
+
+/// Label of a scale.
+pub fn label(scale: &Scale, l: Language) -> &str {
+    scale.names.get(l.code()).map_or_else(|| l.called("scale", &scale.name), String::as_str)
+}
+
+/// Name of a class of a scale, given the class's name in its file.
+pub fn class<'a>(scale: &'a Scale, name: &'a str, l: Language) -> &'a str {
+    let own = scale.class.iter().find(|class| class.name == name).and_then(|class| class.names.get(l.code()));
+    own.map_or_else(|| l.called("class", name), String::as_str)
+}
+
+#[cfg(test)]
+mod tests {
+    use saute_kitchen::doneness::fitting;
+    use saute_kitchen::food::{MeshSize, OutlineKind, Rules};
+    use saute_kitchen::{Kitchen, Library, PieceOrder, kelvin};
+
+    use super::*;
+    use crate::{piece_words, plan_words};
+
+    /// A food with its own noun, its own words of doneness and a goal for its core.
+    const CHICKEN: &str = r#"
+name = "Chicken breast"
+kinetics = "beef"
+form = "steak"
+
+[words.en]
+noun = "chicken"
+
+[words.ja]
+name = "鶏むね肉"
+noun = "鶏むね"
+piece = "一枚の鶏むね"
+
+[doneness]
+id = "chicken"
+name = "Chicken"
+names = { ja = "鶏肉" }
+class = [
+  { name = "raw", from_c = 0.0 },
+  { name = "juicy", names = { ja = "しっとり" }, from_c = 65.0 },
+  { name = "stringy", names = { ja = "ぱさぱさ" }, from_c = 78.0 },
+]
+for_change = "myosin"
+goal = 68.0
+source = "chosen: for this test"
+confidence = "low"
+
+"#;
+
+    /// The shipped library with that food, whose flesh is that of a steak.
+    fn library() -> Library {
+        let steak = &Library::embedded_files()["foods/beef-lean.toml"];
+        let flesh = &steak[steak.find("[size]").expect("a size")..];
+        Library::with(&[("foods/chicken-breast.toml".to_owned(), format!("{CHICKEN}{flesh}"))]).expect("is sound")
+    }
+
+    fn set_out(library: &Library, kind: &str) -> Kitchen {
+        let food = &library.foods[kind];
+        let order = PieceOrder {
+            id: food.piece_id(kind),
+            kind: kind.to_owned(),
+            size: [0.08, 0.06, 0.02],
+            temperature: kelvin(5.0),
+            seed: 1,
+            coarseness: 3.0,
+            rules: Rules::Full,
+            mesh: MeshSize::Default,
+            outline: OutlineKind::Plain,
+        };
+        let mut kitchen = Kitchen::new(library, "carbon-steel-26", kelvin(20.0)).expect("a kitchen");
+        kitchen.add(library, &order).expect("a piece");
+        kitchen
+    }
+
+    #[test]
+    fn a_food_is_spoken_of_in_the_words_of_its_own_file() {
+        let library = library();
+        let [en, ja] = ["en", "ja"].map(|code| Language::of_code(code).expect("is known"));
+        let food = &library.foods["chicken-breast"];
+        assert_eq!([en, ja].map(|l| food.name_in(l.code())), ["Chicken breast", "鶏むね肉"]);
+        assert_eq!([en, ja].map(|l| food.noun_in(l.code())), ["chicken", "鶏むね"]);
+        let kitchen = set_out(&library, "chicken-breast");
+        let piece = &kitchen.pieces()[0];
+        assert_eq!(piece.id, "chicken");
+        assert_eq!([en, ja].map(|l| piece_words::name(&piece.id, &library, l)), ["chicken", "一枚の鶏むね"]);
+        let fits = fitting(&library.scales, &piece.model);
+        assert_eq!(fits.iter().map(|scale| scale.id.as_str()).collect::<Vec<_>>(), ["chicken"]);
+        assert_eq!([en, ja].map(|l| label(fits[0], l)), ["Chicken", "鶏肉"]);
+        assert_eq!([en, ja].map(|l| class(fits[0], "juicy", l)), ["juicy", "しっとり"]);
+        assert_eq!([en, ja].map(|l| piece_words::doneness(Some(fits[0]), piece, l)), ["raw", "生"], "our own word");
+        let wish = "stringy".parse().expect("a wish");
+        let goal = saute_plan::goal::Goal::new(&wish, fits[0], 0.0).expect("a goal");
+        let speech = |language| crate::speech::Speech { language, ..Default::default() };
+        assert_eq!([en, ja].map(|l| plan_words::target(&goal, speech(l))), ["stringy", "ぱさぱさ"]);
+    }
+
+    #[test]
+    fn the_words_of_one_food_are_no_others() {
+        let library = library();
+        for kind in ["beef-lean", "beef-marbled"] {
+            let kitchen = set_out(&library, kind);
+            let fits = fitting(&library.scales, &kitchen.pieces()[0].model);
+            assert_eq!(fits.iter().map(|s| s.id.as_str()).collect::<Vec<_>>(), ["paper-2013", "chefs", "academic"]);
+        }
+    }
+}
