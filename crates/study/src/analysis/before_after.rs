@@ -2,11 +2,11 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use saute_kitchen::heat::sorted::Sorted;
 use serde::Serialize;
 
 use super::bootstrap::Interval;
 use super::{Quantity, Trial};
-use crate::median::median;
 
 /// Which trials are compared.
 #[derive(Clone, Copy, Debug, Eq, Ord, PartialEq, PartialOrd, Serialize)]
@@ -96,8 +96,8 @@ fn change(
         after_trial,
         n: pairs.len(),
         missing: all.len() - pairs.len(),
-        before: median(&of(&|pair| pair.0))?,
-        after: median(&of(&|pair| pair.1))?,
+        before: Sorted::new(of(&|pair| pair.0)).median()?,
+        after: Sorted::new(of(&|pair| pair.1)).median()?,
         difference: Interval::of(&of(&|pair| pair.1 - pair.0), seeds)?,
     })
 }
