@@ -79,9 +79,9 @@ pub fn show_all(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts
     }
     match state.card {
         None => {}
-        Some(Card::Help) => help::show(state, memory, ui, acts, whole),
+        Some(Card::Help) => help::show(state, &mut memory.search, ui, acts, whole),
         Some(Card::Messages) => messages::show(state, ui, acts, whole),
-        Some(Card::Settings) => cards::settings::show(state, memory, ui, acts, whole),
+        Some(Card::Settings) => cards::settings::show(state, &mut memory.here, ui, acts, whole),
         Some(Card::Mirror) => cards::mirror::show(state, ui, acts, whole),
         Some(Card::FirstSteps) => first_steps::show(state, ui, acts, whole),
         Some(Card::Learn) => learn_card::show(state, ui, acts, whole),
@@ -132,7 +132,7 @@ fn show(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut A
             if state.settings.pieces_open {
                 pieces::show(state, &mut memory.unfolded, ui, acts);
             } else {
-                pantry::show(state, memory, ui, acts);
+                pantry::show(state, &mut memory.pantry, ui, acts);
             }
         });
     });
@@ -186,7 +186,7 @@ fn drawer(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut
             ways::curves_in_drawer(state, &mut memory.ways, ui);
             inside::show(state, &mut memory.inside, ui, acts);
         }
-        Drawer::Food => pantry::show(state, memory, ui, acts),
+        Drawer::Food => pantry::show(state, &mut memory.pantry, ui, acts),
         Drawer::Pieces if !state.reads_out() => inside::show(state, &mut memory.inside, ui, acts),
         Drawer::Pieces => pieces::show(state, &mut memory.unfolded, ui, acts),
     });

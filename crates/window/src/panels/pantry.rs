@@ -6,7 +6,6 @@ use saute_kitchen::{Library, PieceOrder};
 
 use crate::act::{Act, Acts, AppAct, Card, CookAct, Setting};
 use crate::panels::here;
-use crate::panels::memory::PanelMemory;
 use crate::panels::still::Stills;
 use crate::panels::window_state::WindowState;
 use crate::ui::aloud::heading;
@@ -22,8 +21,22 @@ const MOST_AT_ONCE: usize = 35;
 /// Height of a food with its picture [points] (chosen: for a finger).
 const KIND: f32 = 44.0;
 
+/// What the pantry keeps from frame to frame.
+pub struct PantryMemory {
+    /// How many pieces are added at once.
+    pub count: usize,
+    /// Pictures of the foods.
+    stills: Stills,
+}
+
+impl Default for PantryMemory {
+    fn default() -> Self {
+        Self { count: 1, stills: Stills::default() }
+    }
+}
+
 /// Shows the choices; they take effect with "Set out".
-pub fn show(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut Acts) {
+pub fn show(state: &WindowState, memory: &mut PantryMemory, ui: &mut Ui, acts: &mut Acts) {
     let library = &state.session.library;
     let l = state.settings.language;
     let food = noun(library, &state.settings.choice.kind, l);

@@ -10,8 +10,7 @@ use crate::panels::cards::frame::Framed;
 use crate::panels::cards::language;
 use crate::panels::cards::setting_row::{explained, named, row};
 use crate::panels::cook::speaker_switch;
-use crate::panels::here;
-use crate::panels::memory::PanelMemory;
+use crate::panels::here::{self, HereMemory};
 use crate::panels::window_state::WindowState;
 use crate::system::IS_PAGE;
 use crate::ui::interface_size::InterfaceSize;
@@ -25,7 +24,7 @@ pub(super) const NARROW: f32 = 640.0;
 pub(super) const WIDTH: f32 = 660.0;
 
 /// Shows the card over everything; Esc, F2, the button or a click beside it closes it.
-pub fn show(state: &WindowState, memory: &mut PanelMemory, ui: &Ui, acts: &mut Acts, whole: egui::Rect) {
+pub(crate) fn show(state: &WindowState, memory: &mut HereMemory, ui: &Ui, acts: &mut Acts, whole: egui::Rect) {
     let framed = Framed { card: Card::Settings, id: "settings", title: "settings.title", width: WIDTH };
     let to_mirror = |ui: &mut Ui, acts: &mut Acts| {
         let words = state.settings.language.text("half_mirror.more");
@@ -40,7 +39,7 @@ pub fn show(state: &WindowState, memory: &mut PanelMemory, ui: &Ui, acts: &mut A
     });
 }
 
-fn choices(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
+fn choices(state: &WindowState, memory: &mut HereMemory, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
     let (l, now) = (state.settings.language, state.settings);
     let mut set = |setting| acts.push(Act::App(AppAct::Set(setting)));
     if let Some(theme) =
@@ -110,7 +109,7 @@ fn choices(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mu
     if !state.forbids(&Act::App(AppAct::Set(Setting::Sound(true)))) {
         volume(state, ui, acts, narrow);
     }
-    here::device_settings(state, &mut memory.here, ui, acts, narrow);
+    here::device_settings(state, memory, ui, acts, narrow);
 }
 
 /// The volume; its slider is short enough for one line with its name.
