@@ -4,13 +4,13 @@ use std::collections::BTreeSet;
 
 use crate::act::{Act, ViewAct};
 use crate::panels::cards::result::CutOfResult;
+use crate::panels::context::PanelContext;
 use crate::panels::guided::Entries;
 use crate::panels::here::HereMemory;
 use crate::panels::now::now_memory::NowMemory;
 use crate::panels::pantry::PantryMemory;
 use crate::panels::section_read::Inside;
 use crate::panels::ways::memory::WaysMemory;
-use crate::panels::window_state::WindowState;
 
 /// Which part of the drawer is open on a narrow window.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -30,7 +30,7 @@ impl Drawer {
     pub(super) const ALL: [Self; 4] = [Self::Cook, Self::Inside, Self::Food, Self::Pieces];
 
     /// True unless a study or a lesson hides what it shows.
-    pub(super) fn is_offered(self, state: &WindowState) -> bool {
+    pub(super) fn is_offered(self, state: &PanelContext) -> bool {
         match self {
             Self::Cook => true,
             Self::Inside | Self::Pieces => !state.is_blind(),
@@ -38,7 +38,7 @@ impl Drawer {
         }
     }
 
-    pub(super) fn name(self, state: &WindowState) -> &'static str {
+    pub(super) fn name(self, state: &PanelContext) -> &'static str {
         match self {
             Self::Cook => state.settings.language.text("drawer.cook"),
             Self::Inside => state.settings.language.text("drawer.inside"),

@@ -3,10 +3,11 @@
 use egui::{Id, Modal, Rect, RichText, TextEdit, Ui, vec2};
 
 use crate::act::{Act, Acts, AppAct, BINDINGS, CHORDS, Card, Subject, ViewAct};
+use crate::host::Here;
 use crate::input::gamepad::PAD;
 use crate::input::pan_keys::HELD;
+use crate::panels::context::PanelContext;
 use crate::panels::here;
-use crate::panels::window_state::WindowState;
 use crate::system::IS_PAGE;
 use crate::ui::aloud::heading;
 use crate::ui::theme;
@@ -66,7 +67,7 @@ fn groups(search: &str, l: Language) -> Vec<Group> {
 }
 
 /// Shows the list over everything; Esc, F1, the button or a click beside it closes it.
-pub fn show(state: &WindowState, search: &mut String, ui: &Ui, acts: &mut Acts, whole: Rect) {
+pub fn show(state: &PanelContext, here: &Here, search: &mut String, ui: &Ui, acts: &mut Acts, whole: Rect) {
     let mut done = false;
     let modal =
         Modal::new(Id::unique("help")).frame(theme::of(ui).panel().fill(theme::of(ui).solid)).show(ui.ctx(), |ui| {
@@ -80,7 +81,7 @@ pub fn show(state: &WindowState, search: &mut String, ui: &Ui, acts: &mut Acts, 
                 ui.label(state.settings.language.text("help.mouse"));
                 ui.label(state.settings.language.text("help.touch"));
             });
-            here::foot(state, ui, acts);
+            here::foot(state, here, ui, acts);
         });
     if done || modal.should_close() {
         search.clear();
@@ -89,7 +90,7 @@ pub fn show(state: &WindowState, search: &mut String, ui: &Ui, acts: &mut Acts, 
 }
 
 /// Title, search and buttons; returns true if the help is to be closed.
-fn head(state: &WindowState, search: &mut String, ui: &mut Ui, acts: &mut Acts, wide: bool) -> bool {
+fn head(state: &PanelContext, search: &mut String, ui: &mut Ui, acts: &mut Acts, wide: bool) -> bool {
     let l = state.settings.language;
     let mut done = false;
     let mut field = |ui: &mut Ui, width: f32| {
