@@ -5,6 +5,7 @@ mod desk;
 #[cfg(not(target_arch = "wasm32"))]
 mod desktop;
 mod export;
+mod findings;
 pub(crate) mod frame;
 mod graphics;
 mod hands;
@@ -17,6 +18,7 @@ mod outside;
 mod pace;
 #[cfg(target_arch = "wasm32")]
 mod page;
+mod parts;
 mod sights;
 mod sounds;
 mod unseen;

@@ -1,7 +1,7 @@
 //! The window of the frying-pan simulator: session, panels, input, haptic hands and the half mirror.
 //!
-//! [`SauteApp`] owns the state. Panels read it as a [`panels::window_state::WindowState`] and return [`act::Act`]s;
-//! keys and gamepads give acts too. [`SauteApp::act`] alone carries them out.
+//! [`SauteApp`] owns the state. Panels read a [`panels::context::PanelContext`], or a state of their own that derefs to it, and return
+//! [`act::Act`]s; keys and gamepads give acts too. [`SauteApp::act`] alone carries them out.
 //!
 //! ```
 //! use saute_window::settings::Settings;

@@ -1,11 +1,6 @@
 //! One frame of the window: input, time, scene and panels.
 
-use std::collections::BTreeMap;
-use std::sync::Arc;
-
 use egui::Ui;
-use saute_kitchen::advice::coaching::Coaching;
-use saute_plan::schedule::voice::Keeping;
 use saute_recipe::session::session_file::is_session;
 use web_time::{Duration, Instant};
 
@@ -13,8 +8,6 @@ use super::SauteApp;
 use super::on_host::OnHost;
 use crate::act::{Act, Acts, AppAct, Card};
 use crate::panels;
-use crate::panels::ways::way_words;
-use crate::panels::window_state::WindowState;
 use crate::system::IS_PAGE;
 use crate::ui::fingers;
 use crate::ui::layout::Layout;
@@ -73,64 +66,14 @@ impl SauteApp {
 
     /// Shows the panels and cards; returns what they ask for.
     fn show_panels(&mut self, ui: &mut Ui, layout: &Layout) -> Acts {
-        let goal = self.scale().map(|scale| (Arc::clone(&scale), self.settings.goal(&scale)));
-        let (advised, rise, quality) = (self.session.advice(goal), self.session.rise(), self.quality());
-        self.keep_mark();
-        let result = if self.desk.card == Some(Card::Result) { self.result() } else { None };
-        let (result, try_from_s) = result.map_or((None, None), |(words, try_from_s)| (Some(words), try_from_s));
-        let keeping = self.keeping();
-        // While a plan is kept to, its guide gives the orders.
-        let advice = keeping.map_or_else(|| advised.clone(), |keeping| keeping.leaves(&advised));
-        if self.desk.card == Some(Card::Mirror) {
-            // The card shows the error of a rig that cannot be read.
-            let _ = self.sights.mirror.rig(&self.settings.mirror.rig);
-        }
-        let ways = if self.shows_ways() { self.session.ways() } else { Vec::new() };
-        let way_names = if ways.is_empty() { BTreeMap::new() } else { self.session.way_names() };
-        let l = self.settings.language;
-        let coach = self.settings.coach && !self.settings.skill_mode && self.reads_out();
-        let piece = self.session.steak().filter(|_| coach);
-        let coaching = piece.and_then(|piece| Coaching::of(&self.session.kitchen, piece, &advised));
-        let alarm = coach && advice.iter().any(|one| one.is_goal());
-        let state = WindowState {
-            session: &self.session,
-            settings: &self.settings,
-            scene: &self.sights.scene,
-            mirror: &self.sights.mirror,
-            here: &self.here,
-            tool: self.inputs.tool_hand.tool,
-            turner_in_hand: self.inputs.tool_hand.turner.is_some(),
-            portion: self.inputs.portion,
-            planning: &self.leads.planning,
-            at_home: &self.leads.at_home,
-            live: self.leads.live.as_ref().filter(|live| live.is_of(&self.session)),
-            slice: self.sights.slice,
-            card: self.desk.card,
-            guided: self.leads.guided.as_ref(),
-            said: &self.desk.notice,
-            unfinished_s: self.offered_s(),
-            japanese_font: self.graphics.japanese_font,
-            quality,
-            advice,
-            guide_leads: keeping == Some(Keeping::Kept),
-            coaching,
-            alarm,
-            heard: self.heard(),
-            rise,
-            result,
-            try_from_s,
-            tutorial: self.leads.learn.tutorial.as_ref(),
-            notice: self.desk.notice.current(),
-            waiting: self.pace.waiting.iter().map(|waiting| waiting.words(l)).collect(),
-            ways,
-            way_names: way_names.into_iter().map(|(id, name)| (id, way_words(&name, l))).collect(),
-        };
+        let found = self.find_out();
         let mut acts = Acts::new();
-        panels::show_all(&state, &mut self.desk.memory, ui, &mut acts, layout);
-        self.pulse_at_goal(alarm);
-        self.ease(if keeping.is_none() { &advised } else { &[] });
-        self.tutor(&advised);
-        self.watch_result(&advised);
+        let (parts, memory) = self.parts(&found);
+        panels::show_all(&parts, memory, ui, &mut acts, layout);
+        self.pulse_at_goal(found.alarm);
+        self.ease(if found.keeping.is_none() { &found.advised } else { &[] });
+        self.tutor(&found.advised);
+        self.watch_result(&found.advised);
         acts
     }
 

@@ -50,7 +50,7 @@ impl SauteApp {
 
     /// Chooses how many pieces the pantry adds at once.
     pub fn set_count(&mut self, count: usize) {
-        self.desk.memory.count = count;
+        self.desk.memory.pantry.count = count;
     }
 
     /// Chooses the window's language; a page without a font for Japanese asks its host for one first.

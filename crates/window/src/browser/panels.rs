@@ -3,8 +3,9 @@
 use egui::{RichText, Ui};
 
 use crate::act::{Act, Acts, AppAct, HereAct};
+use crate::host::Here;
 use crate::panels::cards::setting_row::explained;
-use crate::panels::window_state::WindowState;
+use crate::panels::context::PanelContext;
 use crate::ui::layout::Layout;
 use crate::ui::notice::Said;
 use crate::ui::theme;
@@ -16,7 +17,7 @@ pub(crate) type HereMemory = ();
 pub(crate) const FOOT: f32 = 56.0;
 
 /// Shows guides, version and privacy.
-pub(crate) fn foot(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+pub(crate) fn foot(state: &PanelContext, here: &Here, ui: &mut Ui, acts: &mut Acts) {
     let l = state.settings.language;
     ui.separator();
     ui.horizontal_wrapped(|ui| {
@@ -24,22 +25,22 @@ pub(crate) fn foot(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
         if ui.add(theme::of(ui).button(l.text("page.report"), false)).clicked() {
             acts.push(Act::App(AppAct::Here(HereAct::Report)));
         }
-        let version = l.fill("page.version", &[("version", &state.here.version)]);
+        let version = l.fill("page.version", &[("version", &here.version)]);
         let text = format!("{version} · {}", l.text("page.private"));
         ui.label(RichText::new(text).size(13.0).color(theme::of(ui).quiet));
     });
 }
 
 /// A page has no photo mode.
-pub(crate) fn show_instead(_: &WindowState, _: &Ui, _: &mut Acts, _: &Layout) -> bool {
+pub(crate) fn show_instead(_: &PanelContext, _: &Here, _: &Ui, _: &mut Acts, _: &Layout) -> bool {
     false
 }
 
 /// A page reaches no device.
-pub(crate) fn devices(_: &WindowState, _: &Ui, _: &mut Acts, _: &Layout) {}
+pub(crate) fn devices(_: &PanelContext, _: &Ui, _: &mut Acts, _: &Layout) {}
 
 /// Says that a page reaches no device.
-pub(crate) fn device_settings(state: &WindowState, _: &mut HereMemory, ui: &mut Ui, _: &mut Acts, is_narrow: bool) {
+pub(crate) fn device_settings(state: &PanelContext, _: &mut HereMemory, ui: &mut Ui, _: &mut Acts, is_narrow: bool) {
     explained(ui, is_narrow, state.settings.language.text("settings.native_only"));
 }
 
@@ -49,14 +50,14 @@ pub(crate) fn has_button(_: &Said) -> bool {
 }
 
 /// A page cannot show a file.
-pub(crate) fn file_button(_: &WindowState, _: &mut Ui, _: &mut Acts, _: &Said) {}
+pub(crate) fn file_button(_: &PanelContext, _: &mut Ui, _: &mut Acts, _: &Said) {}
 
 /// A page does not know the paths of files.
-pub(crate) fn recent_files(_: &WindowState, _: &mut Ui, _: &mut Acts) {}
+pub(crate) fn recent_files(_: &PanelContext, _: &mut Ui, _: &mut Acts) {}
 
 /// Shows whether the phone holds the pan, where it can.
-pub(crate) fn tilt_button(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
-    if !state.here.can_tilt() {
+pub(crate) fn tilt_button(state: &PanelContext, here: &Here, ui: &mut Ui, acts: &mut Acts) {
+    if !here.can_tilt() {
         return;
     }
     let l = state.settings.language;

@@ -5,7 +5,8 @@ use egui::{Ui, vec2};
 use super::hand::{self, Choice};
 use super::photo_bar;
 use crate::act::{Act, Acts, AppAct, HereAct};
-use crate::panels::window_state::WindowState;
+use crate::host::Here;
+use crate::panels::context::PanelContext;
 use crate::ui::layout::Layout;
 use crate::ui::notice::Said;
 
@@ -16,25 +17,24 @@ pub(crate) type HereMemory = Choice;
 pub(crate) const FOOT: f32 = 0.0;
 
 /// A window has no foot of the help.
-pub(crate) fn foot(_: &WindowState, _: &mut Ui, _: &mut Acts) {}
+pub(crate) fn foot(_: &PanelContext, _: &Here, _: &mut Ui, _: &mut Acts) {}
 
 /// Shows the bar of the photo mode in place of all panels while it is open; returns true if it is.
-pub(crate) fn show_instead(state: &WindowState, ui: &Ui, acts: &mut Acts, layout: &Layout) -> bool {
-    let is_open = state.here.photo.open;
-    if is_open {
-        photo_bar::show(state, ui, acts, layout.whole);
+pub(crate) fn show_instead(state: &PanelContext, here: &Here, ui: &Ui, acts: &mut Acts, layout: &Layout) -> bool {
+    if here.photo.open {
+        photo_bar::show(state, &here.photo, ui, acts, layout.whole);
     }
-    is_open
+    here.photo.open
 }
 
 /// Shows the devices that are connected.
-pub(crate) fn devices(state: &WindowState, ui: &Ui, acts: &mut Acts, layout: &Layout) {
+pub(crate) fn devices(state: &PanelContext, ui: &Ui, acts: &mut Acts, layout: &Layout) {
     hand::show(state, ui, acts, layout);
 }
 
 /// Shows how devices are connected.
 pub(crate) fn device_settings(
-    state: &WindowState,
+    state: &PanelContext,
     memory: &mut HereMemory,
     ui: &mut Ui,
     acts: &mut Acts,
@@ -49,7 +49,7 @@ pub(crate) fn has_button(said: &Said) -> bool {
 }
 
 /// Shows a button that shows the file of a sentence.
-pub(crate) fn file_button(state: &WindowState, ui: &mut Ui, acts: &mut Acts, said: &Said) {
+pub(crate) fn file_button(state: &PanelContext, ui: &mut Ui, acts: &mut Acts, said: &Said) {
     if let Some(file) = &said.file
         && ui.button(state.settings.language.text("messages.show")).clicked()
     {
@@ -58,7 +58,7 @@ pub(crate) fn file_button(state: &WindowState, ui: &mut Ui, acts: &mut Acts, sai
 }
 
 /// Lists the files that were opened before.
-pub(crate) fn recent_files(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+pub(crate) fn recent_files(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
     for file in &state.settings.recent {
         let name = file.file_name().map_or_else(|| file.display().to_string(), |n| n.to_string_lossy().into_owned());
         let button = egui::Button::new(name).min_size(vec2(ui.available_width(), 34.0));
@@ -69,4 +69,4 @@ pub(crate) fn recent_files(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
 }
 
 /// A window is held by no phone.
-pub(crate) fn tilt_button(_: &WindowState, _: &mut Ui, _: &mut Acts) {}
+pub(crate) fn tilt_button(_: &PanelContext, _: &Here, _: &mut Ui, _: &mut Acts) {}

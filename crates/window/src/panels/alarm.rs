@@ -3,14 +3,14 @@
 use egui::{Align2, Area, Color32, Id, Order, Rect, RichText, Ui, vec2};
 
 use crate::act::{Act, Acts, CookAct};
-use crate::panels::window_state::WindowState;
+use crate::panels::context::PanelContext;
 use crate::ui::theme;
 
 /// Ground of the alarm: red, white on which has a contrast of 6.5 [-] (chosen, as the stop of the hands).
 const RED: Color32 = Color32::from_rgb(178, 24, 24);
 
 /// Shows the alarm while the oil burns, whatever else is shown or hidden.
-pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, whole: Rect) {
+pub fn show(state: &PanelContext, ui: &Ui, acts: &mut Acts, whole: Rect) {
     let kitchen = &state.session.kitchen;
     if !kitchen.pan_state().liquids.smoke.burning {
         return;

@@ -5,10 +5,11 @@ use saute_kitchen::food::Rules;
 use saute_picture::view::View;
 
 use crate::act::Acts;
+use crate::panels::context::PanelContext;
 use crate::panels::here;
 use crate::panels::legend;
-use crate::panels::window_state::WindowState;
 use crate::ui::layout::{GAP, Layout};
+use crate::ui::notice::Said;
 use crate::ui::theme;
 use saute_words::clock::clock;
 
@@ -17,8 +18,16 @@ const RIBBON: f32 = 66.0;
 /// Height of the legend with its space, on a narrow window [points].
 const LEGEND: f32 = 70.0;
 
-/// Shows the badges and the notice where there is something to say.
-pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, layout: &Layout) {
+/// Shows the badges where there is something to say: what was said last, and what waits until the instant is reached to which time is
+/// turned.
+pub fn show(
+    state: &PanelContext,
+    notice: Option<&Said>,
+    waiting: &[String],
+    ui: &Ui,
+    acts: &mut Acts,
+    layout: &Layout,
+) {
     standing(state, ui, acts, layout);
     let lower = clear_of(state, layout);
     if let Some(behind) = state.session.behind_s() {
@@ -28,17 +37,17 @@ pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, layout: &Layout) {
         );
         message(ui, layout, ("behind", 12.0 + lower), false, &text, |_| {});
     }
-    if !state.waiting.is_empty() {
+    if !waiting.is_empty() {
         let l = state.settings.language;
-        let (what, time) = (state.waiting.join(l.text("doneness.list_joint")), clock(state.session.bound_for_s()));
+        let (what, time) = (waiting.join(l.text("doneness.list_joint")), clock(state.session.bound_for_s()));
         let text = l.fill("waiting.until", &[("what", &what), ("time", &time)]);
         message(ui, layout, ("waiting", 12.0 + lower), false, &text, |_| {});
     }
-    if let Some(said) = &state.notice {
+    if let Some(said) = notice {
         // A click on its button must reach it; through all others it reaches the scene.
         let has_button = here::has_button(said);
         // Over the food of a narrow window there is little room.
-        let is_alone = layout.narrow && state.waiting.is_empty() && state.session.behind_s().is_none();
+        let is_alone = layout.narrow && waiting.is_empty() && state.session.behind_s().is_none();
         message(ui, layout, ("notice", if is_alone { 12.0 } else { 52.0 } + lower), has_button, &said.text, |ui| {
             here::file_button(state, ui, acts, said);
         });
@@ -46,7 +55,7 @@ pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, layout: &Layout) {
 }
 
 /// Height of what is at the edge from which messages begin: the ribbon of a study or a lesson, on a narrow window the legend.
-fn clear_of(state: &WindowState, layout: &Layout) -> f32 {
+fn clear_of(state: &PanelContext, layout: &Layout) -> f32 {
     match (state.guided.is_some(), layout.narrow && says_what_holds(state)) {
         (true, _) => RIBBON,
         (false, true) => LEGEND,
@@ -55,7 +64,7 @@ fn clear_of(state: &WindowState, layout: &Layout) -> f32 {
 }
 
 /// What holds all the time: the legend of the view, and simplified rules.
-fn standing(state: &WindowState, ui: &Ui, acts: &mut Acts, layout: &Layout) {
+fn standing(state: &PanelContext, ui: &Ui, acts: &mut Acts, layout: &Layout) {
     if layout.ways.is_some() || !says_what_holds(state) {
         return;
     }
@@ -69,12 +78,12 @@ fn standing(state: &WindowState, ui: &Ui, acts: &mut Acts, layout: &Layout) {
     });
 }
 
-pub(crate) fn says_what_holds(state: &WindowState) -> bool {
+pub(crate) fn says_what_holds(state: &PanelContext) -> bool {
     state.session.kitchen.rules() == Rules::Paper2013 || state.settings.view != View::Look
 }
 
 /// The legend of the view, and whether rules are simplified, at most `width` points wide.
-pub fn what_holds(state: &WindowState, ui: &mut Ui, acts: &mut Acts, width: f32) {
+pub fn what_holds(state: &PanelContext, ui: &mut Ui, acts: &mut Acts, width: f32) {
     legend::show(state, ui, acts, width);
     if state.session.kitchen.rules() == Rules::Paper2013 {
         let text = RichText::new(state.settings.language.text("scene.rules_2013"));

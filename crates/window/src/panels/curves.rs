@@ -8,8 +8,8 @@ use saute_kitchen::food::Scale;
 use saute_kitchen::food::change::doneness::Measure;
 
 use crate::panels::ahead::future_curves::futures;
+use crate::panels::context::PanelContext;
 use crate::panels::curve::Curve;
-use crate::panels::window_state::WindowState;
 use crate::ui::palette::Palette;
 use crate::ui::theme;
 use saute_session::Mark;
@@ -27,7 +27,7 @@ const EVENT_APART: f32 = 6.0;
 const EVENT_SEEN: f32 = 0.35;
 
 /// Shows the curves with what happened.
-pub fn show(state: &WindowState, ui: &mut Ui, height: f32) {
+pub fn show(state: &PanelContext, ui: &mut Ui, height: f32) {
     let palette = theme::of(ui);
     let mut curves = curves(state, palette);
     let futures = futures(state, palette);
@@ -60,7 +60,7 @@ pub fn show(state: &WindowState, ui: &mut Ui, height: f32) {
 }
 
 /// Axes of time and temperature in a plot of a height [points].
-pub(super) fn axes<'a>(state: &WindowState, name: &'static str, height: f32) -> Plot<'a> {
+pub(super) fn axes<'a>(state: &PanelContext, name: &'static str, height: f32) -> Plot<'a> {
     let settings = state.settings;
     // The axis leaves numbers away that stand closer than this.
     let levels = ((f64::from(height) - 21.0) / 24.0).clamp(2.0, 6.0);
@@ -82,12 +82,12 @@ pub(super) fn axes<'a>(state: &WindowState, name: &'static str, height: f32) -> 
 }
 
 /// The goal of the food that the panels show in the chosen unit, where it is a temperature.
-pub(super) fn goal(state: &WindowState) -> Option<f64> {
+pub(super) fn goal(state: &PanelContext) -> Option<f64> {
     Some(state.settings.degrees(state.settings.goal(&*of_temperature(state)?)))
 }
 
 /// A line at that goal.
-pub(super) fn goal_line(state: &WindowState, palette: &Palette) -> Option<HLine> {
+pub(super) fn goal_line(state: &PanelContext, palette: &Palette) -> Option<HLine> {
     let line = HLine::new(state.settings.language.text("curves.goal"), goal(state)?);
     Some(line.color(palette.quiet).style(LineStyle::dotted_dense()).width(1.0))
 }
@@ -97,7 +97,7 @@ fn mark_words(mark: &Mark, l: Language) -> String {
     saute_words::act_words::act_words(&mark.done, l)
 }
 
-fn curves(state: &WindowState, palette: &Palette) -> Vec<Curve> {
+fn curves(state: &PanelContext, palette: &Palette) -> Vec<Curve> {
     let (settings, rows) = (state.settings, &state.session.recorder.rows);
     let step = rows.len().div_ceil(MOST_POINTS).max(1);
     let series = |pick: &dyn Fn(&saute_recipe::recorder::Row) -> Option<f64>| -> Vec<[f64; 2]> {
@@ -152,11 +152,11 @@ fn probe_style(number: usize) -> LineStyle {
 }
 
 /// The scale of the food that the panels show, where its goal is a temperature.
-fn of_temperature(state: &WindowState) -> Option<Arc<Scale>> {
+fn of_temperature(state: &PanelContext) -> Option<Arc<Scale>> {
     state.scale().filter(|scale| scale.measure() == Measure::Peak)
 }
 
-fn legend(state: &WindowState, ui: &mut Ui, curves: &[Curve]) {
+fn legend(state: &PanelContext, ui: &mut Ui, curves: &[Curve]) {
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing = vec2(5.0, 2.0);
         for curve in curves.iter().filter(|c| c.mark.is_empty()) {
@@ -227,7 +227,7 @@ fn ends(ui: &Ui, transform: &PlotTransform, curves: &[Curve]) {
 
 /// The values at the time under the pointer.
 pub(super) fn read_off(
-    state: &WindowState,
+    state: &PanelContext,
     ui: &Ui,
     response: &egui::Response,
     transform: &PlotTransform,

@@ -7,7 +7,7 @@ use saute_picture::colour::map::TemperatureMap;
 use saute_picture::cut::section::section_picture;
 use saute_picture::view::View;
 
-use crate::panels::window_state::WindowState;
+use crate::panels::context::PanelContext;
 
 /// Pictures of the cut of a steak are painted at this scale [pixels/mm] (chosen: sharp in the panel, 4 ms a picture).
 const PER_MM: f64 = 3.2;
@@ -36,14 +36,14 @@ struct Painted {
 }
 
 impl CutPicture {
-    /// Paints the cut of a piece again, at intervals and as soon as it should look different; returns true if it did.
-    pub fn refresh(&mut self, state: &WindowState, piece: &Piece, ui: &Ui) -> bool {
+    /// Paints the cut of a piece at a place (−1…1) again, at intervals and as soon as it should look different; returns true if it did.
+    pub fn refresh(&mut self, state: &PanelContext, piece: &Piece, cut_at: f64, ui: &Ui) -> bool {
         let now = ui.input(|i| i.time);
-        let wanted = Painted::wanted(state, piece);
+        let wanted = Painted::wanted(state, piece, cut_at);
         if self.painted_for.as_ref() == Some(&wanted) && now - self.painted_at < REPAINT_S {
             return false;
         }
-        self.paint(state, piece, ui, &wanted);
+        self.paint(state, (piece, cut_at), ui, &wanted);
         (self.painted_at, self.painted_for) = (now, Some(wanted));
         true
     }
@@ -53,8 +53,8 @@ impl CutPicture {
         self.texture.as_ref()
     }
 
-    fn paint(&mut self, state: &WindowState, piece: &Piece, ui: &Ui, wanted: &Painted) {
-        let x = state.slice.unwrap_or(0.0) * saute_picture::stage::half_length(piece);
+    fn paint(&mut self, state: &PanelContext, (piece, cut_at): (&Piece, f64), ui: &Ui, wanted: &Painted) {
+        let x = cut_at * saute_picture::stage::half_length(piece);
         let colours = wanted.view.colour_map(wanted.map, state.scale().as_deref());
         let picture = section_picture(piece, x, wanted.view, colours.as_ref(), per_mm(piece));
         let image = egui::ColorImage::from_rgba_unmultiplied([picture.width, picture.height], &picture.rgba);
@@ -66,10 +66,10 @@ impl CutPicture {
 }
 
 impl Painted {
-    fn wanted(state: &WindowState, piece: &Piece) -> Self {
+    fn wanted(state: &PanelContext, piece: &Piece, cut_at: f64) -> Self {
         Self {
             generation: state.session.generation,
-            place: (state.slice.unwrap_or(0.0) * 1e4) as i64,
+            place: (cut_at * 1e4) as i64,
             view: state.settings.view,
             map: state.settings.map,
             scale: state.scale().map(|s| s.id.clone()),

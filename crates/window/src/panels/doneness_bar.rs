@@ -6,8 +6,8 @@ use saute_kitchen::food::change::doneness::Measure;
 use saute_picture::colour::map::Tone;
 
 use crate::act::{Act, Acts, AppAct, Setting};
+use crate::panels::context::PanelContext;
 use crate::panels::section_read::Inside;
-use crate::panels::window_state::WindowState;
 use crate::settings::Settings;
 use crate::ui::{fingers, theme};
 use saute_words::doneness_words;
@@ -27,7 +27,7 @@ fn range(settings: &Settings, scale: &Scale, class: usize) -> String {
 }
 
 /// Shows the shares of a section in the words of the food, or the changes of a food that no scale knows.
-pub fn show(state: &WindowState, inside: &Inside, ui: &mut Ui, acts: &mut Acts) {
+pub fn show(state: &PanelContext, inside: &Inside, ui: &mut Ui, acts: &mut Acts) {
     let Some(scale) = state.scale() else {
         changes(state, inside, ui);
         return;
@@ -38,7 +38,7 @@ pub fn show(state: &WindowState, inside: &Inside, ui: &mut Ui, acts: &mut Acts) 
 }
 
 /// The scale's label; a click chooses another.
-fn selector(state: &WindowState, ui: &mut Ui, acts: &mut Acts, scale: &Scale) {
+fn selector(state: &PanelContext, ui: &mut Ui, acts: &mut Acts, scale: &Scale) {
     let l = state.settings.language;
     ui.horizontal(|ui| {
         ui.spacing_mut().interact_size.y = fingers::height(ui, 22.0);
@@ -64,7 +64,7 @@ fn selector(state: &WindowState, ui: &mut Ui, acts: &mut Acts, scale: &Scale) {
     });
 }
 
-fn bar(state: &WindowState, inside: &Inside, ui: &mut Ui, scale: &Scale) {
+fn bar(state: &PanelContext, inside: &Inside, ui: &mut Ui, scale: &Scale) {
     let shares = inside.shares.0;
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), 20.0), Sense::hover());
     let l = state.settings.language;
@@ -92,7 +92,7 @@ fn bar(state: &WindowState, inside: &Inside, ui: &mut Ui, scale: &Scale) {
 }
 
 /// Number, name and range of each class, side by side; longer names get more room.
-fn columns(state: &WindowState, inside: &Inside, ui: &mut Ui, scale: &Scale) {
+fn columns(state: &PanelContext, inside: &Inside, ui: &mut Ui, scale: &Scale) {
     let gap = 4.0;
     let room = ui.available_width() - gap * (scale.class.len() - 1) as f32;
     // As many letters as its name or its range needs, at least.
@@ -126,7 +126,7 @@ fn width_in_letters(name: &str) -> f32 {
 }
 
 /// What heat has changed in a food that no scale of doneness knows: name and mean share of each change.
-fn changes(state: &WindowState, inside: &Inside, ui: &mut Ui) {
+fn changes(state: &PanelContext, inside: &Inside, ui: &mut Ui) {
     let l = state.settings.language;
     let caption = l.text("doneness.changed");
     ui.label(RichText::new(caption).size(12.5).color(theme::of(ui).quiet));

@@ -3,13 +3,13 @@
 use egui::{Rect, RichText, Ui, UiBuilder, vec2};
 
 use crate::act::{Act, Acts, AppAct, ViewAct, hint};
-use crate::panels::window_state::WindowState;
+use crate::panels::context::PanelContext;
 use crate::system::IS_PAGE;
 use crate::ui::glance::EyeView;
 use crate::ui::theme;
 
 /// Shows a button for each view.
-pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts, rect: Rect) {
+pub fn show(state: &PanelContext, ui: &mut Ui, acts: &mut Acts, rect: Rect) {
     let l = state.settings.language;
     let mut child = ui.new_child(UiBuilder::new().id_salt("eye").max_rect(rect));
     child.horizontal(|ui| {

@@ -2,21 +2,23 @@
 
 use egui::{RichText, Ui, vec2};
 use saute_kitchen::advice::class_goal;
+use saute_kitchen::advice::coaching::Coaching;
 use saute_kitchen::food::Scale;
 use saute_kitchen::food::change::doneness::Measure;
 use saute_kitchen::{Piece, Place, celsius};
 
 use crate::act::{Act, Acts, AppAct, Card, Setting, ViewAct};
 use crate::learn::goal_choice::named_goal;
+use crate::panels::context::{PanelContext, reads_context};
 use crate::panels::cook::heard;
 use crate::panels::learn::coach;
 use crate::panels::now::control_place;
 use crate::panels::section_read::Inside;
-use crate::panels::window_state::WindowState;
 use crate::panels::{ahead, curves, doneness_bar, probes};
 use crate::settings::Settings;
 use crate::ui::aloud::spoken_value;
 use crate::ui::{fingers, theme};
+use saute_sound::Snapshot;
 use saute_words::clock::clock;
 use saute_words::doneness_words;
 
@@ -27,8 +29,26 @@ const UNEVEN_K: f64 = 5.0;
 /// Room for the words of the coach: a line of what to perceive, two of what happens [points].
 const COACH_HEIGHT: f32 = 50.0;
 
+/// What the panel reads.
+pub struct InsideState<'a> {
+    /// What every panel reads.
+    pub context: PanelContext<'a>,
+    /// Place of the cut (−1…1).
+    pub cut_at: f64,
+    /// True if the next click puts a probe in.
+    pub placing: bool,
+    /// What is heard; none where a study leaves no sound.
+    pub heard: Option<Snapshot>,
+    /// What a coach states of the piece; none where the coach is off.
+    pub coaching: Option<&'a Coaching>,
+    /// True while a plan is kept to: its guide alone states what to do.
+    pub guide_leads: bool,
+}
+
+reads_context!(InsideState);
+
 /// Shows the panel.
-pub fn show(state: &WindowState, inside: &mut Inside, ui: &mut Ui, acts: &mut Acts) {
+pub fn show(state: &InsideState, inside: &mut Inside, ui: &mut Ui, acts: &mut Acts) {
     let Some(piece) = state.session.steak() else {
         ui.label(state.settings.language.text("inside.no_food"));
         return;
@@ -36,7 +56,7 @@ pub fn show(state: &WindowState, inside: &mut Inside, ui: &mut Ui, acts: &mut Ac
     if !state.reads_out() {
         return skill(state, ui, acts);
     }
-    inside.refresh(state, piece, ui);
+    inside.refresh(state, piece, state.cut_at, ui);
     (ui.spacing_mut().item_spacing.y, ui.spacing_mut().interact_size.y) = (4.0, fingers::height(ui, 26.0));
     goal(state, ui, acts);
     cut(state, inside, ui, acts);
@@ -49,7 +69,7 @@ pub fn show(state: &WindowState, inside: &mut Inside, ui: &mut Ui, acts: &mut Ac
     probes::show(state, ui, acts);
     more(state, ui, acts);
     if open {
-        heard::show(state, ui);
+        heard::show(state, state.heard.as_ref(), ui);
     }
     if open && ahead {
         ahead::table::show(state, ui, acts);
@@ -61,7 +81,7 @@ pub fn show(state: &WindowState, inside: &mut Inside, ui: &mut Ui, acts: &mut Ac
 }
 
 /// Opens and closes the curves with all readings.
-fn more(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+fn more(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
     let open = state.settings.curves_open;
     let l = state.settings.language;
     ui.horizontal(|ui| {
@@ -76,7 +96,7 @@ fn more(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
 }
 
 /// Opens the result, once the food was taken out.
-fn result(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+fn result(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
     let is_out = state.session.steak().is_some_and(|piece| matches!(piece.place, Place::Rest(_)));
     if !is_out {
         return;
@@ -91,12 +111,12 @@ fn result(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
 }
 
 /// What is in place of all readings in skill mode.
-fn skill(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+fn skill(state: &InsideState, ui: &mut Ui, acts: &mut Acts) {
     let l = state.settings.language;
     ui.label(RichText::new(l.text("skill.title")).size(16.0).strong());
     ui.label(RichText::new(l.text("skill.how")).size(13.5).color(theme::of(ui).quiet));
     // It stands for what a cook hears.
-    heard::show(state, ui);
+    heard::show(state, state.heard.as_ref(), ui);
     ui.horizontal_wrapped(|ui| {
         result(state, ui, acts);
         let size = vec2(0.0, fingers::height(ui, 24.0));
@@ -107,7 +127,7 @@ fn skill(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     });
 }
 
-fn cut(state: &WindowState, inside: &Inside, ui: &mut Ui, acts: &mut Acts) {
+fn cut(state: &InsideState, inside: &Inside, ui: &mut Ui, acts: &mut Acts) {
     let Some(texture) = inside.cut.texture() else { return };
     let width = ui.available_width();
     let size = texture.size_vec2();
@@ -118,10 +138,10 @@ fn cut(state: &WindowState, inside: &Inside, ui: &mut Ui, acts: &mut Acts) {
     ui.vertical_centered(|ui| {
         ui.add(egui::Image::new((texture.id(), size * scale)).corner_radius(5).alt_text(alt));
     });
-    let mut place = state.slice.unwrap_or(0.0);
+    let mut place = state.cut_at;
     ui.horizontal(|ui| {
         ui.label(RichText::new(l.text("inside.cut_at")).size(13.0).color(theme::of(ui).quiet));
-        let beside = if state.scene.placing { 124.0 } else { 84.0 };
+        let beside = if state.placing { 124.0 } else { 84.0 };
         ui.spacing_mut().slider_width = ui.available_width() - beside - 16.0;
         let slider = egui::Slider::new(&mut place, -0.95..=0.95).show_value(false);
         let response = ui.add(slider);
@@ -131,11 +151,11 @@ fn cut(state: &WindowState, inside: &Inside, ui: &mut Ui, acts: &mut Acts) {
         if response.changed() {
             acts.push(Act::View(ViewAct::SliceAt(place)));
         }
-        probes::add_button(state, ui, acts);
+        probes::add_button(state, state.placing, ui, acts);
     });
 }
 
-fn readings(state: &WindowState, inside: &Inside, piece: &Piece, ui: &mut Ui) {
+fn readings(state: &PanelContext, inside: &Inside, piece: &Piece, ui: &mut Ui) {
     let settings = state.settings;
     let kitchen = &state.session.kitchen;
     let mass = 1e3 * piece.mass();
@@ -171,7 +191,7 @@ fn readings(state: &WindowState, inside: &Inside, piece: &Piece, ui: &mut Ui) {
 }
 
 /// The mean temperature of the pan's floor, and of its hottest place where that is another.
-fn pan(state: &WindowState) -> String {
+fn pan(state: &PanelContext) -> String {
     let kitchen = &state.session.kitchen;
     let [mean, hottest] = [kitchen.pan_temperature(), kitchen.hottest_temperature()].map(celsius);
     let l = state.settings.language;
@@ -192,7 +212,7 @@ fn tidy(percent: f64) -> f64 {
     (10.0 * percent).round() / 10.0 + 0.0
 }
 
-fn goal(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+fn goal(state: &InsideState, ui: &mut Ui, acts: &mut Acts) {
     let Some(scale) = state.scale() else {
         return coached(state, ui);
     };
@@ -229,7 +249,7 @@ fn goal(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
 }
 
 /// The goal that the cook is judged by.
-fn goal_hint(state: &WindowState) -> String {
+fn goal_hint(state: &PanelContext) -> String {
     let l = state.settings.language;
     let named = named_goal(state.session, state.settings);
     named.map_or_else(
@@ -252,7 +272,7 @@ fn goals(settings: &Settings, scale: &Scale, ui: &mut Ui, acts: &mut Acts) {
 }
 
 /// What a coach states of the cook: what to perceive next, and what happens.
-fn coached(state: &WindowState, ui: &mut Ui) {
+fn coached(state: &InsideState, ui: &mut Ui) {
     // Always the same height, so that what is below stays where it is.
     let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), COACH_HEIGHT), egui::Sense::hover());
     let mut child = ui.new_child(egui::UiBuilder::new().max_rect(rect));
@@ -262,5 +282,5 @@ fn coached(state: &WindowState, ui: &mut Ui) {
         let words = state.settings.language.text("plan.leads");
         child.add(egui::Label::new(RichText::new(words).size(13.0)).truncate()).on_hover_text(words);
     }
-    coach::show(state, &mut child, false);
+    coach::show(state, state.coaching, &mut child, false);
 }

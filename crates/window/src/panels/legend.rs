@@ -5,7 +5,7 @@ use saute_kitchen::food::Scale;
 use saute_picture::colour::map::{ColourMap, Tone};
 
 use crate::act::{Act, Acts, ViewAct};
-use crate::panels::window_state::WindowState;
+use crate::panels::context::PanelContext;
 use crate::spoken::view_words::ViewWords;
 use crate::ui::{fingers, theme};
 use saute_words::doneness_words;
@@ -18,7 +18,7 @@ const BAR_HEIGHT: f32 = 14.0;
 const BETWEEN_MARKS: f32 = 5.0;
 
 /// Shows what the colours mean, at most `width` points wide: nothing for the natural look.
-pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts, width: f32) {
+pub fn show(state: &PanelContext, ui: &mut Ui, acts: &mut Acts, width: f32) {
     let (view, scale) = (state.settings.view, state.scale());
     let Some(map) = view.colour_map(state.settings.map, scale.as_deref()) else { return };
     ui.spacing_mut().item_spacing.y = 4.0;
@@ -31,7 +31,7 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts, width: f32) {
     }
 }
 
-fn bar(state: &WindowState, ui: &mut Ui, acts: &mut Acts, map: &ColourMap, width: f32) {
+fn bar(state: &PanelContext, ui: &mut Ui, acts: &mut Acts, map: &ColourMap, width: f32) {
     let view = state.settings.view;
     let changes = view.is_of_temperature(state.scale().as_deref());
     let sense = if changes { Sense::click() } else { Sense::hover() };
@@ -64,7 +64,7 @@ fn paint_table(painter: &Painter, bar: Rect, map: &ColourMap) {
 }
 
 /// A tick at every value worth a mark, a number where there is room for one.
-fn marks(state: &WindowState, ui: &Ui, rect: Rect, map: &ColourMap) {
+fn marks(state: &PanelContext, ui: &Ui, rect: Rect, map: &ColourMap) {
     let (view, font) = (state.settings.view, FontId::proportional(11.5));
     let (painter, bottom) = (ui.painter(), rect.top() + BAR_HEIGHT);
     let mut free_from = f32::NEG_INFINITY;

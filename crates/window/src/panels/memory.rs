@@ -4,13 +4,13 @@ use std::collections::BTreeSet;
 
 use crate::act::{Act, ViewAct};
 use crate::panels::cards::result::CutOfResult;
+use crate::panels::context::PanelContext;
 use crate::panels::guided::Entries;
 use crate::panels::here::HereMemory;
 use crate::panels::now::now_memory::NowMemory;
+use crate::panels::pantry::PantryMemory;
 use crate::panels::section_read::Inside;
-use crate::panels::still::Stills;
 use crate::panels::ways::memory::WaysMemory;
-use crate::panels::window_state::WindowState;
 
 /// Which part of the drawer is open on a narrow window.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -30,7 +30,7 @@ impl Drawer {
     pub(super) const ALL: [Self; 4] = [Self::Cook, Self::Inside, Self::Food, Self::Pieces];
 
     /// True unless a study or a lesson hides what it shows.
-    pub(super) fn is_offered(self, state: &WindowState) -> bool {
+    pub(super) fn is_offered(self, state: &PanelContext) -> bool {
         match self {
             Self::Cook => true,
             Self::Inside | Self::Pieces => !state.is_blind(),
@@ -38,7 +38,7 @@ impl Drawer {
         }
     }
 
-    pub(super) fn name(self, state: &WindowState) -> &'static str {
+    pub(super) fn name(self, state: &PanelContext) -> &'static str {
         match self {
             Self::Cook => state.settings.language.text("drawer.cook"),
             Self::Inside => state.settings.language.text("drawer.inside"),
@@ -48,7 +48,8 @@ impl Drawer {
     }
 }
 
-/// What panels keep from frame to frame.
+/// What panels keep from frame to frame, each its own part.
+#[derive(Default)]
 pub struct PanelMemory {
     /// The section and what was read with it.
     pub inside: Inside,
@@ -58,12 +59,10 @@ pub struct PanelMemory {
     pub unfolded: BTreeSet<String>,
     /// What the line keeps.
     pub now: NowMemory,
-    /// How many pieces the pantry adds at once.
-    pub count: usize,
+    /// What the pantry keeps.
+    pub pantry: PantryMemory,
     /// What was typed into the search of the help.
     pub search: String,
-    /// Pictures of the foods.
-    pub stills: Stills,
     /// What is kept of ways side by side.
     pub ways: WaysMemory,
     /// What was entered on the card of a study or a lesson.
@@ -72,22 +71,4 @@ pub struct PanelMemory {
     pub result: CutOfResult,
     /// What only a desktop, or only a page, keeps.
     pub(crate) here: HereMemory,
-}
-
-impl Default for PanelMemory {
-    fn default() -> Self {
-        Self {
-            inside: Inside::default(),
-            drawer: Drawer::default(),
-            unfolded: BTreeSet::new(),
-            now: NowMemory::default(),
-            count: 1,
-            search: String::new(),
-            stills: Stills::default(),
-            ways: WaysMemory::default(),
-            answers: Entries::default(),
-            result: CutOfResult::default(),
-            here: HereMemory::default(),
-        }
-    }
 }

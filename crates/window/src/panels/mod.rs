@@ -5,6 +5,7 @@ pub mod alarm;
 pub mod at_home;
 pub mod badge;
 pub mod cards;
+pub mod context;
 pub mod cook;
 pub mod curve;
 pub mod curves;
@@ -27,20 +28,32 @@ pub mod section_read;
 pub mod still;
 pub mod top;
 pub mod ways;
-pub mod window_state;
 
 use egui::{Rect, ScrollArea, Ui, UiBuilder};
 
 use crate::act::{Acts, Card};
+use crate::host::Here;
 use crate::paint::ground::GroundCallback;
+use crate::panels::at_home::at_home_state::AtHomeState;
+use crate::panels::cards::mirror::MirrorState;
+use crate::panels::cards::settings::SettingsState;
 use crate::panels::cards::{first_steps, goals, help, learn as learn_card, lessons, messages, result, unfinished};
+use crate::panels::context::PanelContext;
+use crate::panels::cook::cook_state::CookState;
 use crate::panels::cook::{few_controls, hob_bar, pour, time_strip};
+use crate::panels::inside::InsideState;
 use crate::panels::memory::{Drawer, PanelMemory};
-use crate::panels::window_state::WindowState;
+use crate::panels::now::now_state::NowState;
+use crate::panels::plan::plan_state::PlanState;
+use crate::panels::top::TopState;
+use crate::panels::ways::ways_state::WaysState;
 use crate::system::IS_PAGE;
 use crate::ui::aloud::name_panel;
 use crate::ui::layout::{GAP, Layout};
+use crate::ui::notice::{Notice, Said};
+use crate::ui::scene_view::SceneView;
 use crate::ui::{fingers, theme};
+use saute_words::judgement_words::ResultWords;
 
 /// Space within a panel of controls for a mouse, and within one for fingers [points].
 const MARGIN: i8 = 6;
@@ -49,100 +62,146 @@ const WIDE_MARGIN: i8 = 12;
 /// Height of the strip of time in the drawer [points].
 const STRIP_HEIGHT: f32 = 28.0;
 
+/// What all panels read in a frame: each panel gets its own part, and none gets all of them.
+pub struct Parts<'a> {
+    /// What every panel reads.
+    pub context: PanelContext<'a>,
+    /// What the window has of the desktop, or of its page.
+    pub here: &'a Here,
+    /// The scene's part of the window.
+    pub scene: &'a SceneView,
+    /// The card that is open.
+    pub card: Option<Card>,
+    /// How far a cook came with which the window offers to go on [s].
+    pub unfinished_s: Option<f64>,
+    /// All that was said so far.
+    pub said: &'a Notice,
+    /// What was said last, while it is still shown.
+    pub notice: Option<Said>,
+    /// What waits until the instant is reached to which time is turned.
+    pub waiting: Vec<String>,
+    /// The result in words, while its card is open, and from when the cook is tried again [s].
+    pub result: Option<&'a (ResultWords, Option<f64>)>,
+    /// For the chips at the top.
+    pub top: TopState<'a>,
+    /// For the line that states what to do now.
+    pub now: NowState<'a>,
+    /// For the controls.
+    pub cook: CookState<'a>,
+    /// For what is inside.
+    pub inside: InsideState<'a>,
+    /// For ways side by side.
+    pub ways: WaysState<'a>,
+    /// For the card of the settings.
+    pub settings: SettingsState<'a>,
+    /// For the card of the half mirror.
+    pub mirror: MirrorState<'a>,
+    /// For the card of plans.
+    pub plan: PlanState<'a>,
+    /// For the card of the kitchen at home.
+    pub at_home: AtHomeState<'a>,
+}
+
 /// Shows all panels, what is said over the scene, and the card that is open.
-pub fn show_all(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut Acts, layout: &Layout) {
-    if here::show_instead(state, ui, acts, layout) {
+pub fn show_all(parts: &Parts, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut Acts, layout: &Layout) {
+    let (state, whole) = (&parts.context, layout.whole);
+    if here::show_instead(state, parts.here, ui, acts, layout) {
         return here::devices(state, ui, acts, layout);
     }
     if let Some(ways) = &layout.ways {
-        ways::show(state, &mut memory.ways, ui, acts, (layout.whole, ways));
+        ways::show(&parts.ways, &mut memory.ways, ui, acts, (whole, ways));
     }
     if !state.settings.hides_panels() {
-        show(state, memory, ui, acts, layout);
+        show(parts, memory, ui, acts, layout);
     }
-    let whole = layout.whole;
     if state.reads_out() {
-        read_out::show(state, ui, whole);
+        read_out::show(state, parts.scene, ui, whole);
     }
     // What is due at the goal, and what a plan says, is said with the panels hidden, too; to a class all of it is.
-    if !state.settings.panels_hidden || state.alarm || state.is_led() {
-        now::show(state, &mut memory.now, ui, acts, layout);
+    if !state.settings.panels_hidden || parts.now.alarm || parts.now.is_led() {
+        now::show(&parts.now, &mut memory.now, ui, acts, layout);
     }
-    badge::show(state, ui, acts, layout);
+    badge::show(state, parts.notice.as_ref(), &parts.waiting, ui, acts, layout);
     alarm::show(state, ui, acts, whole);
     here::devices(state, ui, acts, layout);
     if guided::show(state, &mut memory.answers, ui, acts, layout) {
         return;
     }
-    if let Some(time_s) = state.unfinished_s {
-        return unfinished::show(state, time_s, ui, acts, whole);
+    match (parts.unfinished_s, parts.card) {
+        (Some(time_s), _) => unfinished::show(state, time_s, ui, acts, whole),
+        (None, Some(card)) => show_card(card, parts, memory, ui, acts, whole),
+        (None, None) => {}
     }
-    match state.card {
-        None => {}
-        Some(Card::Help) => help::show(state, memory, ui, acts, whole),
-        Some(Card::Messages) => messages::show(state, ui, acts, whole),
-        Some(Card::Settings) => cards::settings::show(state, memory, ui, acts, whole),
-        Some(Card::Mirror) => cards::mirror::show(state, ui, acts, whole),
-        Some(Card::FirstSteps) => first_steps::show(state, ui, acts, whole),
-        Some(Card::Learn) => learn_card::show(state, ui, acts, whole),
-        Some(Card::Lessons) => lessons::show(state, ui, acts, whole),
-        Some(Card::Goals) => goals::show(state, ui, acts, whole),
-        Some(Card::Result) => result::show(state, &mut memory.result, ui, acts, whole),
-        Some(Card::Plan) => plan::card::show(state, ui, acts, whole),
-        Some(Card::AtHome) => at_home::card::show(state, ui, acts, whole),
+}
+
+/// Shows the card that is open.
+fn show_card(card: Card, parts: &Parts, memory: &mut PanelMemory, ui: &Ui, acts: &mut Acts, whole: Rect) {
+    let state = &parts.context;
+    match card {
+        Card::Help => help::show(state, parts.here, &mut memory.search, ui, acts, whole),
+        Card::Messages => messages::show(state, parts.said, ui, acts, whole),
+        Card::Settings => cards::settings::show(&parts.settings, &mut memory.here, ui, acts, whole),
+        Card::Mirror => cards::mirror::show(&parts.mirror, ui, acts, whole),
+        Card::FirstSteps => first_steps::show(state, parts.settings.japanese_font, ui, acts, whole),
+        Card::Learn => learn_card::show(state, ui, acts, whole),
+        Card::Lessons => lessons::show(state, ui, acts, whole),
+        Card::Goals => goals::show(state, ui, acts, whole),
+        Card::Result => result::show(state, parts.result, &mut memory.result, ui, acts, whole),
+        Card::Plan => plan::card::show(&parts.plan, ui, acts, whole),
+        Card::AtHome => at_home::card::show(&parts.at_home, ui, acts, whole),
     }
 }
 
 /// Shows all panels.
-fn show(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut Acts, layout: &Layout) {
+fn show(parts: &Parts, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut Acts, layout: &Layout) {
+    let state = &parts.context;
     if layout.eye.is_positive() {
         eye_bar::show(state, ui, acts, layout.eye);
     }
     let (margin, l) = (if layout.narrow { WIDE_MARGIN } else { MARGIN }, state.settings.language);
     floating(ui, layout.top, (0, margin), ("views", l.text("panel.views")), |ui| match state.settings.few {
-        true => top::few(state, ui, acts),
-        false => top::show(state, ui, acts, layout.narrow),
+        true => top::few(&parts.top, ui, acts),
+        false => top::show(&parts.top, ui, acts, layout.narrow),
     });
     if layout.narrow {
         floating(ui, layout.bottom, (1, WIDE_MARGIN), ("drawer", l.text("panel.cook")), |ui| {
             match state.settings.few {
-                true => few_drawer(state, memory, ui, acts),
-                false => drawer(state, memory, ui, acts),
+                true => few_drawer(parts, memory, ui, acts),
+                false => drawer(parts, memory, ui, acts),
             }
         });
         return;
     }
     if state.settings.few {
         return floating(ui, layout.bottom, (3, WIDE_MARGIN), ("cook", l.text("panel.cook")), |ui| {
-            few_controls::row(state, ui, acts)
+            few_controls::row(&parts.cook, ui, acts)
         });
     }
     if layout.right.is_positive() {
         floating(ui, layout.right, (2, 10), ("inside", l.text("panel.inside")), |ui| {
-            scrolled(ui, |ui| inside::show(state, &mut memory.inside, ui, acts))
+            scrolled(ui, |ui| inside::show(&parts.inside, &mut memory.inside, ui, acts))
         });
     }
     floating(ui, layout.bottom, (3, MARGIN), ("cook", l.text("panel.cook")), |ui| {
-        hob_bar::show(state, ui, acts, false)
+        hob_bar::show(&parts.cook, ui, acts, false)
     });
-    turner_strip(state, ui, acts, layout);
+    if parts.cook.turner_in_hand {
+        turner_strip(state, ui, acts, layout);
+    }
     let Some(left) = layout.left else { return };
     floating(ui, left, (4, WIDE_MARGIN), ("left", l.text("panel.food")), |ui| {
         scrolled(ui, |ui| {
             if state.settings.pieces_open {
                 pieces::show(state, &mut memory.unfolded, ui, acts);
             } else {
-                pantry::show(state, memory, ui, acts);
+                pantry::show(state, &mut memory.pantry, ui, acts);
             }
         });
     });
 }
 
 /// What moves the turner, over the scene: no row of the panels jumps when it is taken.
-fn turner_strip(state: &WindowState, ui: &Ui, acts: &mut Acts, layout: &Layout) {
-    if !state.turner_in_hand {
-        return;
-    }
+fn turner_strip(state: &PanelContext, ui: &Ui, acts: &mut Acts, layout: &Layout) {
     let at = layout.eye.left_bottom() - egui::vec2(GAP, 0.0);
     let area = egui::Area::new(egui::Id::unique("turner")).fixed_pos(at).pivot(egui::Align2::RIGHT_BOTTOM);
     area.show(ui.ctx(), |ui| {
@@ -151,13 +210,14 @@ fn turner_strip(state: &WindowState, ui: &Ui, acts: &mut Acts, layout: &Layout) 
 }
 
 /// The drawer of a first cook: what to do now, and the few controls.
-fn few_drawer(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut Acts) {
-    now::in_drawer(state, &mut memory.now, ui, acts);
+fn few_drawer(parts: &Parts, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut Acts) {
+    now::in_drawer(&parts.now, &mut memory.now, ui, acts);
     ui.add_space(6.0);
-    scrolled(ui, |ui| few_controls::rows(state, ui, acts));
+    scrolled(ui, |ui| few_controls::rows(&parts.cook, ui, acts));
 }
 
-fn drawer(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut Acts) {
+fn drawer(parts: &Parts, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut Acts) {
+    let state = &parts.context;
     ui.horizontal(|ui| {
         // Narrow enough for all of them and what there is to learn, in one row of a phone.
         (ui.spacing_mut().item_spacing.x, ui.spacing_mut().button_padding.x) = (4.0, 5.0);
@@ -166,28 +226,28 @@ fn drawer(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut
                 memory.drawer = part;
             }
         }
-        top::learn_and_settings(state, ui, acts);
+        top::learn_and_settings(&parts.top, ui, acts);
     });
     ui.horizontal(|ui| {
         (ui.spacing_mut().item_spacing.x, ui.spacing_mut().button_padding.x) = (5.0, 7.0);
         let height = fingers::height(ui, STRIP_HEIGHT);
         ui.spacing_mut().interact_size.y = height;
         time_strip::undo_and_redo(state, ui, acts);
-        time_strip::branches(state, ui, acts);
+        time_strip::branches(state, parts.cook.side_by_side, ui, acts);
         let width = ui.available_width();
         time_strip::show(state, ui, acts, egui::vec2(width, height));
     });
-    now::in_drawer(state, &mut memory.now, ui, acts);
+    now::in_drawer(&parts.now, &mut memory.now, ui, acts);
     ui.add_space(6.0);
     let part = if memory.drawer.is_offered(state) { memory.drawer } else { Drawer::Cook };
     scrolled(ui, |ui| match part {
-        Drawer::Cook => hob_bar::show(state, ui, acts, true),
+        Drawer::Cook => hob_bar::show(&parts.cook, ui, acts, true),
         Drawer::Inside => {
-            ways::curves_in_drawer(state, &mut memory.ways, ui);
-            inside::show(state, &mut memory.inside, ui, acts);
+            ways::curves_in_drawer(&parts.ways, &mut memory.ways, ui);
+            inside::show(&parts.inside, &mut memory.inside, ui, acts);
         }
-        Drawer::Food => pantry::show(state, memory, ui, acts),
-        Drawer::Pieces if !state.reads_out() => inside::show(state, &mut memory.inside, ui, acts),
+        Drawer::Food => pantry::show(state, &mut memory.pantry, ui, acts),
+        Drawer::Pieces if !state.reads_out() => inside::show(&parts.inside, &mut memory.inside, ui, acts),
         Drawer::Pieces => pieces::show(state, &mut memory.unfolded, ui, acts),
     });
 }

@@ -5,10 +5,9 @@ use saute_kitchen::food::{FoodDescription, Rules};
 use saute_kitchen::{Library, PieceOrder};
 
 use crate::act::{Act, Acts, AppAct, Card, CookAct, Setting};
+use crate::panels::context::PanelContext;
 use crate::panels::here;
-use crate::panels::memory::PanelMemory;
 use crate::panels::still::Stills;
-use crate::panels::window_state::WindowState;
 use crate::ui::aloud::heading;
 use crate::ui::aloud::spoken_value;
 use crate::ui::theme;
@@ -22,8 +21,22 @@ const MOST_AT_ONCE: usize = 35;
 /// Height of a food with its picture [points] (chosen: for a finger).
 const KIND: f32 = 44.0;
 
+/// What the pantry keeps from frame to frame.
+pub struct PantryMemory {
+    /// How many pieces are added at once.
+    pub count: usize,
+    /// Pictures of the foods.
+    stills: Stills,
+}
+
+impl Default for PantryMemory {
+    fn default() -> Self {
+        Self { count: 1, stills: Stills::default() }
+    }
+}
+
 /// Shows the choices; they take effect with "Set out".
-pub fn show(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut Acts) {
+pub fn show(state: &PanelContext, memory: &mut PantryMemory, ui: &mut Ui, acts: &mut Acts) {
     let library = &state.session.library;
     let l = state.settings.language;
     let food = noun(library, &state.settings.choice.kind, l);
@@ -46,7 +59,7 @@ pub fn show(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &m
 }
 
 /// Shows controls; those that a study or a lesson locks look so, and say why.
-fn free(state: &WindowState, is_free: bool, ui: &mut Ui, content: impl FnOnce(&mut Ui)) {
+fn free(state: &PanelContext, is_free: bool, ui: &mut Ui, content: impl FnOnce(&mut Ui)) {
     let shown = ui.add_enabled_ui(is_free, content).response;
     if !is_free {
         shown.on_hover_text(state.settings.language.text("guided.locked"));
@@ -54,7 +67,7 @@ fn free(state: &WindowState, is_free: bool, ui: &mut Ui, content: impl FnOnce(&m
 }
 
 /// The kind of food, its size and temperature, and the pan.
-fn food_and_pan(state: &WindowState, choice: &mut SteakChoice, stills: &mut Stills, ui: &mut Ui, acts: &mut Acts) {
+fn food_and_pan(state: &PanelContext, choice: &mut SteakChoice, stills: &mut Stills, ui: &mut Ui, acts: &mut Acts) {
     let (library, l, fahrenheit) = (&state.session.library, state.settings.language, state.settings.fahrenheit);
     ui.scope(|ui| kinds(ui, library, choice, stills, l));
     if let Some(food) = library.foods.get(&choice.kind) {
@@ -160,7 +173,7 @@ pub(super) fn sizes(ui: &mut Ui, food: &FoodDescription, size_mm: &mut Vec<f64>,
     }
 }
 
-fn set_out(state: &WindowState, count: usize, ui: &mut Ui, acts: &mut Acts) {
+fn set_out(state: &PanelContext, count: usize, ui: &mut Ui, acts: &mut Acts) {
     let l = state.settings.language;
     ui.horizontal(|ui| {
         let half = 0.5 * (ui.available_width() - ui.spacing().item_spacing.x) - 4.0;
@@ -190,7 +203,7 @@ fn how_many(count: &mut usize, ui: &mut Ui, l: Language) {
     *count = (shown.round() as usize).clamp(1, MOST_AT_ONCE);
 }
 
-fn recipes(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+fn recipes(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
     let l = state.settings.language;
     heading(ui, l.text("pantry.play"));
     ui.label(RichText::new(l.text("pantry.drop")).size(12.5).color(theme::of(ui).quiet));

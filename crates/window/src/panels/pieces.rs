@@ -6,7 +6,7 @@ use egui::{RichText, Sense, Ui, vec2};
 use saute_kitchen::{Piece, celsius};
 
 use crate::act::{Act, Acts, CookAct, ViewAct};
-use crate::panels::window_state::WindowState;
+use crate::panels::context::PanelContext;
 use crate::ui::aloud::heading;
 use crate::ui::{fingers, theme};
 use saute_words::language::Language;
@@ -27,7 +27,7 @@ struct Line {
 const LINE: f32 = 42.0;
 
 /// Shows the list; a click selects the piece that the other panels are about.
-pub fn show(state: &WindowState, unfolded: &mut BTreeSet<String>, ui: &mut Ui, acts: &mut Acts) {
+pub fn show(state: &PanelContext, unfolded: &mut BTreeSet<String>, ui: &mut Ui, acts: &mut Acts) {
     let count = state.session.kitchen.pieces().len();
     let l = state.settings.language;
     heading(ui, if count == 1 { l.text("piece.one").to_owned() } else { l.fill("piece.many", &[("count", &count)]) });
@@ -43,7 +43,7 @@ pub fn show(state: &WindowState, unfolded: &mut BTreeSet<String>, ui: &mut Ui, a
 }
 
 /// Puts in what waits.
-pub fn all_at_once(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+pub fn all_at_once(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
     let waiting = state.session.waiting();
     let l = state.settings.language;
     if waiting.len() < 2 {
@@ -68,7 +68,7 @@ pub fn all_at_once(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
 }
 
 /// Groups in the order of their first pieces.
-fn groups(state: &WindowState) -> Vec<(String, Vec<String>)> {
+fn groups(state: &PanelContext) -> Vec<(String, Vec<String>)> {
     let mut groups: Vec<(String, Vec<String>)> = Vec::new();
     let mut known: BTreeMap<String, usize> = BTreeMap::new();
     for piece in state.session.kitchen.pieces() {
@@ -82,7 +82,7 @@ fn groups(state: &WindowState) -> Vec<(String, Vec<String>)> {
     groups
 }
 
-fn piece_line(state: &WindowState, ui: &mut Ui, acts: &mut Acts, id: &str, indent: f32) {
+fn piece_line(state: &PanelContext, ui: &mut Ui, acts: &mut Acts, id: &str, indent: f32) {
     let Some(piece) = state.session.kitchen.piece(id) else { return };
     let l = state.settings.language;
     let line = Line {
@@ -104,7 +104,7 @@ fn piece_line(state: &WindowState, ui: &mut Ui, acts: &mut Acts, id: &str, inden
 }
 
 fn group_lines(
-    state: &WindowState,
+    state: &PanelContext,
     (group, members): (&str, &[String]),
     unfolded: &mut BTreeSet<String>,
     ui: &mut Ui,
@@ -142,7 +142,7 @@ fn group_lines(
 }
 
 /// A group in one line: means over its pieces, and how many are where.
-fn means(state: &WindowState, group: &str, members: &[String], open: bool) -> Line {
+fn means(state: &PanelContext, group: &str, members: &[String], open: bool) -> Line {
     let pieces: Vec<&Piece> = members.iter().filter_map(|id| state.session.kitchen.piece(id)).collect();
     let mean =
         |value: &dyn Fn(&Piece) -> f64| pieces.iter().map(|p| value(p)).sum::<f64>() / pieces.len().max(1) as f64;

@@ -3,21 +3,21 @@
 use egui::{RichText, Ui, vec2};
 
 use crate::act::{Act, Acts, ViewAct, key_of};
-use crate::panels::window_state::WindowState;
+use crate::panels::context::PanelContext;
 use crate::ui::{fingers, theme};
 
-/// A button after which the next click on the food puts a probe in.
-pub fn add_button(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+/// A button after which the next click on the food puts a probe in; `placing` is true until then.
+pub fn add_button(state: &PanelContext, placing: bool, ui: &mut Ui, acts: &mut Acts) {
     let l = state.settings.language;
-    let text = RichText::new(l.text(if state.scene.placing { "probe.click" } else { "probe.add" })).size(13.0);
-    let add = ui.add(egui::Button::new(text).selected(state.scene.placing));
+    let text = RichText::new(l.text(if placing { "probe.click" } else { "probe.add" })).size(13.0);
+    let add = ui.add(egui::Button::new(text).selected(placing));
     if add.on_hover_text(l.fill("probe.add_hint", &[("key", &key_of(&Act::View(ViewAct::Probe)))])).clicked() {
-        acts.push(Act::View(ViewAct::Placing(!state.scene.placing)));
+        acts.push(Act::View(ViewAct::Placing(!placing)));
     }
 }
 
 /// Shows the probes of the piece that the panels are about.
-pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+pub fn show(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
     let Some(piece) = state.session.steak() else { return };
     let words = |p: &saute_recipe::probe::Probe| state.settings.fine_temperature(p.celsius(piece));
     let shown: Vec<(usize, String)> =
@@ -43,7 +43,7 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
 }
 
 /// Name and end of the chosen probe.
-fn edit(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+fn edit(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
     let (id, l) = (state.session.steak_id(), state.settings.language);
     let Some(number) = state.session.probes.selected else { return };
     let Some(probe) = state.session.probes.get(number).filter(|p| p.piece == id) else { return };

@@ -4,8 +4,9 @@ use egui::{Align2, Area, Id, Order, Rect, RichText, Ui, Vec2, vec2};
 use saute_kitchen::food::change::doneness::Measure;
 use saute_kitchen::{Piece, celsius};
 
-use crate::panels::window_state::WindowState;
+use crate::panels::context::PanelContext;
 use crate::spoken::view_words::ViewWords;
+use crate::ui::scene_view::SceneView;
 use crate::ui::theme;
 use saute_words::piece_words::{doneness, grams, place};
 
@@ -14,9 +15,9 @@ const BY_MOUSE: Vec2 = vec2(18.0, 14.0);
 const BY_FINGER: Vec2 = vec2(0.0, 48.0);
 
 /// Shows the read-out while the pointer rests on a piece, or a finger is held on it.
-pub fn show(state: &WindowState, ui: &Ui, whole: Rect) {
-    let piece = state.scene.hovered.as_ref().and_then(|id| state.session.kitchen.piece(id));
-    let (Some(piece), Some((at, by_finger))) = (piece, state.scene.reads_at) else { return };
+pub fn show(state: &PanelContext, scene: &SceneView, ui: &Ui, whole: Rect) {
+    let piece = scene.hovered.as_ref().and_then(|id| state.session.kitchen.piece(id));
+    let (Some(piece), Some((at, by_finger))) = (piece, scene.reads_at) else { return };
     // A hand covers what is below its finger.
     let (at, pivot) =
         if by_finger { (at - BY_FINGER, Align2::CENTER_BOTTOM) } else { (at + BY_MOUSE, Align2::LEFT_TOP) };
@@ -34,7 +35,7 @@ pub fn show(state: &WindowState, ui: &Ui, whole: Rect) {
         theme::of(ui).panel().fill(theme::of(ui).solid).inner_margin(9).show(ui, |ui| {
             ui.spacing_mut().item_spacing.y = 2.0;
             ui.label(RichText::new(state.session.name_of(&piece.id, l)).size(14.5).strong().color(theme::of(ui).text));
-            if let Some(here) = here(state, piece) {
+            if let Some(here) = here(state, scene, piece) {
                 ui.add(egui::Label::new(RichText::new(here).size(14.5).strong()).extend());
             }
             for line in lines {
@@ -45,8 +46,8 @@ pub fn show(state: &WindowState, ui: &Ui, whole: Rect) {
 }
 
 /// The value of the view at the point under the pointer, with its unit.
-fn here(state: &WindowState, piece: &Piece) -> Option<String> {
-    let point = state.scene.pointed.as_ref().filter(|p| p.piece == piece.id)?;
+fn here(state: &PanelContext, scene: &SceneView, piece: &Piece) -> Option<String> {
+    let point = scene.pointed.as_ref().filter(|p| p.piece == piece.id)?;
     let piece = point.piece(&state.session.kitchen)?;
     let view = state.settings.view;
     let scale = state.scale_of(piece);

@@ -1,7 +1,7 @@
 //! The section of the piece that the panels show, and what was read with it.
 
+use crate::panels::context::PanelContext;
 use crate::panels::cut_picture::CutPicture;
-use crate::panels::window_state::WindowState;
 use egui::Ui;
 use saute_kitchen::Piece;
 use saute_kitchen::food::{Scale, Shares};
@@ -19,9 +19,9 @@ pub struct Inside {
 }
 
 impl Inside {
-    /// Reads everything again where the cut is painted again.
-    pub(crate) fn refresh(&mut self, state: &WindowState, piece: &Piece, ui: &Ui) {
-        if self.cut.refresh(state, piece, ui) {
+    /// Reads everything again where the cut, which is at a place (−1…1), is painted again.
+    pub(crate) fn refresh(&mut self, state: &PanelContext, piece: &Piece, cut_at: f64, ui: &Ui) {
+        if self.cut.refresh(state, piece, cut_at, ui) {
             self.read(piece, state.scale().as_deref());
         }
     }

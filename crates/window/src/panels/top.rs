@@ -4,9 +4,9 @@ use egui::Ui;
 use saute_picture::view::View;
 
 use crate::act::{Act, Acts, AppAct, Card, ViewAct, hint};
+use crate::panels::context::{PanelContext, reads_context};
 use crate::panels::cook::speaker_switch;
 use crate::panels::now::control_place;
-use crate::panels::window_state::WindowState;
 use crate::spoken::view_words::ViewWords;
 use crate::ui::{fingers, theme};
 use saute_session::permits::Permit;
@@ -18,8 +18,20 @@ const LEARN: f32 = 64.0;
 /// Width of the speech bubble [points].
 const BUBBLE: f32 = 36.0;
 
+/// What the chips read.
+pub struct TopState<'a> {
+    /// What every panel reads.
+    pub context: PanelContext<'a>,
+    /// The card that is open.
+    pub card: Option<Card>,
+    /// True while the food is shown cut.
+    pub is_cut: bool,
+}
+
+reads_context!(TopState);
+
 /// Shows the chips of the views, the switches of cut and split, and what is at the right.
-pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
+pub fn show(state: &TopState, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
     if narrow {
         ui.horizontal_wrapped(|ui| {
             views(state, ui, acts, 6.0);
@@ -34,7 +46,7 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
 }
 
 /// Shows the way to all controls, the settings and the help: what a first cook has on top.
-pub fn few(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+pub fn few(state: &TopState, ui: &mut Ui, acts: &mut Acts) {
     ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
         help(state, ui, acts);
         gear(state, ui, acts);
@@ -45,7 +57,7 @@ pub fn few(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
 }
 
 /// Shows what there is to learn, the help among it, the settings and, where there is room, what was said, from the right.
-pub fn learn_and_settings(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+pub fn learn_and_settings(state: &TopState, ui: &mut Ui, acts: &mut Acts) {
     ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
         // A study leads: what there is to learn is locked, the help is not.
         if !state.permits().allow(&[Permit::Leaving]) {
@@ -60,16 +72,16 @@ pub fn learn_and_settings(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     });
 }
 
-fn learn(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+fn learn(state: &TopState, ui: &mut Ui, acts: &mut Acts) {
     let name = state.settings.language.text("learn.title");
     chip(state, ui, acts, name, state.card == Some(Card::Learn), Act::App(AppAct::Open(Card::Learn)));
 }
 
-fn help(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+fn help(state: &TopState, ui: &mut Ui, acts: &mut Acts) {
     chip(state, ui, acts, "?", state.card == Some(Card::Help), Act::App(AppAct::Help));
 }
 
-fn views(state: &WindowState, ui: &mut Ui, acts: &mut Acts, padding: f32) {
+fn views(state: &TopState, ui: &mut Ui, acts: &mut Acts, padding: f32) {
     ui.spacing_mut().item_spacing = egui::vec2(4.0, 5.0);
     ui.spacing_mut().button_padding.x = padding;
     let l = state.settings.language;
@@ -81,12 +93,12 @@ fn views(state: &WindowState, ui: &mut Ui, acts: &mut Acts, padding: f32) {
     for view in View::ALL {
         chip(state, ui, acts, view.name(l), state.settings.view == view, Act::View(ViewAct::View(view)));
     }
-    chip(state, ui, acts, l.text("top.cut"), state.slice.is_some(), Act::View(ViewAct::Slice));
+    chip(state, ui, acts, l.text("top.cut"), state.is_cut, Act::View(ViewAct::Slice));
     chip(state, ui, acts, l.text("top.split"), state.settings.is_split(), Act::View(ViewAct::Split));
 }
 
 /// Shows the help, the settings and, where there is room, the switches of the panels at the left, from the right.
-fn help_and_settings(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+fn help_and_settings(state: &TopState, ui: &mut Ui, acts: &mut Acts) {
     let l = state.settings.language;
     ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
         help(state, ui, acts);
@@ -119,7 +131,7 @@ struct Drawn {
 }
 
 impl Drawn {
-    fn show(self, state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+    fn show(self, state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
         let l = state.settings.language;
         let palette = theme::of(ui);
         let size = egui::vec2(self.width, fingers::height(ui, HEIGHT));
@@ -135,7 +147,7 @@ impl Drawn {
 }
 
 /// A speech bubble: the list of what was said.
-fn messages(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+fn messages(state: &TopState, ui: &mut Ui, acts: &mut Acts) {
     let act = Act::App(AppAct::Messages);
     Drawn {
         name: "messages.title",
@@ -159,7 +171,7 @@ fn paint_bubble(painter: &egui::Painter, at: egui::Pos2, ink: egui::Color32) {
 }
 
 /// A gear: the settings.
-fn gear(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+fn gear(state: &TopState, ui: &mut Ui, acts: &mut Acts) {
     let act = Act::App(AppAct::Settings);
     Drawn { name: "settings.title", width: 38.0, is_on: state.card == Some(Card::Settings), act, paint: paint_gear }
         .show(state, ui, acts);
@@ -174,7 +186,7 @@ fn paint_gear(painter: &egui::Painter, at: egui::Pos2, ink: egui::Color32) {
     }
 }
 
-fn chip(state: &WindowState, ui: &mut Ui, acts: &mut Acts, text: &str, on: bool, act: Act) {
+fn chip(state: &PanelContext, ui: &mut Ui, acts: &mut Acts, text: &str, on: bool, act: Act) {
     if state.hides(&act) {
         return;
     }
@@ -192,12 +204,12 @@ fn chip(state: &WindowState, ui: &mut Ui, acts: &mut Acts, text: &str, on: bool,
 }
 
 /// True of a view that skill mode hides.
-fn is_off(state: &WindowState, act: &Act) -> bool {
+fn is_off(state: &PanelContext, act: &Act) -> bool {
     act.traits().reads && !state.reads_out()
 }
 
 /// What a chip does and its key; of a view also what its colours say.
-fn explained(state: &WindowState, act: &Act) -> String {
+fn explained(state: &PanelContext, act: &Act) -> String {
     let hint = hint(act, state.settings.language);
     match act {
         Act::View(ViewAct::View(_)) | Act::View(ViewAct::Slice) | Act::View(ViewAct::Split) if is_off(state, act) => {

@@ -7,7 +7,7 @@ use saute_haptics::open::{self, Access, Reach};
 use super::hands::Role;
 use crate::act::{Act, Acts, AppAct, HereAct};
 use crate::panels::cards::setting_row::{explained, named, row};
-use crate::panels::window_state::WindowState;
+use crate::panels::context::PanelContext;
 use crate::ui::theme;
 use saute_words::language::Language;
 
@@ -43,7 +43,7 @@ impl Choice {
 }
 
 /// Shows the part.
-pub(crate) fn section(state: &WindowState, choice: &mut Choice, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
+pub(crate) fn section(state: &PanelContext, choice: &mut Choice, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
     let l = state.settings.language;
     // Folded: who has no device sees no more than a line of it.
     egui::CollapsingHeader::new(RichText::new(l.text("hand.title")).strong())
@@ -51,7 +51,7 @@ pub(crate) fn section(state: &WindowState, choice: &mut Choice, ui: &mut Ui, act
         .show(ui, |ui| choices(state, choice, ui, acts, narrow));
 }
 
-fn choices(state: &WindowState, choice: &mut Choice, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
+fn choices(state: &PanelContext, choice: &mut Choice, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
     let l = state.settings.language;
     let names: Vec<(&str, bool)> =
         choice.names.iter().enumerate().map(|(i, n)| (n.as_str(), i == choice.name)).collect();
@@ -73,7 +73,7 @@ fn choices(state: &WindowState, choice: &mut Choice, ui: &mut Ui, acts: &mut Act
     }
 }
 
-fn buttons(state: &WindowState, choice: &Choice, ui: &mut Ui, acts: &mut Acts) {
+fn buttons(state: &PanelContext, choice: &Choice, ui: &mut Ui, acts: &mut Acts) {
     let (role, l) = (choice.role, state.settings.language);
     if ui.add(theme::of(ui).button(l.text("hand.connect"), false)).clicked() {
         let code = choice.code.trim();

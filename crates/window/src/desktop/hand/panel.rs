@@ -7,7 +7,7 @@ use super::choice::role_word;
 use super::connected::Connected;
 use super::hands::{Hands, Role};
 use crate::act::{Act, Acts, AppAct, HereAct, ViewAct, hint, key_of};
-use crate::panels::window_state::WindowState;
+use crate::panels::context::PanelContext;
 use crate::ui::layout::{GAP, Layout};
 use crate::ui::theme;
 use saute_words::language::Language;
@@ -25,7 +25,7 @@ const PRESSED: Color32 = Color32::from_rgb(84, 16, 16);
 const RIM: f32 = 3.0;
 
 /// Shows the panel while a device is connected.
-pub(crate) fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, layout: &Layout) {
+pub(crate) fn show(state: &PanelContext, ui: &Ui, acts: &mut Acts, layout: &Layout) {
     if !state.session.hands.any() {
         return;
     }
@@ -79,7 +79,7 @@ fn quiet(ui: &mut Ui, text: &str) {
     ui.label(RichText::new(text).size(13.0).color(theme::of(ui).quiet));
 }
 
-fn buttons(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+fn buttons(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
     let l = state.settings.language;
     ui.add_space(4.0);
     stop_button(state.session.hands.is_stopped(), ui, acts, l);

@@ -6,8 +6,8 @@ use saute_kitchen::{FRAME_S, celsius};
 use saute_plan::forecast::Question;
 
 use super::are_shown;
+use crate::panels::context::PanelContext;
 use crate::panels::curve::Curve;
-use crate::panels::window_state::WindowState;
 use crate::ui::palette::Palette;
 use saute_session::forecasts::Standing;
 
@@ -26,7 +26,7 @@ pub(crate) struct Future {
 }
 
 /// The cores to come of the piece that the panels show.
-pub(crate) fn futures(state: &WindowState, palette: &Palette) -> Vec<Future> {
+pub(crate) fn futures(state: &PanelContext, palette: &Palette) -> Vec<Future> {
     let l = state.settings.language;
     let looks = [
         (Question::AsItIs, "ahead.curve_as_it_is", palette.curves[1], 5.0),
@@ -46,7 +46,7 @@ pub(crate) fn futures(state: &WindowState, palette: &Palette) -> Vec<Future> {
 }
 
 /// Minutes and degrees from the shown instant on, each with half the width of the band. The full model has none.
-fn points(state: &WindowState, standing: &Standing, question: Question) -> Vec<([f64; 2], f64)> {
+fn points(state: &PanelContext, standing: &Standing, question: Question) -> Vec<([f64; 2], f64)> {
     let (settings, now_s) = (state.settings, state.session.kitchen.time_s());
     let begun_s = |frame: u64| frame as f64 * FRAME_S;
     let point = |time_s: f64, core: f64, half: f64| {
@@ -67,7 +67,7 @@ fn points(state: &WindowState, standing: &Standing, question: Question) -> Vec<(
     core_now.into_iter().chain(ahead).map(|(at_s, core, half)| point(at_s, core, half)).collect()
 }
 
-fn peak(state: &WindowState, standing: &Standing) -> ([f64; 2], String) {
+fn peak(state: &PanelContext, standing: &Standing) -> ([f64; 2], String) {
     let outlook = &standing.answer.outlook;
     let at_s = outlook.frame as f64 * FRAME_S + outlook.peak.after_s;
     let shown = state.settings.temperature(celsius(outlook.peak.core));

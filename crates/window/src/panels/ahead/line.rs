@@ -4,7 +4,7 @@ use egui::{Label, RichText, Sense, Ui, UiBuilder, vec2};
 use saute_plan::forecast::Question;
 
 use super::{age_words, class, class_of_peak};
-use crate::panels::window_state::WindowState;
+use crate::panels::context::PanelContext;
 use crate::ui::theme;
 
 /// Its height, which it keeps while there is nothing to say [points].
@@ -13,7 +13,7 @@ const HEIGHT: f32 = 16.0;
 const AHEAD_S: f64 = 120.0;
 
 /// Shows the line.
-pub fn show(state: &WindowState, ui: &mut Ui) {
+pub fn show(state: &PanelContext, ui: &mut Ui) {
     let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), HEIGHT), Sense::hover());
     let Some((words, is_current)) = words(state) else { return };
     let ink = if is_current { theme::of(ui).text } else { theme::of(ui).quiet };
@@ -24,7 +24,7 @@ pub fn show(state: &WindowState, ui: &mut Ui) {
 }
 
 /// The words, and whether they hold as things are.
-fn words(state: &WindowState) -> Option<(String, bool)> {
+fn words(state: &PanelContext) -> Option<(String, bool)> {
     let (settings, l) = (state.settings, state.settings.language);
     let as_it_is = state.session.foreseen(Question::AsItIs)?;
     let shown = |kelvin: f64| settings.temperature(saute_kitchen::celsius(kelvin));

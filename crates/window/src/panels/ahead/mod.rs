@@ -9,25 +9,25 @@ use saute_kitchen::food::change::doneness::Measure;
 use saute_kitchen::{celsius, kelvin};
 use saute_plan::forecast::{Outlook, Question};
 
-use crate::panels::window_state::WindowState;
+use crate::panels::context::PanelContext;
 use crate::settings::Settings;
 use saute_session::forecasts::Standing;
 use saute_words::doneness_words;
 
 /// Returns true if forecasts are made and wanted: then there is room for them.
-pub fn are_shown(state: &WindowState) -> bool {
+pub fn are_shown(state: &PanelContext) -> bool {
     state.settings.foresees() && state.guided.is_none() && state.session.forecasts().are_made()
 }
 
 /// The class in which the core ends, in the cook's words; none where no scale says anything about it.
-fn class(state: &WindowState, outlook: &Outlook) -> Option<String> {
+fn class(state: &PanelContext, outlook: &Outlook) -> Option<String> {
     let (piece, scale) = (state.session.steak()?, state.scale()?);
     let class = outlook.class(&scale, at_core(piece, &scale))?;
     Some(doneness_words::class(&scale, &scale.class[class].name, state.settings.language).to_owned())
 }
 
 /// The class of a highest core temperature [°C], in the cook's words; none where no scale tells doneness by it.
-fn class_of_peak(state: &WindowState, peak_c: f64) -> Option<String> {
+fn class_of_peak(state: &PanelContext, peak_c: f64) -> Option<String> {
     let scale = state.scale().filter(|scale| scale.measure() == Measure::Peak)?;
     let class = &scale.class[scale.class_of(kelvin(peak_c))];
     Some(doneness_words::class(&scale, &class.name, state.settings.language).to_owned())
@@ -44,13 +44,13 @@ fn half_band(settings: &Settings, kelvin: f64) -> String {
 }
 
 /// How old answers are, in words, where that is worth one.
-fn age_words(state: &WindowState, standing: &Standing) -> Option<String> {
+fn age_words(state: &PanelContext, standing: &Standing) -> Option<String> {
     let seconds = format!("{:.0}", standing.age_s);
     standing.is_old().then(|| state.settings.language.fill("ahead.age", &[("seconds", &seconds)]))
 }
 
 /// What is asked, in words.
-fn question_words(state: &WindowState, question: Question) -> &'static str {
+fn question_words(state: &PanelContext, question: Question) -> &'static str {
     state.settings.language.text(match question {
         Question::AsItIs => "ahead.as_it_is",
         Question::Flip => "ahead.flip",

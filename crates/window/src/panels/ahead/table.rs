@@ -6,7 +6,7 @@ use saute_plan::forecast::{Outlook, Question, SPANS_S, Sample};
 
 use super::{age_words, class, half_band, number, question_words};
 use crate::act::{Act, Acts, CookAct};
-use crate::panels::window_state::WindowState;
+use crate::panels::context::PanelContext;
 use crate::settings::Settings;
 use crate::ui::{fingers, theme};
 use saute_session::forecasts::Standing;
@@ -22,7 +22,7 @@ const CELL: f32 = 33.0;
 const PATCH: f32 = 10.0;
 
 /// Shows the table; its height is the same whatever is known.
-pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+pub fn show(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
     ui.spacing_mut().item_spacing.y = 3.0;
     head(state, ui);
     for question in Question::ALL {
@@ -30,7 +30,7 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     }
 }
 
-fn head(state: &WindowState, ui: &mut Ui) {
+fn head(state: &PanelContext, ui: &mut Ui) {
     let l = state.settings.language;
     let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), HEAD), Sense::hover());
     let mut title = ui.new_child(UiBuilder::new().max_rect(rect.with_max_x(rect.left() + QUESTION + 6.0)));
@@ -48,7 +48,7 @@ fn head(state: &WindowState, ui: &mut Ui) {
 }
 
 /// How old the answers are, and whether they still hold.
-fn note(state: &WindowState, ui: &mut Ui) {
+fn note(state: &PanelContext, ui: &mut Ui) {
     let l = state.settings.language;
     let known = Question::ALL.into_iter().filter_map(|question| state.session.foreseen(question));
     let Some(oldest) = known.max_by(|a, b| a.age_s.total_cmp(&b.age_s)) else { return };
@@ -69,7 +69,7 @@ fn small(ui: &Ui, at: Pos2, words: &str, ink: Color32) -> Rect {
     ui.painter().text(at, Align2::LEFT_CENTER, words, FontId::proportional(11.5), ink)
 }
 
-fn row(state: &WindowState, question: Question, ui: &mut Ui, acts: &mut Acts) {
+fn row(state: &PanelContext, question: Question, ui: &mut Ui, acts: &mut Acts) {
     let height = fingers::height(ui, ROW);
     let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::hover());
     let place = Rect::from_min_size(rect.min, vec2(QUESTION, height));
@@ -93,7 +93,7 @@ fn row(state: &WindowState, question: Question, ui: &mut Ui, acts: &mut Acts) {
 }
 
 /// What is asked: a button that does it, where there is something to do.
-fn ask(state: &WindowState, question: Question, ui: &mut Ui, acts: &mut Acts, place: Rect) {
+fn ask(state: &PanelContext, question: Question, ui: &mut Ui, acts: &mut Acts, place: Rect) {
     let words = question_words(state, question);
     let Some(piece) = state.session.steak().filter(|_| question != Question::AsItIs) else {
         let at = place.left_center() + vec2(6.0, 0.0);
@@ -123,7 +123,7 @@ fn lower_to(commands: &[Command]) -> Option<&Command> {
     commands.iter().find(|command| matches!(command, Command::Hob(_) | Command::HobHold { .. }))
 }
 
-fn answer(state: &WindowState, standing: &Standing, ui: &Ui, row: Rect) {
+fn answer(state: &PanelContext, standing: &Standing, ui: &Ui, row: Rect) {
     let (settings, outlook) = (state.settings, &standing.answer.outlook);
     let palette = theme::of(ui);
     let ink = if standing.is_current { palette.text } else { palette.quiet };
@@ -158,7 +158,7 @@ fn band_words(settings: &Settings, standing: &Standing) -> Option<String> {
 }
 
 /// The colour of the underside in the end, and how much of it is brown.
-fn underside(state: &WindowState, last: &Sample, ui: &Ui, at: Pos2, ink: Color32) {
+fn underside(state: &PanelContext, last: &Sample, ui: &Ui, at: Pos2, ink: Color32) {
     let [r, g, b] = last.faces[0].lab.srgb8();
     let patch = Rect::from_min_size(at - vec2(0.0, 0.5 * PATCH), vec2(PATCH, PATCH));
     ui.painter().rect_filled(patch, 2.0, Color32::from_rgb(r, g, b));
@@ -168,7 +168,7 @@ fn underside(state: &WindowState, last: &Sample, ui: &Ui, at: Pos2, ink: Color32
 }
 
 /// An answer as it is read out.
-fn spoken(state: &WindowState, question: Question, standing: &Standing) -> String {
+fn spoken(state: &PanelContext, question: Question, standing: &Standing) -> String {
     let (settings, l, outlook) = (state.settings, state.settings.language, &standing.answer.outlook);
     let [one, two, five] = SPANS_S.map(|span| number(settings, standing.core_in(span).0));
     let browned = outlook.samples.last().map_or(0.0, |last| last.faces[0].browned_pct);

@@ -2,10 +2,11 @@
 
 use egui::{Rect, RichText, ScrollArea, Ui};
 
+use super::at_home_state::AtHomeState;
 use super::{entry, found};
 use crate::act::{Acts, Card};
 use crate::panels::cards::frame::{Framed, part};
-use crate::panels::window_state::WindowState;
+use crate::panels::context::PanelContext;
 use crate::ui::theme;
 
 /// Width of the card at most, and of what is entered where the answer is beside it [points].
@@ -15,7 +16,7 @@ const ENTRY: f32 = 440.0;
 const NARROW: f32 = 860.0;
 
 /// Shows the card over everything; Esc, the button or a click beside it closes it.
-pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, whole: Rect) {
+pub fn show(state: &AtHomeState, ui: &Ui, acts: &mut Acts, whole: Rect) {
     let framed = Framed { card: Card::AtHome, id: "at-home", title: "athome.title", width: WIDTH };
     framed.show(state, ui, acts, whole, |ui, acts| {
         let height = whole.height() - 112.0;
@@ -40,6 +41,6 @@ pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, whole: Rect) {
     });
 }
 
-fn how(state: &WindowState, ui: &mut Ui) {
+fn how(state: &PanelContext, ui: &mut Ui) {
     ui.label(RichText::new(state.settings.language.text("athome.how")).size(13.5).color(theme::of(ui).quiet));
 }

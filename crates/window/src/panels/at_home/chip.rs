@@ -4,11 +4,11 @@ use egui::{RichText, Ui};
 
 use crate::act::{Act, Acts, AppAct, Card, LearnAct};
 use crate::at_home::AtHomeAct;
-use crate::panels::window_state::WindowState;
+use crate::panels::context::PanelContext;
 use crate::ui::theme;
 
 /// Shows the kitchen, and the ways to another one.
-pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+pub fn show(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
     let l = state.settings.language;
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing.x = 6.0;

@@ -2,10 +2,11 @@
 
 use egui::{RichText, TextEdit, Ui, vec2};
 
+use super::at_home_state::AtHomeState;
 use crate::act::{Act, Acts, LearnAct};
 use crate::at_home::AtHomeAct;
 use crate::at_home::acts::SCALE;
-use crate::panels::window_state::WindowState;
+use crate::panels::context::PanelContext;
 use crate::ui::theme;
 use saute_session::at_home::entered::{Cooked, Row, Seen};
 use saute_words::doneness_words;
@@ -14,7 +15,7 @@ use saute_words::doneness_words;
 const MOST_ROWS: usize = 40;
 
 /// Shows what is entered, and the button that fits.
-pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+pub fn show(state: &AtHomeState, ui: &mut Ui, acts: &mut Acts) {
     let l = state.settings.language;
     ui.label(RichText::new(l.text("athome.cooked")).strong());
     cooked(state, ui, acts);
@@ -33,7 +34,7 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
 }
 
 /// What was cooked, and the file of a recipe.
-fn cooked(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+fn cooked(state: &AtHomeState, ui: &mut Ui, acts: &mut Acts) {
     let (l, entered) = (state.settings.language, &state.at_home.entered);
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing = vec2(5.0, 5.0);
@@ -61,7 +62,7 @@ pub(super) fn file_name(path: &str) -> &str {
 }
 
 /// Values by hand, a row each.
-fn rows(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+fn rows(state: &AtHomeState, ui: &mut Ui, acts: &mut Acts) {
     let (l, entered) = (state.settings.language, &state.at_home.entered);
     let mut rows = entered.rows.clone();
     let mut gone = None;
@@ -98,7 +99,7 @@ fn rows(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     }
 }
 
-fn one(state: &WindowState, ui: &mut Ui, at: usize, row: &mut Row) {
+fn one(state: &PanelContext, ui: &mut Ui, at: usize, row: &mut Row) {
     let l = state.settings.language;
     let what = l.text(row.seen.words());
     let cell = vec2(112.0, ui.spacing().interact_size.y);
@@ -122,7 +123,7 @@ fn one(state: &WindowState, ui: &mut Ui, at: usize, row: &mut Row) {
     field(ui, &mut row.value, unit, 84.0, l.fill("athome.value_of", &[("row", &number), ("what", &what)]));
 }
 
-fn class(state: &WindowState, ui: &mut Ui, at: usize, row: &mut Row) {
+fn class(state: &PanelContext, ui: &mut Ui, at: usize, row: &mut Row) {
     let l = state.settings.language;
     let Some(scale) = state.session.library.scale(SCALE) else { return };
     if row.value.is_empty() {

@@ -8,9 +8,10 @@ use saute_plan::fit::observed::Quantity;
 use saute_plan::fit::run::Fitted;
 use saute_words::clock::clock;
 
+use super::at_home_state::AtHomeState;
 use crate::act::{Act, Acts, LearnAct};
 use crate::at_home::AtHomeAct;
-use crate::panels::window_state::WindowState;
+use crate::panels::context::PanelContext;
 use crate::ui::theme;
 use saute_session::at_home::fitting::Standing;
 use saute_session::at_home::kept::KeptKitchen;
@@ -19,7 +20,7 @@ use saute_session::at_home::kept::KeptKitchen;
 const PLOT: f32 = 210.0;
 
 /// Shows how the fit stands, and the kitchen that is kept.
-pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+pub fn show(state: &AtHomeState, ui: &mut Ui, acts: &mut Acts) {
     let l = state.settings.language;
     match state.at_home.standing() {
         Standing::Idle => {}
@@ -35,7 +36,7 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     }
 }
 
-fn fitting(state: &WindowState, ui: &mut Ui, acts: &mut Acts, share: f64) {
+fn fitting(state: &PanelContext, ui: &mut Ui, acts: &mut Acts, share: f64) {
     let l = state.settings.language;
     ui.label(RichText::new(l.text("athome.fitting")).size(17.0));
     let bar = egui::ProgressBar::new(share as f32).desired_width(ui.available_width()).fill(theme::of(ui).chosen);
@@ -47,7 +48,7 @@ fn fitting(state: &WindowState, ui: &mut Ui, acts: &mut Acts, share: f64) {
     }
 }
 
-fn found(state: &WindowState, fitted: &Fitted, ui: &mut Ui, acts: &mut Acts) {
+fn found(state: &AtHomeState, fitted: &Fitted, ui: &mut Ui, acts: &mut Acts) {
     let (l, found) = (state.settings.language, &fitted.found);
     egui::Grid::new("found").num_columns(3).spacing(vec2(18.0, 5.0)).show(ui, |ui| {
         let head = |ui: &mut Ui, key| ui.label(RichText::new(l.text(key)).size(13.0).color(theme::of(ui).quiet));
@@ -82,7 +83,7 @@ fn found(state: &WindowState, fitted: &Fitted, ui: &mut Ui, acts: &mut Acts) {
 }
 
 /// Where the fit misses most.
-fn worst(state: &WindowState, worst: &Worst, ui: &mut Ui) {
+fn worst(state: &PanelContext, worst: &Worst, ui: &mut Ui) {
     let (l, settings) = (state.settings.language, state.settings);
     let (key, unit): (&str, &str) = match worst.quantity {
         Quantity::Pan => ("athome.pan", settings.unit()),
@@ -101,7 +102,7 @@ fn worst(state: &WindowState, worst: &Worst, ui: &mut Ui) {
 }
 
 /// What was measured as points, what the fitted kitchen would have shown as lines.
-fn plot(state: &WindowState, fitted: &Fitted, ui: &mut Ui) {
+fn plot(state: &AtHomeState, fitted: &Fitted, ui: &mut Ui) {
     let (l, settings, palette) = (state.settings.language, state.settings, theme::of(ui));
     let degrees = |(at_s, kelvin): &(f64, f64)| [at_s / 60.0, settings.degrees(celsius(*kelvin))];
     ui.horizontal(|ui| {
@@ -148,7 +149,7 @@ fn plot(state: &WindowState, fitted: &Fitted, ui: &mut Ui) {
 }
 
 /// The kitchen that is kept, and the ways to it and from it.
-fn kept(state: &WindowState, kept: &KeptKitchen, ui: &mut Ui, acts: &mut Acts) {
+fn kept(state: &PanelContext, kept: &KeptKitchen, ui: &mut Ui, acts: &mut Acts) {
     let l = state.settings.language;
     let percent = |share: f64| format!("{:.0}", 100.0 * share);
     let [efficiency, low, high] = kept.hob_efficiency.map(percent);

@@ -10,14 +10,15 @@ use saute_session::at_home::open_log::{Columns, OpenLog};
 use saute_session::at_home::why_not::WhyNot;
 use saute_words::clock::clock;
 
+use super::at_home_state::AtHomeState;
 use super::entry::file_name;
 use crate::act::{Act, Acts, AppAct, LearnAct};
 use crate::at_home::AtHomeAct;
-use crate::panels::window_state::WindowState;
+use crate::panels::context::PanelContext;
 use crate::ui::theme;
 
 /// Shows the log with its columns, or the way to one.
-pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+pub fn show(state: &AtHomeState, ui: &mut Ui, acts: &mut Acts) {
     let (l, entered) = (state.settings.language, &state.at_home.entered);
     ui.horizontal_wrapped(|ui| {
         if ui.add(theme::of(ui).button(l.text("athome.choose_file"), false)).clicked() {
@@ -53,7 +54,7 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
 }
 
 /// The preset of a maker.
-fn maker(state: &WindowState, ui: &mut Ui, columns: &mut Columns) {
+fn maker(state: &PanelContext, ui: &mut Ui, columns: &mut Columns) {
     let l = state.settings.language;
     let none = l.text("athome.by_file");
     let shown = columns.choices.logger.map_or(none, |logger| &logger.name);
@@ -70,7 +71,7 @@ fn maker(state: &WindowState, ui: &mut Ui, columns: &mut Columns) {
 }
 
 /// The columns and their unit.
-fn choices(state: &WindowState, ui: &mut Ui, open: &OpenLog, columns: &mut Columns) {
+fn choices(state: &PanelContext, ui: &mut Ui, open: &OpenLog, columns: &mut Columns) {
     let reading = open.reading().ok();
     let by_header = reading.map(|reading| open.log.headers().iter().position(|header| *header == reading.time_column));
     let mut time = columns.choices.time.or(by_header.flatten());
@@ -99,7 +100,7 @@ fn choices(state: &WindowState, ui: &mut Ui, open: &OpenLog, columns: &mut Colum
     unit(state, ui, columns);
 }
 
-fn shift(state: &WindowState, ui: &mut Ui, columns: &mut Columns) {
+fn shift(state: &PanelContext, ui: &mut Ui, columns: &mut Columns) {
     let spoken = state.settings.language.text("athome.shift");
     ui.label(spoken);
     let drag = DragValue::new(&mut columns.shift_s).suffix(" s").range(-7200.0..=7200.0).speed(1.0);
@@ -109,7 +110,7 @@ fn shift(state: &WindowState, ui: &mut Ui, columns: &mut Columns) {
 }
 
 fn column(
-    state: &WindowState,
+    state: &PanelContext,
     ui: &mut Ui,
     open: &OpenLog,
     key: &'static str,
@@ -138,7 +139,7 @@ fn spoken(response: &egui::Response, text: String) {
     response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::ComboBox, true, &text));
 }
 
-fn unit(state: &WindowState, ui: &mut Ui, columns: &mut Columns) {
+fn unit(state: &PanelContext, ui: &mut Ui, columns: &mut Columns) {
     let l = state.settings.language;
     ui.label(l.text("settings.unit"));
     ui.horizontal(|ui| {
@@ -154,7 +155,7 @@ fn unit(state: &WindowState, ui: &mut Ui, columns: &mut Columns) {
 }
 
 /// How the log reads: its times, and the unit of its temperatures.
-fn as_read(state: &WindowState, ui: &mut Ui, reading: &Reading) {
+fn as_read(state: &PanelContext, ui: &mut Ui, reading: &Reading) {
     let l = state.settings.language;
     let form = l.text(form_key(reading.time_form));
     let span = clock(reading.span_s);
@@ -169,7 +170,7 @@ fn as_read(state: &WindowState, ui: &mut Ui, reading: &Reading) {
 }
 
 /// What is wrong, or what would have to be known, with the answers that are possible.
-fn question(state: &WindowState, ui: &mut Ui, error: &LogError, columns: &mut Columns) {
+fn question(state: &PanelContext, ui: &mut Ui, error: &LogError, columns: &mut Columns) {
     let l = state.settings.language;
     ui.label(RichText::new(WhyNot::from(error.clone()).words(l)).size(13.5).color(theme::of(ui).accent));
     let Some(Question::Times(forms)) = &error.question else { return };

@@ -4,7 +4,7 @@ use egui::{Align, Color32, Id, Layout, Modal, Pos2, Rect, RichText, Sense, Shape
 
 use crate::act::{Act, Acts, AppAct, Card, LearnAct};
 use crate::panels::cards::language;
-use crate::panels::window_state::WindowState;
+use crate::panels::context::PanelContext;
 use crate::ui::aloud::heading;
 use crate::ui::theme;
 use saute_words::clock::whole_minutes;
@@ -54,7 +54,7 @@ const STEPS: [Step; 3] = [
 ];
 
 /// Shows the card over everything; the button, Esc or a click beside it closes it for good.
-pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, whole: Rect) {
+pub fn show(state: &PanelContext, japanese_font: bool, ui: &Ui, acts: &mut Acts, whole: Rect) {
     let l = state.settings.language;
     let mut begun = false;
     let modal = Modal::new(Id::unique("first-steps")).frame(theme::of(ui).panel().fill(theme::of(ui).solid)).show(
@@ -64,7 +64,9 @@ pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, whole: Rect) {
             ui.set_width(if narrow { whole.width() - 56.0 } else { 3.0 * (COLUMN + 14.0) });
             ui.horizontal(|ui| {
                 heading(ui, title(state));
-                ui.with_layout(Layout::right_to_left(Align::Center), |ui| language::chip(state, ui, acts));
+                ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                    language::chip(state, japanese_font, ui, acts)
+                });
             });
             ui.add_space(6.0);
             if narrow {
@@ -96,7 +98,7 @@ pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, whole: Rect) {
 }
 
 /// How long the cook takes, and how long here.
-fn lasts(state: &WindowState) -> Option<String> {
+fn lasts(state: &PanelContext) -> Option<String> {
     let (l, settings) = (state.settings.language, state.settings);
     let whole_s = state.whole_time_s()?;
     let [minutes, here] = [whole_s, whole_s / settings.speed + HANDS_S].map(whole_minutes);
@@ -104,7 +106,7 @@ fn lasts(state: &WindowState) -> Option<String> {
     Some(l.fill(if settings.speed > 1.0 { "first.lasts" } else { "first.lasts_real" }, &parts))
 }
 
-fn column(state: &WindowState, ui: &mut Ui, place: usize, step: &Step) {
+fn column(state: &PanelContext, ui: &mut Ui, place: usize, step: &Step) {
     ui.vertical(|ui| {
         ui.set_width(COLUMN);
         picture(ui, step);
@@ -112,7 +114,7 @@ fn column(state: &WindowState, ui: &mut Ui, place: usize, step: &Step) {
     });
 }
 
-fn row(state: &WindowState, ui: &mut Ui, place: usize, step: &Step) {
+fn row(state: &PanelContext, ui: &mut Ui, place: usize, step: &Step) {
     ui.horizontal_top(|ui| {
         picture(ui, step);
         ui.vertical(|ui| words(state, ui, place, step));
@@ -120,7 +122,7 @@ fn row(state: &WindowState, ui: &mut Ui, place: usize, step: &Step) {
     ui.add_space(6.0);
 }
 
-fn words(state: &WindowState, ui: &mut Ui, place: usize, &(title, how, _): &Step) {
+fn words(state: &PanelContext, ui: &mut Ui, place: usize, &(title, how, _): &Step) {
     let l = state.settings.language;
     ui.label(RichText::new(format!("{}  {}", place + 1, l.text(title))).size(16.0).strong().color(theme::of(ui).text));
     ui.label(RichText::new(l.text(how)).size(14.0));
@@ -205,7 +207,7 @@ fn arrow(ui: &Ui, [from, to]: [Pos2; 2]) {
 }
 
 /// What is cooked, and how it is to come out where a scale has words for it.
-fn title(state: &WindowState) -> String {
+fn title(state: &PanelContext) -> String {
     let l = state.settings.language;
     state.scale().map_or_else(
         || l.text("first.title").to_owned(),

@@ -3,7 +3,7 @@
 use egui::{Id, Modal, Rect, Ui};
 
 use crate::act::{Act, Acts, AppAct, Card};
-use crate::panels::window_state::WindowState;
+use crate::panels::context::PanelContext;
 use crate::ui::aloud::heading;
 use crate::ui::theme;
 
@@ -23,7 +23,7 @@ impl Framed {
     /// Shows the card with the button alone that closes it.
     pub fn show(
         &self,
-        state: &WindowState,
+        state: &PanelContext,
         ui: &Ui,
         acts: &mut Acts,
         whole: Rect,
@@ -35,7 +35,7 @@ impl Framed {
     /// Shows the card, with buttons beside the one that closes it; Esc, that button or a click beside the card closes it.
     pub fn show_with(
         &self,
-        state: &WindowState,
+        state: &PanelContext,
         ui: &Ui,
         acts: &mut Acts,
         whole: Rect,

@@ -7,7 +7,7 @@ use crate::act::{Act, Acts, AppAct, Card, Setting};
 use crate::learn::goal_choice::{goals_for, named_goal};
 use crate::panels::cards::frame::Framed;
 use crate::panels::cards::setting_row::{explained, row};
-use crate::panels::window_state::WindowState;
+use crate::panels::context::PanelContext;
 use crate::ui::{fingers, theme};
 use saute_words::doneness_words;
 
@@ -18,7 +18,7 @@ const NARROW: f32 = 560.0;
 const HEIGHT: f32 = 34.0;
 
 /// Shows the card; Esc, the button or a click beside it closes it.
-pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, whole: Rect) {
+pub fn show(state: &PanelContext, ui: &Ui, acts: &mut Acts, whole: Rect) {
     let framed = Framed { card: Card::Goals, id: "goals", title: "goals.title", width: WIDTH };
     framed.show(state, ui, acts, whole, |ui, acts| {
         let list =
@@ -32,7 +32,7 @@ pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, whole: Rect) {
     });
 }
 
-fn goals(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+fn goals(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
     let l = state.settings.language;
     let chosen = named_goal(state.session, state.settings).map(|goal| goal.id.as_str());
     let all = goals_for(state.session);
@@ -54,7 +54,7 @@ fn goals(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
 }
 
 /// What a goal wants, in words.
-fn wants(state: &WindowState, goal: &GoalDescription) -> String {
+fn wants(state: &PanelContext, goal: &GoalDescription) -> String {
     let l = state.settings.language;
     let named = goal.scale.as_deref().and_then(|id| state.session.library.scale(id));
     let of_scale = |class| named.map_or_else(|| l.called("class", class), |scale| doneness_words::class(scale, class, l));
@@ -75,7 +75,7 @@ fn wants(state: &WindowState, goal: &GoalDescription) -> String {
 }
 
 /// The coach, forecasts, the result that opens by itself, and skill mode.
-fn switches(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+fn switches(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
     let (l, now, narrow) = (state.settings.language, state.settings, ui.available_width() < NARROW);
     let on_off = |on: bool| [(l.text("goals.on"), on), (l.text("goals.off"), !on)];
     if let Some(place) = row(ui, narrow, l.text("goals.coach"), &on_off(now.coach)) {

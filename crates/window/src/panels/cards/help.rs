@@ -3,11 +3,11 @@
 use egui::{Id, Modal, Rect, RichText, TextEdit, Ui, vec2};
 
 use crate::act::{Act, Acts, AppAct, BINDINGS, CHORDS, Card, Subject, ViewAct};
+use crate::host::Here;
 use crate::input::gamepad::PAD;
 use crate::input::pan_keys::HELD;
+use crate::panels::context::PanelContext;
 use crate::panels::here;
-use crate::panels::memory::PanelMemory;
-use crate::panels::window_state::WindowState;
 use crate::system::IS_PAGE;
 use crate::ui::aloud::heading;
 use crate::ui::theme;
@@ -67,42 +67,42 @@ fn groups(search: &str, l: Language) -> Vec<Group> {
 }
 
 /// Shows the list over everything; Esc, F1, the button or a click beside it closes it.
-pub fn show(state: &WindowState, memory: &mut PanelMemory, ui: &Ui, acts: &mut Acts, whole: Rect) {
+pub fn show(state: &PanelContext, here: &Here, search: &mut String, ui: &Ui, acts: &mut Acts, whole: Rect) {
     let mut done = false;
     let modal =
         Modal::new(Id::unique("help")).frame(theme::of(ui).panel().fill(theme::of(ui).solid)).show(ui.ctx(), |ui| {
             ui.set_width((whole.width() - 60.0).min(960.0));
-            done = head(state, memory, ui, acts, whole.width() > 700.0);
+            done = head(state, search, ui, acts, whole.width() > 700.0);
             let height = whole.height() - 140.0 - here::FOOT;
             egui::ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, |ui| {
                 let columns = if whole.width() > 700.0 { 3 } else { 1 };
-                list(ui, &groups(&memory.search, state.settings.language), columns, state.settings.language);
+                list(ui, &groups(search, state.settings.language), columns, state.settings.language);
                 ui.separator();
                 ui.label(state.settings.language.text("help.mouse"));
                 ui.label(state.settings.language.text("help.touch"));
             });
-            here::foot(state, ui, acts);
+            here::foot(state, here, ui, acts);
         });
     if done || modal.should_close() {
-        memory.search.clear();
+        search.clear();
         acts.push(Act::App(AppAct::Shut(Card::Help)));
     }
 }
 
 /// Title, search and buttons; returns true if the help is to be closed.
-fn head(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut Acts, wide: bool) -> bool {
+fn head(state: &PanelContext, search: &mut String, ui: &mut Ui, acts: &mut Acts, wide: bool) -> bool {
     let l = state.settings.language;
     let mut done = false;
-    let mut search = |ui: &mut Ui, width: f32| {
-        let field = TextEdit::singleline(&mut memory.search).hint_text(l.text("help.search")).desired_width(width);
+    let mut field = |ui: &mut Ui, width: f32| {
+        let edit = TextEdit::singleline(search).hint_text(l.text("help.search")).desired_width(width);
         let spoken = l.text("help.search");
-        theme::field(ui, field)
+        theme::field(ui, edit)
             .widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::TextInput, true, spoken));
     };
     ui.horizontal(|ui| {
         heading(ui, l.text("help.title"));
         if wide {
-            search(ui, 260.0);
+            field(ui, 260.0);
         }
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             done = ui.add(theme::of(ui).button(l.text("settings.done"), false)).clicked();
@@ -112,7 +112,7 @@ fn head(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut A
         });
     });
     if !wide {
-        search(ui, ui.available_width() - 24.0);
+        field(ui, ui.available_width() - 24.0);
     }
     ui.separator();
     done

@@ -3,14 +3,14 @@
 use egui::Ui;
 
 use crate::act::{Act, Acts, AppAct, Setting};
-use crate::panels::window_state::WindowState;
+use crate::panels::context::PanelContext;
 use crate::ui::theme;
 use saute_words::language::{Font, Language};
 
 /// Shows a chip that bears the next language's own name; where its letters cannot be drawn, its code.
-pub fn chip(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+pub fn chip(state: &PanelContext, japanese_font: bool, ui: &mut Ui, acts: &mut Acts) {
     let next = state.settings.language.next();
-    let name = name(state.japanese_font, next);
+    let name = name(japanese_font, next);
     let hint = state.settings.language.fill("top.language", &[("name", &name)]);
     if ui.add(theme::of(ui).button(name, false).min_size(egui::vec2(theme::TOUCH, 38.0))).on_hover_text(hint).clicked()
     {

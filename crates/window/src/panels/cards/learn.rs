@@ -4,7 +4,7 @@ use egui::{Rect, RichText, ScrollArea, Ui, vec2};
 
 use crate::act::{Act, Acts, AppAct, Card, LearnAct};
 use crate::panels::cards::frame::Framed;
-use crate::panels::window_state::WindowState;
+use crate::panels::context::PanelContext;
 use crate::ui::{fingers, theme};
 
 /// Width of the card at most [points].
@@ -27,7 +27,7 @@ const ENTRIES: [Entry; 7] = [
 ];
 
 /// Shows the menu over everything; Esc, the button or a click beside it closes it.
-pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, whole: Rect) {
+pub fn show(state: &PanelContext, ui: &Ui, acts: &mut Acts, whole: Rect) {
     let framed = Framed { card: Card::Learn, id: "learn", title: "learn.title", width: WIDTH };
     framed.show(state, ui, acts, whole, |ui, acts| {
         let height = whole.height() - 140.0;
@@ -36,7 +36,7 @@ pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, whole: Rect) {
     });
 }
 
-fn row(state: &WindowState, ui: &mut Ui, acts: &mut Acts, (name, what, act): &Entry) {
+fn row(state: &PanelContext, ui: &mut Ui, acts: &mut Acts, (name, what, act): &Entry) {
     let l = state.settings.language;
     let size = vec2(ui.available_width(), fingers::height(ui, HEIGHT));
     if ui.add(theme::of(ui).button(l.text(name), false).min_size(size)).clicked() {

@@ -6,7 +6,7 @@ use saute_study::class::{Scenario, shipped};
 use crate::act::GuidedAct;
 use crate::act::{Act, Acts, Card, LearnAct};
 use crate::panels::cards::frame::Framed;
-use crate::panels::window_state::WindowState;
+use crate::panels::context::PanelContext;
 use crate::ui::{fingers, theme};
 
 /// Width of the card at most [points].
@@ -15,7 +15,7 @@ const WIDTH: f32 = 520.0;
 const HEIGHT: f32 = 30.0;
 
 /// Shows the lessons over everything; Esc, the button or a click beside it closes it.
-pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, whole: Rect) {
+pub fn show(state: &PanelContext, ui: &Ui, acts: &mut Acts, whole: Rect) {
     let framed = Framed { card: Card::Lessons, id: "lessons", title: "lesson.title", width: WIDTH };
     framed.show(state, ui, acts, whole, |ui, acts| {
         let list = ScrollArea::vertical().max_height(whole.height() - 140.0);
@@ -31,7 +31,7 @@ pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, whole: Rect) {
     });
 }
 
-fn row(state: &WindowState, ui: &mut Ui, acts: &mut Acts, id: &str, scenario: &Scenario) {
+fn row(state: &PanelContext, ui: &mut Ui, acts: &mut Acts, id: &str, scenario: &Scenario) {
     let language = state.settings.language.code();
     let size = vec2(ui.available_width(), fingers::height(ui, HEIGHT));
     if ui.add(theme::of(ui).button(scenario.title.of(language), false).min_size(size)).clicked() {

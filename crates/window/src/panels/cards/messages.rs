@@ -4,8 +4,9 @@ use egui::{Rect, RichText, ScrollArea, Ui};
 
 use crate::act::{Acts, Card};
 use crate::panels::cards::frame::Framed;
+use crate::panels::context::PanelContext;
 use crate::panels::here::file_button;
-use crate::panels::window_state::WindowState;
+use crate::ui::notice::Notice;
 use crate::ui::theme;
 use saute_words::clock::clock;
 
@@ -13,16 +14,16 @@ use saute_words::clock::clock;
 const WIDTH: f32 = 560.0;
 
 /// Shows the list over everything; Esc, the button or a click beside it closes it.
-pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, whole: Rect) {
+pub fn show(state: &PanelContext, said: &Notice, ui: &Ui, acts: &mut Acts, whole: Rect) {
     let framed = Framed { card: Card::Messages, id: "messages", title: "messages.title", width: WIDTH };
     framed.show(state, ui, acts, whole, |ui, acts| {
-        ScrollArea::vertical().max_height(whole.height() - 140.0).show(ui, |ui| lines(state, ui, acts));
+        ScrollArea::vertical().max_height(whole.height() - 140.0).show(ui, |ui| lines(state, said, ui, acts));
     });
 }
 
-fn lines(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+fn lines(state: &PanelContext, said: &Notice, ui: &mut Ui, acts: &mut Acts) {
     let l = state.settings.language;
-    let all = state.said.all();
+    let all = said.all();
     if all.is_empty() {
         ui.label(l.text("messages.none"));
     }

@@ -5,9 +5,9 @@ use egui::{Align, DragValue, Layout, Response, RichText, ScrollArea, TextEdit, U
 use super::setting_row::{NAMES, explained, row};
 use super::settings::{NARROW, WIDTH};
 use crate::act::{Act, Acts, AppAct, Card, Setting};
-use crate::mirror::view::stereo_word;
+use crate::mirror::view::{MirrorView, stereo_word};
 use crate::panels::cards::frame::Framed;
-use crate::panels::window_state::WindowState;
+use crate::panels::context::{PanelContext, reads_context};
 use crate::ui::theme;
 use saute_mirror::calibration::Calibration;
 use saute_mirror::rig::Rig;
@@ -15,8 +15,18 @@ use saute_mirror::rig_file::SHIPPED;
 use saute_mirror::settings::{MirrorSettings, WIDEST_MM};
 use saute_mirror::stereo::Stereo;
 
+/// What the card reads.
+pub struct MirrorState<'a> {
+    /// What every panel reads.
+    pub context: PanelContext<'a>,
+    /// The half mirror's window.
+    pub mirror: &'a MirrorView,
+}
+
+reads_context!(MirrorState);
+
 /// Shows the card over everything; Esc, the button or a click beside it closes it.
-pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, whole: egui::Rect) {
+pub fn show(state: &MirrorState, ui: &Ui, acts: &mut Acts, whole: egui::Rect) {
     let framed = Framed { card: Card::Mirror, id: "mirror", title: "half_mirror.title", width: WIDTH };
     framed.show(state, ui, acts, whole, |ui, acts| {
         let height = whole.height() - 112.0;
@@ -36,7 +46,7 @@ pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, whole: egui::Rect) {
 }
 
 /// The window, and what it shows.
-fn window(state: &WindowState, settings: &mut MirrorSettings, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
+fn window(state: &MirrorState, settings: &mut MirrorSettings, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
     let l = state.settings.language;
     let open = [(l.text("half_mirror.closed"), !state.mirror.open), (l.text("half_mirror.open"), state.mirror.open)];
     if let Some(chosen) = row(ui, narrow, l.text("half_mirror.window"), &open) {
@@ -51,7 +61,7 @@ fn window(state: &WindowState, settings: &mut MirrorSettings, ui: &mut Ui, acts:
 }
 
 /// Rig and projector.
-fn place(state: &WindowState, settings: &mut MirrorSettings, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
+fn place(state: &MirrorState, settings: &mut MirrorSettings, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
     let l = state.settings.language;
     let now = settings.rig.clone();
     let rigs = SHIPPED.map(|(name, _)| (l.called("rig", name), name == now));
@@ -91,7 +101,7 @@ fn text_field(ui: &mut Ui, typed: &mut String) -> Response {
 }
 
 /// What a rig is called, and how well touched points agree with it.
-fn registered(state: &WindowState, rig: &Rig) -> String {
+fn registered(state: &PanelContext, rig: &Rig) -> String {
     let l = state.settings.language;
     let residual = rig.residual.map(|metres| format!("{:.2}", 1e3 * metres));
     let name = l.called("rig", &rig.name);
@@ -99,7 +109,7 @@ fn registered(state: &WindowState, rig: &Rig) -> String {
 }
 
 /// Stereo and the distance of the eyes.
-fn eyes(state: &WindowState, settings: &mut MirrorSettings, ui: &mut Ui, narrow: bool) {
+fn eyes(state: &MirrorState, settings: &mut MirrorSettings, ui: &mut Ui, narrow: bool) {
     let l = state.settings.language;
     let now = settings.stereo;
     let ways = Stereo::ALL.map(|way| (stereo_word(way, l), way == now));
@@ -115,7 +125,7 @@ fn eyes(state: &WindowState, settings: &mut MirrorSettings, ui: &mut Ui, narrow:
 }
 
 /// Calibration: on or off, what to do, the numbers.
-fn calibration(state: &WindowState, settings: &mut MirrorSettings, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
+fn calibration(state: &MirrorState, settings: &mut MirrorSettings, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
     let l = state.settings.language;
     let on = state.mirror.calibrating;
     let shown = [(l.text("half_mirror.picture"), !on), (l.text("half_mirror.pattern"), on)];
@@ -137,7 +147,7 @@ fn calibration(state: &WindowState, settings: &mut MirrorSettings, ui: &mut Ui, 
 }
 
 /// Where every mark is shown, the lens, and what is left.
-fn numbers(state: &WindowState, calibration: &Calibration, columns: usize) -> Option<Vec<String>> {
+fn numbers(state: &MirrorState, calibration: &Calibration, columns: usize) -> Option<Vec<String>> {
     let l = state.settings.language;
     let (rig, size) = (state.mirror.rig_read().ok()?, state.mirror.size);
     let size = if size.min_element() < 1.0 { rig.screen.pixels() } else { size };

@@ -11,7 +11,7 @@ use saute_picture::cut::section::section_picture;
 
 use crate::act::{Act, Acts, AppAct, Card, CookAct, TimeAct};
 use crate::panels::cards::frame::Framed;
-use crate::panels::window_state::WindowState;
+use crate::panels::context::PanelContext;
 use crate::ui::theme;
 use saute_words::clock::clock;
 use saute_words::judgement_words::ResultWords;
@@ -52,12 +52,19 @@ impl CutOfResult {
     }
 }
 
-/// Shows the card; Esc, the button or a click beside it closes it.
-pub fn show(state: &WindowState, memory: &mut CutOfResult, ui: &Ui, acts: &mut Acts, whole: Rect) {
+/// Shows the card with the result and the time from which the cook is tried again [s]; Esc, the button or a click beside it closes it.
+pub fn show(
+    state: &PanelContext,
+    result: Option<&(ResultWords, Option<f64>)>,
+    memory: &mut CutOfResult,
+    ui: &Ui,
+    acts: &mut Acts,
+    whole: Rect,
+) {
     let framed = Framed { card: Card::Result, id: "result", title: "result.title", width: WIDTH };
     framed.show(state, ui, acts, whole, |ui, acts| {
         let l = state.settings.language;
-        let Some((words, piece)) = state.result.as_ref().zip(state.session.steak()) else {
+        let Some(((words, try_from_s), piece)) = result.zip(state.session.steak()) else {
             ui.label(l.text("result.none"));
             return;
         };
@@ -69,11 +76,11 @@ pub fn show(state: &WindowState, memory: &mut CutOfResult, ui: &Ui, acts: &mut A
             .min_scrolled_height(height)
             .show(ui, |ui| content(ui, words, memory, narrow));
         ui.add_space(4.0);
-        ui.horizontal_wrapped(|ui| buttons(state, ui, acts));
+        ui.horizontal_wrapped(|ui| buttons(state, *try_from_s, ui, acts));
     });
 }
 
-fn buttons(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+fn buttons(state: &PanelContext, try_from_s: Option<f64>, ui: &mut Ui, acts: &mut Acts) {
     let (l, palette) = (state.settings.language, theme::of(ui));
     let mut try_again = |ui: &mut Ui, words: &str, is_first: bool, hint: &'static str, act: Act| {
         let button = if is_first { palette.primary(words) } else { palette.button(words, false) };
@@ -81,12 +88,11 @@ fn buttons(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
             acts.extend([Act::App(AppAct::Shut(Card::Result)), act]);
         }
     };
-    let time_s = state.try_from_s;
-    if let Some(time_s) = time_s {
+    if let Some(time_s) = try_from_s {
         let words = l.fill("result.try_from", &[("time", &clock(time_s))]);
         try_again(ui, &words, true, "result.try_from_hint", Act::Time(TimeAct::TryFrom(time_s)));
     }
-    try_again(ui, l.text("result.again"), time_s.is_none(), "key.restart", Act::Cook(CookAct::Restart));
+    try_again(ui, l.text("result.again"), try_from_s.is_none(), "key.restart", Act::Cook(CookAct::Restart));
     if ui.add(palette.button(l.text("result.share"), false)).on_hover_text(l.text("result.share_hint")).clicked() {
         acts.push(Act::App(AppAct::ShareResult));
     }

@@ -9,10 +9,9 @@ use crate::act::{Act, Acts, AppAct, Card, Setting, ViewAct};
 use crate::panels::cards::frame::Framed;
 use crate::panels::cards::language;
 use crate::panels::cards::setting_row::{explained, named, row};
+use crate::panels::context::{PanelContext, reads_context};
 use crate::panels::cook::speaker_switch;
-use crate::panels::here;
-use crate::panels::memory::PanelMemory;
-use crate::panels::window_state::WindowState;
+use crate::panels::here::{self, HereMemory};
 use crate::system::IS_PAGE;
 use crate::ui::interface_size::InterfaceSize;
 use crate::ui::quality_choice::QualityChoice;
@@ -24,8 +23,20 @@ pub(super) const NARROW: f32 = 640.0;
 /// Width of the card at most [points].
 pub(super) const WIDTH: f32 = 660.0;
 
+/// What the card reads.
+pub struct SettingsState<'a> {
+    /// What every panel reads.
+    pub context: PanelContext<'a>,
+    /// The quality at which the scene is drawn.
+    pub quality: Quality,
+    /// True if the system has a font with kana and kanji.
+    pub japanese_font: bool,
+}
+
+reads_context!(SettingsState);
+
 /// Shows the card over everything; Esc, F2, the button or a click beside it closes it.
-pub fn show(state: &WindowState, memory: &mut PanelMemory, ui: &Ui, acts: &mut Acts, whole: egui::Rect) {
+pub(crate) fn show(state: &SettingsState, memory: &mut HereMemory, ui: &Ui, acts: &mut Acts, whole: egui::Rect) {
     let framed = Framed { card: Card::Settings, id: "settings", title: "settings.title", width: WIDTH };
     let to_mirror = |ui: &mut Ui, acts: &mut Acts| {
         let words = state.settings.language.text("half_mirror.more");
@@ -40,7 +51,7 @@ pub fn show(state: &WindowState, memory: &mut PanelMemory, ui: &Ui, acts: &mut A
     });
 }
 
-fn choices(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
+fn choices(state: &SettingsState, memory: &mut HereMemory, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
     let (l, now) = (state.settings.language, state.settings);
     let mut set = |setting| acts.push(Act::App(AppAct::Set(setting)));
     if let Some(theme) =
@@ -110,11 +121,11 @@ fn choices(state: &WindowState, memory: &mut PanelMemory, ui: &mut Ui, acts: &mu
     if !state.forbids(&Act::App(AppAct::Set(Setting::Sound(true)))) {
         volume(state, ui, acts, narrow);
     }
-    here::device_settings(state, &mut memory.here, ui, acts, narrow);
+    here::device_settings(state, memory, ui, acts, narrow);
 }
 
 /// The volume; its slider is short enough for one line with its name.
-fn volume(state: &WindowState, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
+fn volume(state: &PanelContext, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
     let name = state.settings.language.text("heard.volume");
     if !narrow {
         return named(ui, narrow, name, |ui| speaker_switch::volume(state, ui, acts));

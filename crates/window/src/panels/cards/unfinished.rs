@@ -3,7 +3,7 @@
 use egui::{Id, Modal, Rect, Ui};
 
 use crate::act::{Act, Acts, TimeAct};
-use crate::panels::window_state::WindowState;
+use crate::panels::context::PanelContext;
 use crate::ui::aloud::heading;
 use crate::ui::theme;
 use saute_words::clock::clock;
@@ -12,7 +12,7 @@ use saute_words::clock::clock;
 const WIDTH: f32 = 380.0;
 
 /// Shows the card over everything; only its buttons close it.
-pub fn show(state: &WindowState, time_s: f64, ui: &Ui, acts: &mut Acts, whole: Rect) {
+pub fn show(state: &PanelContext, time_s: f64, ui: &Ui, acts: &mut Acts, whole: Rect) {
     let (l, palette) = (state.settings.language, theme::of(ui));
     Modal::new(Id::unique("unfinished")).frame(palette.panel().fill(palette.solid)).show(ui.ctx(), |ui| {
         ui.set_width((whole.width() - 56.0).min(WIDTH));

@@ -1,12 +1,20 @@
 //! Buttons that do an act.
 
 use crate::act::{Act, Acts, hint};
+use crate::panels::context::PanelContext;
 use crate::panels::now::control_place;
-use crate::panels::window_state::WindowState;
 use crate::ui::theme;
 use egui::Ui;
 
-pub(crate) fn button(state: &WindowState, ui: &mut Ui, acts: &mut Acts, text: &str, on: bool, enabled: bool, act: Act) {
+pub(crate) fn button(
+    state: &PanelContext,
+    ui: &mut Ui,
+    acts: &mut Acts,
+    text: &str,
+    on: bool,
+    enabled: bool,
+    act: Act,
+) {
     if state.hides(&act) {
         return;
     }
@@ -20,7 +28,7 @@ pub(crate) fn button(state: &WindowState, ui: &mut Ui, acts: &mut Acts, text: &s
 }
 
 /// Says why a study or a lesson holds a button back.
-pub(crate) fn why_off(state: &WindowState, response: egui::Response, act: &Act) -> egui::Response {
+pub(crate) fn why_off(state: &PanelContext, response: egui::Response, act: &Act) -> egui::Response {
     match state.forbids(act) {
         true => response.on_disabled_hover_text(state.settings.language.text("guided.locked")),
         false => response,

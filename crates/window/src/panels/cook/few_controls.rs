@@ -4,13 +4,14 @@ use egui::{Align, Layout, RichText, Ui};
 use saute_kitchen::Place;
 
 use crate::act::{Act, Acts, CookAct};
+use crate::panels::context::PanelContext;
 use crate::panels::cook::act_button::button;
+use crate::panels::cook::cook_state::CookState;
 use crate::panels::cook::{hob_bar, hob_slider, time_strip};
-use crate::panels::window_state::WindowState;
 use crate::ui::theme::{self, TOUCH};
 
 /// Shows them in one row.
-pub fn row(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+pub fn row(state: &CookState, ui: &mut Ui, acts: &mut Acts) {
     ui.spacing_mut().item_spacing.x = 8.0;
     ui.spacing_mut().interact_size.y = 36.0;
     ui.horizontal_centered(|ui| {
@@ -22,7 +23,7 @@ pub fn row(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
 }
 
 /// Shows them in rows for fingers.
-pub fn rows(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+pub fn rows(state: &CookState, ui: &mut Ui, acts: &mut Acts) {
     ui.spacing_mut().interact_size.y = TOUCH;
     (ui.spacing_mut().item_spacing, ui.spacing_mut().button_padding.x) = (egui::vec2(6.0, 6.0), 9.0);
     ui.horizontal_wrapped(|ui| hands(state, ui, acts));
@@ -30,7 +31,7 @@ pub fn rows(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     ui.horizontal_wrapped(|ui| hob_bar::time(state, ui, acts));
 }
 
-fn hands(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+fn hands(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
     let l = state.settings.language;
     let in_pan = state.session.steak().is_some_and(|piece| matches!(piece.place, Place::Pan(_)));
     hob_bar::put_button(state, ui, acts);

@@ -3,16 +3,17 @@
 use egui::accesskit::Role;
 use egui::{Rect, RichText, Ui, WidgetInfo, vec2};
 use saute_session::hearing::caption::{caption, meter};
+use saute_sound::Snapshot;
 
-use crate::panels::window_state::WindowState;
+use crate::panels::context::PanelContext;
 use crate::ui::theme;
 
 /// Size of the meter [points].
 const METER: egui::Vec2 = vec2(84.0, 8.0);
 
 /// Shows both in a line, where sound is allowed.
-pub fn show(state: &WindowState, ui: &mut Ui) {
-    let Some(heard) = state.heard.as_ref() else { return };
+pub fn show(state: &PanelContext, heard: Option<&Snapshot>, ui: &mut Ui) {
+    let Some(heard) = heard else { return };
     let (l, palette) = (state.settings.language, theme::of(ui));
     ui.horizontal(|ui| {
         ui.label(RichText::new(l.text("heard.title")).size(12.5).color(palette.quiet));

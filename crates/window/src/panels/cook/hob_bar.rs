@@ -5,10 +5,11 @@ use saute_kitchen::doneness::core_class;
 use saute_kitchen::{EventKind, Holding, Piece, Place, celsius};
 
 use crate::act::{Act, Acts, CookAct, TimeAct};
+use crate::panels::context::PanelContext;
 use crate::panels::cook::act_button::{button, pressed, why_off};
+use crate::panels::cook::cook_state::CookState;
 use crate::panels::cook::{hob_slider, pour, status, time_strip};
 use crate::panels::learn::coach;
-use crate::panels::window_state::WindowState;
 use crate::settings::EASED;
 use crate::ui::bell::{self, Bell};
 use crate::ui::theme;
@@ -28,11 +29,11 @@ const RINGS_S: f64 = 10.0;
 const STRIP: egui::Vec2 = egui::vec2(470.0, 18.0);
 
 /// Shows the controls: in two rows over a line of words, or wrapped where it is narrow.
-pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
+pub fn show(state: &CookState, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
     if narrow {
         ui.spacing_mut().interact_size.y = theme::TOUCH;
         (ui.spacing_mut().item_spacing, ui.spacing_mut().button_padding.x) = (egui::vec2(6.0, 6.0), 9.0);
-        coach::show(state, ui, true);
+        coach::show(state, state.coaching, ui, true);
         ui.horizontal_wrapped(|ui| hands(state, ui, acts));
         ui.horizontal_wrapped(|ui| {
             hob_slider::show(state, ui, acts);
@@ -71,14 +72,14 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
         ui.spacing_mut().item_spacing.x = 14.0;
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             time_strip::show(state, ui, acts, STRIP);
-            time_strip::branches(state, ui, acts);
+            time_strip::branches(state, state.side_by_side, ui, acts);
             ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| status::show(state, ui, acts));
         });
     });
 }
 
 /// Core and pan at a glance, where the panel with all readings is not open.
-fn temperatures(state: &WindowState, ui: &mut Ui) {
+fn temperatures(state: &PanelContext, ui: &mut Ui) {
     let Some(piece) = state.session.steak().filter(|_| state.reads_out()) else { return };
     let l = state.settings.language;
     let shown = |kelvin: f64| state.settings.temperature(celsius(kelvin));
@@ -91,7 +92,7 @@ fn temperatures(state: &WindowState, ui: &mut Ui) {
     }
 }
 
-fn hob(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+fn hob(state: &CookState, ui: &mut Ui, acts: &mut Acts) {
     let l = state.settings.language;
     ui.label(RichText::new(l.text("hob.hob")).color(theme::of(ui).quiet));
     hob_slider::show(state, ui, acts);
@@ -100,13 +101,13 @@ fn hob(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
 }
 
 /// Sets the pan onto the wet cloth, and back.
-fn cloth(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+fn cloth(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
     let on_cloth = state.session.kitchen.cloth().is_some();
     button(state, ui, acts, state.settings.language.text("hob.cloth"), on_cloth, true, Act::Cook(CookAct::Cloth));
 }
 
 /// The temperatures at which the hob can hold the pan, in a list.
-fn hold(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+fn hold(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
     let (l, kitchen) = (state.settings.language, &state.session.kitchen);
     let Some(sensor) = kitchen.hob().hold() else { return };
     let held = kitchen.hob_holds().map(celsius);
@@ -130,7 +131,7 @@ fn hold(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     }
 }
 
-fn hands(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+fn hands(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
     let l = state.settings.language;
     let piece = state.session.steak();
     let in_pan = piece.is_some_and(|piece| matches!(piece.place, Place::Pan(_)));
@@ -141,12 +142,12 @@ fn hands(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     button(state, ui, acts, l.text("hob.halve"), false, piece.is_some_and(is_whole), Act::Cook(CookAct::Halve));
 }
 
-fn restart(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+fn restart(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
     button(state, ui, acts, state.settings.language.text("hob.restart"), false, true, Act::Cook(CookAct::Restart));
 }
 
 /// The button that puts the food in.
-pub(crate) fn put_button(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+pub(crate) fn put_button(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
     let outside = |id: &String| state.session.kitchen.piece(id).is_some_and(|p| !p.in_pan());
     let some_outside = state.session.its_group().iter().any(outside);
     let words = state.settings.language.text("hob.food_in");
@@ -159,7 +160,7 @@ pub(crate) fn capitalised(text: &str) -> String {
 }
 
 /// The clock, pause and speeds, in a row that fingers use.
-pub(crate) fn time(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+pub(crate) fn time(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
     ui.label(RichText::new(clock(state.session.shown_s())).size(18.0).strong());
     pause(state, ui, acts);
     (ui.spacing_mut().item_spacing.x, ui.spacing_mut().button_padding.x) = (4.0, 5.0);
@@ -168,7 +169,7 @@ pub(crate) fn time(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
 }
 
 /// The same from the right, with the single step, which a first cook has not.
-pub(crate) fn time_right_to_left(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+pub(crate) fn time_right_to_left(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
     let usual = (ui.spacing().item_spacing.x, ui.spacing().button_padding.x);
     (ui.spacing_mut().item_spacing.x, ui.spacing_mut().button_padding.x) = (3.0, 6.0);
     speeds(state, ui, acts, |_| true);
@@ -180,16 +181,16 @@ pub(crate) fn time_right_to_left(state: &WindowState, ui: &mut Ui, acts: &mut Ac
     ui.label(RichText::new(clock(state.session.shown_s())).size(20.0).strong());
 }
 
-fn pause(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+fn pause(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
     button(state, ui, acts, pause_word(state), state.session.paused, true, Act::Time(TimeAct::Pause));
 }
 
-fn step(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+fn step(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
     button(state, ui, acts, state.settings.language.text("hob.step"), false, true, Act::Time(TimeAct::Step));
 }
 
 /// The speed that eases, and the fixed ones that have room, in the direction of the row; a first cook has none beyond the one that eases.
-fn speeds(state: &WindowState, ui: &mut Ui, acts: &mut Acts, has_room: impl Fn(f64) -> bool) {
+fn speeds(state: &PanelContext, ui: &mut Ui, acts: &mut Acts, has_room: impl Fn(f64) -> bool) {
     let most = if state.settings.few { EASED } else { f64::INFINITY };
     let fixed = SPEEDS.into_iter().filter(|speed| has_room(*speed) && *speed <= most).map(Some);
     let mut all: Vec<Option<f64>> = [None].into_iter().chain(fixed).collect();
@@ -199,12 +200,12 @@ fn speeds(state: &WindowState, ui: &mut Ui, acts: &mut Acts, has_room: impl Fn(f
     all.into_iter().for_each(|speed| speed_button(state, ui, acts, speed));
 }
 
-fn pause_word(state: &WindowState) -> &'static str {
+fn pause_word(state: &PanelContext) -> &'static str {
     state.settings.language.text(if state.session.paused { "hob.go_on" } else { "hob.pause" })
 }
 
 /// A button of a speed; none is the speed that eases.
-fn speed_button(state: &WindowState, ui: &mut Ui, acts: &mut Acts, speed: Option<f64>) {
+fn speed_button(state: &PanelContext, ui: &mut Ui, acts: &mut Acts, speed: Option<f64>) {
     let (l, settings, now) = (state.settings.language, state.settings, state.session.speed);
     let (words, is_on, hint, act) = match speed {
         None if settings.eases => {

@@ -3,8 +3,9 @@
 use egui::{Align2, FontId, Rect, Response, Sense, Ui, pos2, vec2};
 
 use crate::act::{Act, Acts, CookAct};
+use crate::panels::context::PanelContext;
+use crate::panels::cook::cook_state::CookState;
 use crate::panels::now::control_place;
-use crate::panels::window_state::WindowState;
 use crate::ui::aloud::{spoken_range, spoken_value};
 use crate::ui::{fingers, theme};
 
@@ -24,7 +25,7 @@ const SNAP_W: f64 = 45.0;
 const STEP_W: f64 = 10.0;
 
 /// Shows the slider; a click on a mark chooses its setting.
-pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+pub fn show(state: &CookState, ui: &mut Ui, acts: &mut Acts) {
     let kitchen = &state.session.kitchen;
     let settings = kitchen.hob().settings_w();
     let most = settings.iter().copied().fold(1.0, f64::max);
@@ -48,8 +49,8 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
 }
 
 /// Marks the power that is advised: a triangle on the track.
-fn advised(state: &WindowState, ui: &Ui, power: &Power) {
-    let Some(watts) = state.advice.iter().find_map(|one| one.hob_w()).filter(|_| state.reads_out()) else { return };
+fn advised(state: &CookState, ui: &Ui, power: &Power) {
+    let Some(watts) = state.advised_w.filter(|_| state.reads_out()) else { return };
     let (x, y) = (power.x(watts), power.track.center().y - 3.5);
     let corners = vec![pos2(x, y), pos2(x - 5.0, y - 8.0), pos2(x + 5.0, y - 8.0)];
     ui.painter().add(egui::Shape::convex_polygon(corners, theme::of(ui).accent, egui::Stroke::NONE));
@@ -103,7 +104,7 @@ impl Power<'_> {
 }
 
 /// The knob and the bar; returns the power that a drag, a click or an arrow key asks for.
-fn dragged(state: &WindowState, ui: &mut Ui, power: &Power, now: f64) -> Option<f64> {
+fn dragged(state: &PanelContext, ui: &mut Ui, power: &Power, now: f64) -> Option<f64> {
     let l = state.settings.language;
     let id = ui.scope_id().with("hob");
     let mut place = power.track.expand2(vec2(8.0, 0.0));
@@ -141,7 +142,7 @@ fn paint(ui: &Ui, response: &Response, power: &Power, now: f64) {
 }
 
 /// A setting's tick and word; returns true if it was clicked.
-fn mark(state: &WindowState, ui: &mut Ui, power: &Power, watts: f64, on: bool) -> bool {
+fn mark(state: &PanelContext, ui: &mut Ui, power: &Power, watts: f64, on: bool) -> bool {
     let l = state.settings.language;
     let spoken = if watts == 0.0 { l.text("hob.off").to_owned() } else { format!("{watts:.0} W") };
     // There is no room for the watts of seven steps; a switch has their numbers too.

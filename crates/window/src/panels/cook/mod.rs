@@ -1,6 +1,7 @@
 //! The panel of the cook: hob, hands, time, what is poured.
 
 pub mod act_button;
+pub mod cook_state;
 pub mod few_controls;
 pub mod heard;
 pub mod hob_bar;

@@ -6,12 +6,13 @@ use saute_kitchen::dynamics::Tool;
 
 use crate::act::{Act, Acts, CookAct, ROLL_STEP, TOOL_STEP};
 use crate::input::pouring::Pourable;
+use crate::panels::context::PanelContext;
 use crate::panels::cook::act_button::button;
+use crate::panels::cook::cook_state::CookState;
 use crate::panels::here;
-use crate::panels::window_state::WindowState;
 
 /// Shows the controls.
-pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+pub fn show(state: &CookState, ui: &mut Ui, acts: &mut Acts) {
     let l = state.settings.language;
     let lid = state.session.kitchen.pan_state().lid.is_some();
     for what in Pourable::ALL {
@@ -29,11 +30,11 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
         Tool::Turner => "pour.turner",
     };
     button(state, ui, acts, l.text(tool), state.turner_in_hand, true, Act::Cook(CookAct::Tool));
-    here::tilt_button(state, ui, acts);
+    here::tilt_button(state, state.here, ui, acts);
 }
 
 /// What moves the turner in the hand: fingers have no wheel and no right button.
-pub fn turner(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+pub fn turner(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
     let by_hand = [
         ("pour.up", Act::Cook(CookAct::ToolBy(TOOL_STEP))),
         ("pour.down", Act::Cook(CookAct::ToolBy(-TOOL_STEP))),

@@ -4,7 +4,7 @@ use egui::accesskit::Role;
 use egui::{Color32, Painter, Pos2, Shape, Stroke, Ui, WidgetInfo, vec2};
 
 use crate::act::{Act, Acts, AppAct, Setting};
-use crate::panels::window_state::WindowState;
+use crate::panels::context::PanelContext;
 use crate::ui::aloud::spoken_value;
 use crate::ui::{fingers, theme};
 
@@ -16,7 +16,7 @@ const SLIDER: f32 = 120.0;
 const WAVE: f32 = 0.8;
 
 /// Shows the switch, `height` points high; nothing where a study leaves no sound.
-pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts, height: f32) {
+pub fn show(state: &PanelContext, ui: &mut Ui, acts: &mut Acts, height: f32) {
     let (l, on) = (state.settings.language, state.settings.sound);
     let act = Act::App(AppAct::Set(Setting::Sound(!on)));
     if state.forbids(&act) {
@@ -39,7 +39,7 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts, height: f32) {
 }
 
 /// Shows the volume as a slider.
-pub fn volume(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+pub fn volume(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
     let mut volume = state.settings.volume;
     ui.spacing_mut().slider_width = SLIDER;
     let response = ui.add(egui::Slider::new(&mut volume, 0.0..=1.0).show_value(false));

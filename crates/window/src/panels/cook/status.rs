@@ -6,14 +6,14 @@ use saute_kitchen::{EventKind, Holding, Kitchen};
 
 use crate::act::{Act, Acts, CookAct};
 use crate::input::pouring::{danger, in_the_pan};
-use crate::panels::window_state::WindowState;
+use crate::panels::context::PanelContext;
 use crate::ui::{fingers, theme};
 
 /// Size of the bar of a recipe's progress [points].
 const BAR: egui::Vec2 = vec2(90.0, 8.0);
 
 /// Shows the line: always of one height, so that nothing moves when a part of it comes or goes.
-pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+pub fn show(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
     let l = state.settings.language;
     let kitchen = &state.session.kitchen;
     if let Some(key) = no_power(kitchen) {
@@ -36,7 +36,7 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
 }
 
 /// The recipe that plays with its next step, or the way back to the one that was left.
-fn recipe(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+fn recipe(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
     let l = state.settings.language;
     if let Some(title) = state.session.left_recipe() {
         let text = l.fill("hob.resume", &[("title", &l.called("recipe", title))]);

@@ -3,8 +3,8 @@
 use egui::{Color32, EventFilter, FontId, Key, Pos2, Rect, Response, Sense, Stroke, Ui, pos2, vec2};
 
 use crate::act::{Act, Acts, TimeAct, ViewAct};
+use crate::panels::context::PanelContext;
 use crate::panels::ways::way_words;
-use crate::panels::window_state::WindowState;
 use crate::ui::aloud::{spoken_range, spoken_value};
 use crate::ui::theme;
 use saute_session::Mark;
@@ -26,7 +26,7 @@ const END: f32 = 40.0;
 const END_SIZE: f32 = 12.0;
 
 /// Shows the strip with a size.
-pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts, size: egui::Vec2) {
+pub fn show(state: &PanelContext, ui: &mut Ui, acts: &mut Acts, size: egui::Vec2) {
     if state.hides(&Act::Time(TimeAct::Scrub(0.0))) {
         return;
     }
@@ -56,17 +56,17 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts, size: egui::Vec2)
 }
 
 /// Shows undo and redo.
-pub fn undo_and_redo(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+pub fn undo_and_redo(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
     undo(state, ui, acts);
     step_button(state, ui, acts, ["strip.redo", "strip.redo_hint"], state.session.can_redo(), TimeAct::Redo);
 }
 
 /// Shows undo.
-pub fn undo(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+pub fn undo(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
     step_button(state, ui, acts, ["strip.undo", "strip.undo_hint"], state.session.can_undo(), TimeAct::Undo);
 }
 
-fn step_button(state: &WindowState, ui: &mut Ui, acts: &mut Acts, keys: [&'static str; 2], can: bool, act: TimeAct) {
+fn step_button(state: &PanelContext, ui: &mut Ui, acts: &mut Acts, keys: [&'static str; 2], can: bool, act: TimeAct) {
     let [name, hint] = keys.map(|key| state.settings.language.text(key));
     let (height, act) = (ui.spacing().interact_size.y, Act::Time(act));
     if state.hides(&act) {
@@ -79,7 +79,7 @@ fn step_button(state: &WindowState, ui: &mut Ui, acts: &mut Acts, keys: [&'stati
 }
 
 /// Shows the other ways that the cook went, if there are any.
-pub fn branches(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+pub fn branches(state: &PanelContext, side_by_side: bool, ui: &mut Ui, acts: &mut Acts) {
     if !state.session.has_branches() {
         return;
     }
@@ -88,7 +88,7 @@ pub fn branches(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     let text = egui::RichText::new(l.fill("strip.ways", &[("count", &others)])).size(13.0);
     ui.spacing_mut().button_padding = vec2(7.0, 0.0);
     let shown = ui.menu_button(text, |ui| {
-        if ui.selectable_label(!state.ways.is_empty(), l.text("ways.side_by_side")).clicked() {
+        if ui.selectable_label(side_by_side, l.text("ways.side_by_side")).clicked() {
             acts.push(Act::View(ViewAct::SideBySide));
             ui.close();
         }
@@ -115,7 +115,7 @@ struct Strip<'a> {
 }
 
 impl<'a> Strip<'a> {
-    fn new(state: &WindowState<'a>, rect: Rect) -> Self {
+    fn new(state: &PanelContext<'a>, rect: Rect) -> Self {
         let end_s = state.session.end_s();
         let fits = |span: &f64| *span >= end_s;
         let span_s = SPANS.into_iter().find(fits).unwrap_or(end_s);

@@ -4,7 +4,7 @@ use egui::{RichText, TextEdit, Ui, vec2};
 use saute_study::{Answer, Answering, LIKERT_STEPS};
 
 use super::Entries;
-use crate::panels::window_state::WindowState;
+use crate::panels::context::PanelContext;
 use crate::ui::theme;
 
 /// Width of a field for a number, and of one for text [points].
@@ -13,7 +13,7 @@ const TEXT: f32 = 420.0;
 
 /// Shows a question with its field; returns the answer, once there is one in its range.
 pub(super) fn item(
-    state: &WindowState,
+    state: &PanelContext,
     ui: &mut Ui,
     (id, text): (&str, &str),
     answering: &Answering,
@@ -31,7 +31,7 @@ pub(super) fn item(
 }
 
 fn steps(
-    state: &WindowState,
+    state: &PanelContext,
     ui: &mut Ui,
     id: &str,
     [low, high]: &[String; 2],
@@ -57,7 +57,7 @@ fn steps(
 }
 
 fn number(
-    state: &WindowState,
+    state: &PanelContext,
     ui: &mut Ui,
     id: &str,
     ([low, high], unit): ([f64; 2], &str),
@@ -77,7 +77,7 @@ fn number(
     value.map(Answer::Number)
 }
 
-fn choice(state: &WindowState, ui: &mut Ui, id: &str, choices: &[String], entries: &mut Entries) -> Option<Answer> {
+fn choice(state: &PanelContext, ui: &mut Ui, id: &str, choices: &[String], entries: &mut Entries) -> Option<Answer> {
     ui.horizontal_wrapped(|ui| {
         for (place, choice) in choices.iter().enumerate() {
             let on = entries.places.get(id) == Some(&place);
@@ -90,7 +90,7 @@ fn choice(state: &WindowState, ui: &mut Ui, id: &str, choices: &[String], entrie
     entries.places.get(id).map(|place| Answer::Choice(*place))
 }
 
-fn free_text(state: &WindowState, ui: &mut Ui, id: &str, entries: &mut Entries, name: egui::Id) -> Option<Answer> {
+fn free_text(state: &PanelContext, ui: &mut Ui, id: &str, entries: &mut Entries, name: egui::Id) -> Option<Answer> {
     let text = entries.texts.entry(id.to_owned()).or_default();
     theme::field(ui, TextEdit::singleline(text).desired_width(TEXT.min(ui.available_width()))).labelled_by(name);
     ui.label(RichText::new(state.settings.language.text("guided.no_names")).size(12.5).color(theme::of(ui).accent));

@@ -8,7 +8,7 @@ use saute_study::class::{Ask, Lesson, ResultRow};
 use super::{Entries, button, card};
 use crate::act::GuidedAct;
 use crate::act::{Act, Acts, LearnAct};
-use crate::panels::window_state::WindowState;
+use crate::panels::context::PanelContext;
 use crate::ui::aloud::spoken_value;
 use crate::ui::theme;
 use saute_session::guided::LessonDesk;
@@ -17,7 +17,7 @@ use saute_words::guided_words;
 
 /// Shows the card that is due; returns false while the cook runs.
 pub(super) fn show(
-    state: &WindowState,
+    state: &PanelContext,
     desk: &LessonDesk,
     entries: &mut Entries,
     ui: &Ui,
@@ -41,7 +41,7 @@ pub(super) fn show(
     true
 }
 
-fn intro(state: &WindowState, desk: &LessonDesk, ui: &Ui, acts: &mut Acts, whole: Rect) {
+fn intro(state: &PanelContext, desk: &LessonDesk, ui: &Ui, acts: &mut Acts, whole: Rect) {
     let (l, scenario) = (state.settings.language, desk.scenario());
     let content = |ui: &mut Ui| {
         ui.label(scenario.intro.of(l.code()));
@@ -63,14 +63,14 @@ fn intro(state: &WindowState, desk: &LessonDesk, ui: &Ui, acts: &mut Acts, whole
     });
 }
 
-fn leave(state: &WindowState, desk: &LessonDesk, ui: &mut Ui, acts: &mut Acts) {
+fn leave(state: &PanelContext, desk: &LessonDesk, ui: &mut Ui, acts: &mut Acts) {
     if !desk.is_locked() && button(ui, state.settings.language.text("lesson.leave"), false) {
         acts.push(Act::Learn(LearnAct::Guided(GuidedAct::Leave)));
     }
 }
 
 fn question(
-    state: &WindowState,
+    state: &PanelContext,
     lesson: &Lesson,
     place: usize,
     entries: &mut Entries,
@@ -102,7 +102,7 @@ fn question(
 }
 
 /// A slider; there is no answer until it was moved. Returns the answer in the unit of the question.
-fn slider(state: &WindowState, ui: &mut Ui, ask: Ask, [low, high]: [f64; 2], entries: &mut Entries) -> Option<f64> {
+fn slider(state: &PanelContext, ui: &mut Ui, ask: Ask, [low, high]: [f64; 2], entries: &mut Entries) -> Option<f64> {
     let settings = state.settings;
     let is_temperature = ask != Ask::UndersideBrown;
     let shown = |value: f64| if is_temperature { settings.degrees(value) } else { value };
@@ -120,7 +120,7 @@ fn slider(state: &WindowState, ui: &mut Ui, ask: Ask, [low, high]: [f64; 2], ent
     entries.slider
 }
 
-fn classes(state: &WindowState, ui: &mut Ui, lesson: &Lesson, entries: &mut Entries) -> Option<f64> {
+fn classes(state: &PanelContext, ui: &mut Ui, lesson: &Lesson, entries: &mut Entries) -> Option<f64> {
     ui.horizontal_wrapped(|ui| {
         let scale = &lesson.scenario.goal.scale;
         for (place, class) in scale.class.iter().enumerate() {
@@ -134,7 +134,7 @@ fn classes(state: &WindowState, ui: &mut Ui, lesson: &Lesson, entries: &mut Entr
     entries.slider
 }
 
-fn truth(state: &WindowState, lesson: &Lesson, place: usize, ui: &Ui, acts: &mut Acts, whole: Rect) {
+fn truth(state: &PanelContext, lesson: &Lesson, place: usize, ui: &Ui, acts: &mut Acts, whole: Rect) {
     let l = state.settings.language;
     let content = |ui: &mut Ui| {
         ui.label(guided_words::question(lesson.scenario.predictions[place].ask, l));
@@ -148,7 +148,7 @@ fn truth(state: &WindowState, lesson: &Lesson, place: usize, ui: &Ui, acts: &mut
 }
 
 /// The food rests, and nobody need wait for it.
-fn cooked_on(state: &WindowState, desk: &LessonDesk, rest: &Rest, ui: &Ui, whole: Rect) {
+fn cooked_on(state: &PanelContext, desk: &LessonDesk, rest: &Rest, ui: &Ui, whole: Rect) {
     let l = state.settings.language;
     let content = |ui: &mut Ui| {
         ui.label(l.text("lesson.cooked_on"));
@@ -159,7 +159,7 @@ fn cooked_on(state: &WindowState, desk: &LessonDesk, rest: &Rest, ui: &Ui, whole
 }
 
 fn result(
-    state: &WindowState,
+    state: &PanelContext,
     desk: &LessonDesk,
     lesson: &Lesson,
     (_, measures): (&ResultRow, &Measures),
@@ -190,7 +190,7 @@ fn result(
 }
 
 /// What was foreseen beside what came.
-fn foreseen(state: &WindowState, lesson: &Lesson, ui: &mut Ui) {
+fn foreseen(state: &PanelContext, lesson: &Lesson, ui: &mut Ui) {
     let l = state.settings.language;
     if lesson.asked().is_empty() {
         return;

@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use egui::{Id, Modal, Rect, ScrollArea, Ui};
 
 use crate::act::Acts;
-use crate::panels::window_state::WindowState;
+use crate::panels::context::PanelContext;
 use crate::ui::layout::Layout;
 use crate::ui::theme;
 use saute_session::guided::Guided;
@@ -30,7 +30,7 @@ const WIDTH: f32 = 560.0;
 const BESIDE: f32 = 110.0;
 
 /// Shows the ribbon, or the card; returns true if a card is shown: nothing else is to be shown over it.
-pub fn show(state: &WindowState, entries: &mut Entries, ui: &Ui, acts: &mut Acts, layout: &Layout) -> bool {
+pub fn show(state: &PanelContext, entries: &mut Entries, ui: &Ui, acts: &mut Acts, layout: &Layout) -> bool {
     match state.guided {
         None => false,
         Some(Guided::Study(desk)) if desk.is_running() => {

@@ -5,13 +5,13 @@ use saute_study::Stage;
 
 use crate::act::GuidedAct;
 use crate::act::{Act, Acts, LearnAct};
-use crate::panels::window_state::WindowState;
+use crate::panels::context::PanelContext;
 use crate::ui::layout::{GAP, Layout};
 use crate::ui::{fingers, theme};
 use saute_session::guided::{LessonDesk, StudyDesk};
 
 /// Names phase and trial, and ends the trial; it never states which condition holds.
-pub(super) fn of_study(state: &WindowState, desk: &StudyDesk, ui: &Ui, acts: &mut Acts, layout: &Layout) {
+pub(super) fn of_study(state: &PanelContext, desk: &StudyDesk, ui: &Ui, acts: &mut Acts, layout: &Layout) {
     let Some(simulate) = desk.study().simulate() else { return };
     let Stage::Trial { phase, trial } = desk.study().stage() else { return };
     let l = state.settings.language;
@@ -25,7 +25,7 @@ pub(super) fn of_study(state: &WindowState, desk: &StudyDesk, ui: &Ui, acts: &mu
 }
 
 /// Names the lesson and its goal, ends it, and leaves it where that is allowed.
-pub(super) fn of_lesson(state: &WindowState, desk: &LessonDesk, ui: &Ui, acts: &mut Acts, layout: &Layout) {
+pub(super) fn of_lesson(state: &PanelContext, desk: &LessonDesk, ui: &Ui, acts: &mut Acts, layout: &Layout) {
     if !desk.has_begun() || desk.rest().is_some() || desk.result().is_some() {
         return;
     }
@@ -42,7 +42,7 @@ pub(super) fn of_lesson(state: &WindowState, desk: &LessonDesk, ui: &Ui, acts: &
 }
 
 /// A button that ends a cook once the food is out.
-fn end_button(state: &WindowState, ui: &mut Ui, acts: &mut Acts, key: &'static str, act: GuidedAct) {
+fn end_button(state: &PanelContext, ui: &mut Ui, acts: &mut Acts, key: &'static str, act: GuidedAct) {
     let l = state.settings.language;
     let can = saute_study::class::rest::is_out(&state.session.kitchen);
     let end = theme::of(ui).button(l.text(key), can).min_size(vec2(84.0, fingers::height(ui, 32.0)));

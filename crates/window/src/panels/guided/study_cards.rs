@@ -7,7 +7,7 @@ use saute_study::{Answering, Answers, CookForReal, Measures, Pace, Questionnaire
 use super::{Entries, answers, button, card};
 use crate::act::GuidedAct;
 use crate::act::{Act, Acts, LearnAct};
-use crate::panels::window_state::WindowState;
+use crate::panels::context::PanelContext;
 use crate::system::IS_PAGE;
 use crate::ui::theme;
 use saute_session::guided::{Readiness, StudyDesk, TrialRun};
@@ -15,7 +15,7 @@ use saute_words::guided_words;
 
 /// Shows the card of the stage.
 pub(super) fn show(
-    state: &WindowState,
+    state: &PanelContext,
     desk: &StudyDesk,
     entries: &mut Entries,
     ui: &Ui,
@@ -57,14 +57,14 @@ fn title(desk: &StudyDesk) -> &str {
 }
 
 /// The machine is tried, before anything is agreed to.
-fn tried(state: &WindowState, desk: &StudyDesk, run: &TrialRun, ui: &Ui, whole: Rect) {
+fn tried(state: &PanelContext, desk: &StudyDesk, run: &TrialRun, ui: &Ui, whole: Rect) {
     let content = |ui: &mut Ui| {
         ui.label(state.settings.language.fill("study.tried", &[("speed", &run.speed())]));
     };
     card(ui, ("tried", &desk.study().protocol().title), whole, content, |_| {});
 }
 
-fn too_slow(state: &WindowState, desk: &StudyDesk, pace: Pace, ui: &Ui, acts: &mut Acts, whole: Rect) {
+fn too_slow(state: &PanelContext, desk: &StudyDesk, pace: Pace, ui: &Ui, acts: &mut Acts, whole: Rect) {
     let l = state.settings.language;
     let held = format!("{:.1}", pace.held_median);
     let content = |ui: &mut Ui| {
@@ -81,7 +81,7 @@ fn too_slow(state: &WindowState, desk: &StudyDesk, pace: Pace, ui: &Ui, acts: &m
     });
 }
 
-fn consent(state: &WindowState, desk: &StudyDesk, ui: &Ui, acts: &mut Acts, whole: Rect) {
+fn consent(state: &PanelContext, desk: &StudyDesk, ui: &Ui, acts: &mut Acts, whole: Rect) {
     let l = state.settings.language;
     let protocol = desk.study().protocol();
     let content = |ui: &mut Ui| {
@@ -100,7 +100,7 @@ fn consent(state: &WindowState, desk: &StudyDesk, ui: &Ui, acts: &mut Acts, whol
 }
 
 fn next_trial(
-    state: &WindowState,
+    state: &PanelContext,
     desk: &StudyDesk,
     (simulate, trial): (&Simulate, u32),
     ui: &Ui,
@@ -126,7 +126,7 @@ fn next_trial(
 }
 
 /// What came of the trial before, if the participant is told.
-fn told(state: &WindowState, last: Option<&Measures>, ui: &mut Ui) {
+fn told(state: &PanelContext, last: Option<&Measures>, ui: &mut Ui) {
     if let Some(measures) = last {
         ui.label(guided_words::outcome(measures, state.settings.speech()));
         ui.separator();
@@ -134,7 +134,7 @@ fn told(state: &WindowState, last: Option<&Measures>, ui: &mut Ui) {
 }
 
 fn cook_for_real(
-    state: &WindowState,
+    state: &PanelContext,
     desk: &StudyDesk,
     real: &CookForReal,
     entries: &mut Entries,
@@ -167,7 +167,7 @@ fn answering(entered: Entered, real: &CookForReal) -> Answering {
 }
 
 fn questions(
-    state: &WindowState,
+    state: &PanelContext,
     desk: &StudyDesk,
     asked: &Questionnaire,
     entries: &mut Entries,
@@ -191,7 +191,7 @@ fn questions(
 
 /// A card with fields, and a button that hands them in once all have an answer.
 fn hand_in(
-    state: &WindowState,
+    state: &PanelContext,
     desk: &StudyDesk,
     heading: (&str, &str),
     (ui, acts, whole): (&Ui, &mut Acts, Rect),
@@ -219,7 +219,7 @@ fn hand_in(
 
 /// A button that goes on only if all rows are kept.
 fn begin_unless_in_trouble(
-    state: &WindowState,
+    state: &PanelContext,
     desk: &StudyDesk,
     ui: &mut Ui,
     acts: &mut Acts,
@@ -233,7 +233,7 @@ fn begin_unless_in_trouble(
 }
 
 /// Why rows could not be written, and a button that tries again.
-fn trouble(state: &WindowState, desk: &StudyDesk, ui: &mut Ui, acts: &mut Acts) {
+fn trouble(state: &PanelContext, desk: &StudyDesk, ui: &mut Ui, acts: &mut Acts) {
     let l = state.settings.language;
     if desk.offers_download() && button(ui, l.text("study.save_log"), false) {
         acts.push(Act::Learn(LearnAct::Guided(GuidedAct::SaveLog)));
@@ -245,7 +245,7 @@ fn trouble(state: &WindowState, desk: &StudyDesk, ui: &mut Ui, acts: &mut Acts) 
     ui.label(RichText::new(l.fill("study.not_written", &[("error", &trouble)])).color(theme::of(ui).accent));
 }
 
-fn the_end(state: &WindowState, desk: &StudyDesk, key: &'static str, ui: &Ui, acts: &mut Acts, whole: Rect) {
+fn the_end(state: &PanelContext, desk: &StudyDesk, key: &'static str, ui: &Ui, acts: &mut Acts, whole: Rect) {
     let l = state.settings.language;
     let content = |ui: &mut Ui| {
         told(state, desk.told(), ui);

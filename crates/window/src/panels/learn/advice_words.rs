@@ -1,18 +1,18 @@
 //! Advice in words.
 
-use crate::panels::window_state::WindowState;
+use crate::panels::context::PanelContext;
 use saute_kitchen::Piece;
 use saute_kitchen::advice::Advice;
 use saute_kitchen::doneness::core_class;
 use saute_words::doneness_words;
 
 /// What a button states that sets the hob as advised [W].
-pub(crate) fn do_it_words(watts: f64, state: &WindowState) -> String {
+pub(crate) fn do_it_words(watts: f64, state: &PanelContext) -> String {
     state.settings.language.fill("advice.do_it", &[("power", &format!("{watts:.0} W"))])
 }
 
 /// Advice in the cook's words.
-pub(crate) fn advice_words(advice: Advice, state: &WindowState) -> String {
+pub(crate) fn advice_words(advice: Advice, state: &PanelContext) -> String {
     let l = state.settings.language;
     let at = |key, celsius: f64| l.fill(key, &[("temperature", &state.settings.temperature(celsius))]);
     let hob = |key, watts: f64| l.fill(key, &[("power", &format!("{watts:.0} W"))]);
@@ -48,7 +48,7 @@ pub(crate) fn advice_words(advice: Advice, state: &WindowState) -> String {
 }
 
 /// The class of the core of the piece that the panels show; empty where no scale says anything about it.
-pub(crate) fn class_now(state: &WindowState) -> String {
+pub(crate) fn class_now(state: &PanelContext) -> String {
     let class = |piece: &Piece| {
         let scale = state.scale_of(piece)?;
         Some(doneness_words::class(&scale, core_class(piece, &scale), state.settings.language).to_owned())
@@ -57,7 +57,7 @@ pub(crate) fn class_now(state: &WindowState) -> String {
 }
 
 /// What a resting piece has reached, with its class where a scale says anything about it.
-pub(crate) fn resting_words(key: &'static str, peak_c: f64, state: &WindowState) -> String {
+pub(crate) fn resting_words(key: &'static str, peak_c: f64, state: &PanelContext) -> String {
     let l = state.settings.language;
     let reached = match state.scale() {
         None => state.settings.temperature(peak_c),

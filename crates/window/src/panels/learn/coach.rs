@@ -1,8 +1,9 @@
 //! The coach's sentences below the advice: what happens and why, and the next cue.
 
 use egui::{Label, RichText, Ui};
+use saute_kitchen::advice::coaching::Coaching;
 
-use crate::panels::window_state::WindowState;
+use crate::panels::context::PanelContext;
 use crate::ui::theme;
 use saute_words::coach_words;
 
@@ -10,8 +11,8 @@ use saute_words::coach_words;
 const TWO_LINES: f32 = 29.0;
 
 /// Shows both where the coach is on; on a narrow window the cue alone.
-pub fn show(state: &WindowState, ui: &mut Ui, cue_alone: bool) {
-    let Some(coaching) = state.coaching.as_ref().filter(|_| state.reads_out()) else { return };
+pub fn show(state: &PanelContext, coaching: Option<&Coaching>, ui: &mut Ui, cue_alone: bool) {
+    let Some(coaching) = coaching.filter(|_| state.reads_out()) else { return };
     let palette = theme::of(ui);
     let happening = coach_words::happening(coaching, state.settings.speech());
     if let Some(cue) = coach_words::cue(coaching, state.settings.speech()) {

@@ -9,8 +9,8 @@ use saute_plan::schedule::voice::Keeping;
 
 use super::now_words::{Deed, NowWords};
 use crate::act::{Act, Acts, AppAct, Card, LearnAct, TimeAct};
+use crate::panels::context::PanelContext;
 use crate::panels::cook::hob_bar::capitalised;
-use crate::panels::window_state::WindowState;
 use crate::plan::PlanAct;
 use crate::ui::bell::{self, Bell};
 use crate::ui::{fingers, theme};
@@ -36,7 +36,7 @@ pub(super) struct Guide<'a> {
 
 impl<'a> Guide<'a> {
     /// What it says now.
-    pub fn of(live: &'a Live, state: &WindowState) -> Self {
+    pub fn of(live: &'a Live, state: &PanelContext) -> Self {
         Self { live, guidance: live.guidance(state.session) }
     }
 
@@ -46,11 +46,11 @@ impl<'a> Guide<'a> {
     }
 
     /// Words for the next step, or for the end.
-    pub fn words(&self, state: &WindowState) -> NowWords {
+    pub fn words(&self, state: &PanelContext) -> NowWords {
         self.live.gave().map_or_else(|| self.next(state), |gave| self.end(gave, state))
     }
 
-    fn next(&self, state: &WindowState) -> NowWords {
+    fn next(&self, state: &PanelContext) -> NowWords {
         let l = state.settings.language;
         NowWords::told(self.step(l), self.said(l), self.deed(state), self.is_due(), l)
     }
@@ -61,7 +61,7 @@ impl<'a> Guide<'a> {
         l.fill("plan.deed_when", &[("deed", &deeds), ("when", &self.when(l))])
     }
 
-    fn end(&self, gave: &Outcome, state: &WindowState) -> NowWords {
+    fn end(&self, gave: &Outcome, state: &PanelContext) -> NowWords {
         let l = state.settings.language;
         let (verb, why) = (l.text("plan.over").to_owned(), self.line(gave, "plan.was_reached", state));
         let result = Deed::called(l.text("result.title"), Act::App(AppAct::Open(Card::Result)), true);
@@ -82,7 +82,7 @@ impl<'a> Guide<'a> {
     }
 
     /// The button: does what is due, starts the clock, or lets it run up to the next step.
-    fn deed(&self, state: &WindowState) -> Option<Deed> {
+    fn deed(&self, state: &PanelContext) -> Option<Deed> {
         let l = state.settings.language;
         if self.can_do() {
             return Some(self.do_it(l));
@@ -130,7 +130,7 @@ impl<'a> Guide<'a> {
     }
 
     /// What was promised or reached.
-    fn line(&self, outcome: &Outcome, key: &'static str, state: &WindowState) -> String {
+    fn line(&self, outcome: &Outcome, key: &'static str, state: &PanelContext) -> String {
         let (l, settings) = (state.settings.language, state.settings);
         let [share, crust] = [outcome.target_share_pct, outcome.crust_pct].map(|pct| format!("{pct:.0}"));
         let core = settings.fine_temperature(outcome.core_peak_c);
@@ -144,7 +144,7 @@ impl<'a> Guide<'a> {
     }
 
     /// Shows the bell, the cue and the way out; where the advice has the word, the step and its button too.
-    pub fn show(&self, has_word: bool, state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+    pub fn show(&self, has_word: bool, state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
         let from_right = egui::Layout::right_to_left(egui::Align::Center);
         if ui.available_height() <= CUE {
             ui.with_layout(from_right, |ui| {
@@ -167,7 +167,7 @@ impl<'a> Guide<'a> {
         });
     }
 
-    fn bell(&self, state: &WindowState, ui: &mut Ui) {
+    fn bell(&self, state: &PanelContext, ui: &mut Ui) {
         if !self.is_over() {
             let (l, rings) = (state.settings.language, self.is_due());
             let spoken = l.text(if rings { "plan.bell_rings" } else { "plan.bell_waits" });
@@ -176,7 +176,7 @@ impl<'a> Guide<'a> {
     }
 
     /// How the plan was left, else what there is to see at the step, or what was promised.
-    fn cue(&self, has_word: bool, state: &WindowState, ui: &mut Ui) {
+    fn cue(&self, has_word: bool, state: &PanelContext, ui: &mut Ui) {
         let (l, palette) = (state.settings.language, theme::of(ui));
         let senses = || self.guidance.next.iter().filter_map(|f| self.sense(state, f)).collect::<Vec<_>>().join(" ");
         let (words, ink) = match (self.is_over(), self.left(state)) {
@@ -188,19 +188,19 @@ impl<'a> Guide<'a> {
         ui.add(egui::Label::new(RichText::new(words).size(12.5).color(ink)).wrap());
     }
 
-    fn sense(&self, state: &WindowState, followed: &Followed) -> Option<String> {
+    fn sense(&self, state: &PanelContext, followed: &Followed) -> Option<String> {
         // Of food that is out there is nothing to feel.
         let followed = Some(followed).filter(|followed| followed.left != Left::Hob)?;
         let sense = self.live.plan().sense(&followed.step, &state.session.library)?;
         Some(cue_words::sense(&sense, state.settings.speech()))
     }
 
-    fn left(&self, state: &WindowState) -> Option<Keeping> {
+    fn left(&self, state: &PanelContext) -> Option<Keeping> {
         Some(self.live.keeping(state.session)).filter(|keeping| *keeping != Keeping::Kept)
     }
 
     /// Ends the guide; where the advice has the word, the guide's button is here.
-    fn ways_out(&self, has_word: bool, state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+    fn ways_out(&self, has_word: bool, state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
         let (l, palette, size) = (state.settings.language, theme::of(ui), vec2(44.0, fingers::height(ui, ROW)));
         let leave = palette.button(l.text("plan.leave"), false).min_size(size);
         if ui.add(leave).on_hover_text(l.text("plan.leave_hint")).clicked() {

@@ -5,11 +5,12 @@ use egui::Ui;
 use saute_kitchen::advice::Advice;
 
 use super::guide::Guide;
+use super::now_state::NowState;
 use super::now_words::NowWords;
 use super::taught;
 use crate::act::{Act, Acts};
 use crate::learn::tutorial::{Step, Tutorial};
-use crate::panels::window_state::WindowState;
+use crate::panels::context::PanelContext;
 
 /// Who leads besides the advice.
 pub(super) enum Lead<'a> {
@@ -21,13 +22,13 @@ pub(super) enum Lead<'a> {
 
 impl<'a> Lead<'a> {
     /// Who leads now.
-    pub fn of(state: &'a WindowState) -> Option<Self> {
+    pub fn of(state: &NowState<'a>) -> Option<Self> {
         let guide = state.live.filter(|live| !live.is_closed()).map(|live| Self::Plan(Guide::of(live, state)));
         guide.or(state.tutorial.map(Self::Tutorial))
     }
 
     /// Its words, unless the advice has the word: what is dangerous is always said, and who has left a plan is advised again.
-    pub fn words(&self, advice: Option<Advice>, state: &WindowState) -> Option<NowWords> {
+    pub fn words(&self, advice: Option<Advice>, state: &NowState) -> Option<NowWords> {
         match self {
             Self::Plan(guide) => {
                 let leads = (state.guide_leads || guide.is_over()) && !advice.is_some_and(Advice::is_due);
@@ -41,7 +42,7 @@ impl<'a> Lead<'a> {
     }
 
     /// The control that is meant where no button of the line stands for it.
-    pub fn control(&self, state: &WindowState) -> Option<Act> {
+    pub fn control(&self, state: &NowState) -> Option<Act> {
         match self {
             Self::Plan(_) => None,
             Self::Tutorial(tutorial) => taught::control(tutorial, state),
@@ -57,7 +58,7 @@ impl<'a> Lead<'a> {
     }
 
     /// Shows what is below the line; `has_word` is true while the line tells its words.
-    pub fn show(&self, has_word: bool, state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+    pub fn show(&self, has_word: bool, state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
         match self {
             Self::Plan(guide) => guide.show(has_word, state, ui, acts),
             Self::Tutorial(tutorial) => taught::show(tutorial, state, ui, acts),

@@ -5,6 +5,7 @@ pub mod control_place;
 mod guide;
 mod led;
 pub mod now_memory;
+pub mod now_state;
 mod now_words;
 mod taught;
 pub mod time_left;
@@ -17,10 +18,11 @@ use saute_kitchen::food::change::doneness::Measure;
 
 use self::led::Lead;
 use self::now_memory::NowMemory;
+use self::now_state::NowState;
 use self::now_words::{Deed, NowWords};
 use self::time_left::TimeLeft;
 use crate::act::{Act, Acts, CookAct};
-use crate::panels::window_state::WindowState;
+use crate::panels::context::PanelContext;
 use crate::ui::layout::{GAP, Layout};
 use crate::ui::theme::{self, TOUCH};
 use saute_session::guided::Guided;
@@ -44,7 +46,7 @@ const VERB_SIZES: [f32; 4] = [20.0, 18.0, 16.0, 14.0];
 const WHY_SIZES: [f32; 3] = [14.0, 13.0, 12.0];
 
 /// Shows the line over the scene; a narrow window has it in the drawer, unless that is hidden.
-pub fn show(state: &WindowState, memory: &mut NowMemory, ui: &Ui, acts: &mut Acts, layout: &Layout) {
+pub fn show(state: &NowState, memory: &mut NowMemory, ui: &Ui, acts: &mut Acts, layout: &Layout) {
     let in_drawer = layout.narrow && !state.settings.hides_panels();
     let lead = Lead::of(state);
     let beside_ways = layout.ways.is_some() && !matches!(lead, Some(Lead::Tutorial(_)));
@@ -64,7 +66,7 @@ pub fn show(state: &WindowState, memory: &mut NowMemory, ui: &Ui, acts: &mut Act
 }
 
 /// Shows the line in the drawer of a narrow window.
-pub fn in_drawer(state: &WindowState, memory: &mut NowMemory, ui: &mut Ui, acts: &mut Acts) {
+pub fn in_drawer(state: &NowState, memory: &mut NowMemory, ui: &mut Ui, acts: &mut Acts) {
     let lead = Lead::of(state);
     let now = Now::of(state, lead.as_ref(), &mut memory.left);
     memory.order = now.as_ref().and_then(|now| now.order(state));
@@ -86,7 +88,7 @@ struct Now<'a> {
 }
 
 /// Where the line stands: at the foot of the free part, clear of the legend and of the buttons of the eye.
-fn place(state: &WindowState, layout: &Layout, size: Vec2) -> Rect {
+fn place(state: &PanelContext, layout: &Layout, size: Vec2) -> Rect {
     let free = layout.free;
     let left = free.center().x - 0.5 * size.x;
     let beside = left + size.x + GAP <= layout.eye.left() && !crate::panels::badge::says_what_holds(state);
@@ -96,7 +98,7 @@ fn place(state: &WindowState, layout: &Layout, size: Vec2) -> Rect {
 
 impl<'a> Now<'a> {
     /// What the line tells; nothing where readings are hidden and nobody else leads, nor while the card of a lesson or a study asks.
-    fn of(state: &WindowState, lead: Option<&'a Lead<'a>>, memory: &mut TimeLeft) -> Option<Self> {
+    fn of(state: &NowState, lead: Option<&'a Lead<'a>>, memory: &mut TimeLeft) -> Option<Self> {
         if state.guided.is_some_and(Guided::asks) {
             return None;
         }
@@ -108,7 +110,7 @@ impl<'a> Now<'a> {
     }
 
     /// What is to be done now, if anything is.
-    fn order(&self, state: &WindowState) -> Option<(String, String)> {
+    fn order(&self, state: &PanelContext) -> Option<(String, String)> {
         let NowWords { verb, why, is_due, .. } = &self.words;
         let sentence = || state.settings.language.fill("now.spoken", &[("verb", verb), ("why", why)]);
         is_due.then(|| (verb.clone(), sentence()))
@@ -130,7 +132,7 @@ impl<'a> Now<'a> {
     }
 
     /// Core, verb and reason, button: the upper part, of a height; below it what the lead shows.
-    fn show(&self, state: &WindowState, ui: &mut Ui, acts: &mut Acts, (size, height): (Vec2, f32)) {
+    fn show(&self, state: &PanelContext, ui: &mut Ui, acts: &mut Acts, (size, height): (Vec2, f32)) {
         let (words, palette) = (&self.words, theme::of(ui));
         let (whole, ground) = ui.allocate_exact_size(size, egui::Sense::click_and_drag());
         ground.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Label, true, &words.spoken));
@@ -156,8 +158,8 @@ impl<'a> Now<'a> {
     }
 
     /// Lights the control that the button stands for, or that the tutorial means. Behind a card nothing is to be pressed.
-    fn light(&self, state: &WindowState, ui: &Ui) {
-        if state.card.is_some() {
+    fn light(&self, state: &NowState, ui: &Ui) {
+        if state.card_is_open {
             return;
         }
         let act = match &self.words.deed {
@@ -237,7 +239,7 @@ fn forget_button(ui: &Ui) {
 }
 
 /// The temperature of the core, large, and the goal below it; none where doneness is told by something else.
-fn core(state: &WindowState) -> Option<[String; 2]> {
+fn core(state: &PanelContext) -> Option<[String; 2]> {
     let scale = state.scale().filter(|scale| scale.measure() == Measure::Peak)?;
     let piece = state.session.steak()?;
     let goal = state.settings.temperature(state.settings.goal(&scale));

@@ -2,11 +2,12 @@
 
 use saute_kitchen::advice::{Advice, BROWN, HALF_WAY, Situation, TURNS_S, WARM_ENOUGH_C};
 
+use super::now_state::NowState;
 use super::time_left::{Course, TimeLeft};
 use crate::act::{Act, AppAct, Card, CookAct};
+use crate::panels::context::PanelContext;
 use crate::panels::cook::hob_bar::capitalised;
 use crate::panels::learn::advice_words::{advice_words, class_now, do_it_words, resting_words};
-use crate::panels::window_state::WindowState;
 use saute_session::Forecast;
 use saute_words::clock::{clock, whole_minutes};
 use saute_words::language::Language;
@@ -56,19 +57,19 @@ impl NowWords {
     }
 
     /// Words for an advice about the hob, which tell no time.
-    pub fn without_time(advice: Advice, state: &WindowState) -> Self {
+    pub fn without_time(advice: Advice, state: &NowState) -> Self {
         Self::of(advice, state, &mut TimeLeft::default())
     }
 
     /// Words for the most urgent advice.
-    pub fn of(advice: Advice, state: &WindowState, memory: &mut TimeLeft) -> Self {
+    pub fn of(advice: Advice, state: &NowState, memory: &mut TimeLeft) -> Self {
         let [verb, why] = Words { state }.of(advice, memory);
         Self { verb, why, spoken: advice_words(advice, state), deed: deed(advice, state), is_due: advice.is_due() }
     }
 }
 
 /// What the button does, where there is something to do.
-fn deed(advice: Advice, state: &WindowState) -> Option<Deed> {
+fn deed(advice: Advice, state: &PanelContext) -> Option<Deed> {
     let l = state.settings.language;
     let of = |text: String, act: Act| {
         let spoken = l.fill("advice.do", &[("deed", &text)]);
@@ -96,7 +97,7 @@ fn deed(advice: Advice, state: &WindowState) -> Option<Deed> {
 
 /// The words of a state of the window.
 struct Words<'a> {
-    state: &'a WindowState<'a>,
+    state: &'a NowState<'a>,
 }
 
 impl Words<'_> {

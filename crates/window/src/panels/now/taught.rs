@@ -3,10 +3,11 @@
 use egui::{RichText, Sense, Stroke, Ui, vec2};
 use saute_kitchen::advice::Advice;
 
+use super::now_state::NowState;
 use super::now_words::NowWords;
 use crate::act::{Act, Acts, CookAct, LearnAct};
 use crate::learn::tutorial::{self, Step, Tutorial};
-use crate::panels::window_state::WindowState;
+use crate::panels::context::PanelContext;
 use crate::ui::{fingers, theme};
 use saute_words::clock::clock;
 
@@ -17,7 +18,7 @@ const APART: f32 = 12.0;
 const ROW: f32 = 28.0;
 
 /// What to do now; the hob comes first where its advice is due, with the button that does it.
-pub(super) fn words(tutorial: &Tutorial, state: &WindowState) -> NowWords {
+pub(super) fn words(tutorial: &Tutorial, state: &NowState) -> NowWords {
     let l = state.settings.language;
     if let Some(hob) = hob_first(tutorial, state) {
         let words = NowWords::without_time(hob, state);
@@ -29,7 +30,7 @@ pub(super) fn words(tutorial: &Tutorial, state: &WindowState) -> NowWords {
 }
 
 /// The control that is meant.
-pub(super) fn control(tutorial: &Tutorial, state: &WindowState) -> Option<Act> {
+pub(super) fn control(tutorial: &Tutorial, state: &NowState) -> Option<Act> {
     match (tutorial.step(), state.advice.first()) {
         (Step::TakeOut, Some(Advice::Flip)) => Some(Act::Cook(CookAct::Flip)),
         (step, _) => tutorial::control(step),
@@ -37,7 +38,7 @@ pub(super) fn control(tutorial: &Tutorial, state: &WindowState) -> Option<Act> {
 }
 
 /// Advice about the hob that is due while a step waits for the food.
-fn hob_first(tutorial: &Tutorial, state: &WindowState) -> Option<Advice> {
+fn hob_first(tutorial: &Tutorial, state: &NowState) -> Option<Advice> {
     let about_hob = |one: &&Advice| one.hob_w().is_some() && **one != Advice::TurnOff;
     state.advice.iter().find(about_hob).filter(|_| tutorial.step().waits()).copied()
 }
@@ -77,7 +78,7 @@ pub(super) fn height(ui: &Ui) -> f32 {
 }
 
 /// Dots of the steps, how long it took so far, and the way out.
-pub(super) fn show(tutorial: &Tutorial, state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+pub(super) fn show(tutorial: &Tutorial, state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
     let (l, palette) = (state.settings.language, theme::of(ui));
     ui.horizontal_centered(|ui| {
         dots(tutorial, state, ui);
@@ -93,7 +94,7 @@ pub(super) fn show(tutorial: &Tutorial, state: &WindowState, ui: &mut Ui, acts: 
     });
 }
 
-fn dots(tutorial: &Tutorial, state: &WindowState, ui: &mut Ui) {
+fn dots(tutorial: &Tutorial, state: &PanelContext, ui: &mut Ui) {
     let (l, palette) = (state.settings.language, theme::of(ui));
     let (count, place) = (Step::ALL.len(), tutorial.place());
     let (dots, response) = ui.allocate_exact_size(vec2(APART * count as f32, 2.0 * DOT + 4.0), Sense::hover());

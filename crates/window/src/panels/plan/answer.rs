@@ -3,9 +3,10 @@
 use egui::{RichText, Ui, vec2};
 use saute_plan::schedule::{Plan, Step};
 
+use super::plan_state::PlanState;
 use super::time_line;
 use crate::act::{Act, Acts, LearnAct};
-use crate::panels::window_state::WindowState;
+use crate::panels::context::PanelContext;
 use crate::plan::{PlanAct, PlanFile};
 use crate::ui::theme;
 use saute_words::clock::clock;
@@ -16,7 +17,7 @@ const TIME: f32 = 44.0;
 const DEED: f32 = 150.0;
 
 /// Shows a plan.
-pub fn show(state: &WindowState, plan: &Plan, ui: &mut Ui, acts: &mut Acts) {
+pub fn show(state: &PlanState, plan: &Plan, ui: &mut Ui, acts: &mut Acts) {
     let (l, settings) = (state.settings.language, state.settings);
     ui.label(RichText::new(plan_words::heading(&plan.order, &state.session.library, settings.speech())).size(15.0));
     if let Some(why) = plan_words::why_not(plan, settings.speech()) {
@@ -44,13 +45,13 @@ pub fn show(state: &WindowState, plan: &Plan, ui: &mut Ui, acts: &mut Acts) {
 }
 
 /// True if the food, the pan or the target was changed since the plan was asked for.
-fn is_of_other_choice(state: &WindowState) -> bool {
+fn is_of_other_choice(state: &PlanState) -> bool {
     let settings = state.settings;
     let now = settings.plan.asked(&settings.choice, &state.session.library, settings);
     state.planning.asked().is_some_and(|asked| *asked != now)
 }
 
-fn buttons(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+fn buttons(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
     let l = state.settings.language;
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing = vec2(6.0, 6.0);
@@ -66,7 +67,7 @@ fn buttons(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     });
 }
 
-fn promise(state: &WindowState, plan: &Plan, ui: &mut Ui) {
+fn promise(state: &PanelContext, plan: &Plan, ui: &mut Ui) {
     let (l, settings) = (state.settings.language, state.settings);
     let core = settings.fine_temperature(plan.promised.core_peak_c);
     ui.label(RichText::new(l.text("plan.promised")).strong());
@@ -80,7 +81,7 @@ fn promise(state: &WindowState, plan: &Plan, ui: &mut Ui) {
 }
 
 /// A step: when, what, and what there is to see, hear and feel.
-fn row(state: &WindowState, plan: &Plan, step: &Step, ui: &mut Ui) {
+fn row(state: &PanelContext, plan: &Plan, step: &Step, ui: &mut Ui) {
     let (l, settings) = (state.settings.language, state.settings);
     let sense = plan.sense(step, &state.session.library).map(|sense| cue_words::sense(&sense, settings.speech()));
     let narrow = ui.available_width() < 420.0;

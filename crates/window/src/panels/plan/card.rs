@@ -2,10 +2,10 @@
 
 use egui::{Rect, RichText, ScrollArea, Ui};
 
+use super::plan_state::PlanState;
 use super::{answer, form};
 use crate::act::{Act, Acts, Card, LearnAct};
 use crate::panels::cards::frame::{Framed, part};
-use crate::panels::window_state::WindowState;
 use crate::plan::PlanAct;
 use crate::ui::theme;
 use saute_session::plan::planning::Standing;
@@ -19,7 +19,7 @@ const FORM: f32 = 318.0;
 const NARROW: f32 = 760.0;
 
 /// Shows the card over everything; Esc, the button or a click beside it closes it.
-pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, whole: Rect) {
+pub fn show(state: &PlanState, ui: &Ui, acts: &mut Acts, whole: Rect) {
     let framed = Framed { card: Card::Plan, id: "plan", title: "plan.title", width: WIDTH };
     framed.show(state, ui, acts, whole, |ui, acts| {
         let height = whole.height() - 112.0;
@@ -37,7 +37,7 @@ pub fn show(state: &WindowState, ui: &Ui, acts: &mut Acts, whole: Rect) {
 }
 
 /// What was found comes first once there is something.
-fn narrow(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+fn narrow(state: &PlanState, ui: &mut Ui, acts: &mut Acts) {
     if *state.planning.standing() == Standing::Idle {
         form::show(state, ui, acts);
         ui.separator();
@@ -49,7 +49,7 @@ fn narrow(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
     }
 }
 
-fn found(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+fn found(state: &PlanState, ui: &mut Ui, acts: &mut Acts) {
     let l = state.settings.language;
     match state.planning.standing() {
         Standing::Idle => {
@@ -68,7 +68,7 @@ fn found(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
 }
 
 /// The bar, what is done now, and the button that ends it.
-fn searching(state: &WindowState, ui: &mut Ui, acts: &mut Acts, share: f32, doing: &str) {
+fn searching(state: &PlanState, ui: &mut Ui, acts: &mut Acts, share: f32, doing: &str) {
     let l = state.settings.language;
     ui.label(RichText::new(l.text("plan.searching")).size(17.0));
     let bar = ui.add(egui::ProgressBar::new(share).desired_width(ui.available_width()).fill(theme::of(ui).chosen));

@@ -3,9 +3,10 @@
 use egui::{RichText, TextEdit, Ui, vec2};
 use saute_plan::schedule::asked::{scale_for, scales_for};
 
+use super::plan_state::PlanState;
 use crate::act::{Act, Acts, AppAct, LearnAct, Setting};
+use crate::panels::context::PanelContext;
 use crate::panels::pantry::{coldest, pans, sizes, slider, temperature};
-use crate::panels::window_state::WindowState;
 use crate::plan::PlanAct;
 use crate::plan::choice::{MOST_FLIPS, PlanChoice};
 use crate::ui::aloud::heading;
@@ -17,7 +18,7 @@ use saute_words::doneness_words;
 const CHIP: f32 = 34.0;
 
 /// Shows what is asked, and the button that searches.
-pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+pub fn show(state: &PlanState, ui: &mut Ui, acts: &mut Acts) {
     let (l, settings) = (state.settings.language, state.settings);
     let (mut choice, mut plan) = (settings.choice.clone(), settings.plan.clone());
     find(state, ui, acts);
@@ -46,7 +47,7 @@ pub fn show(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
 }
 
 /// A plan that is easily followed, or the best one.
-fn kinds(state: &WindowState, ui: &mut Ui, plan: &mut PlanChoice) {
+fn kinds(state: &PanelContext, ui: &mut Ui, plan: &mut PlanChoice) {
     let l = state.settings.language;
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing = vec2(5.0, 5.0);
@@ -62,7 +63,7 @@ fn kinds(state: &WindowState, ui: &mut Ui, plan: &mut PlanChoice) {
     });
 }
 
-fn find(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
+fn find(state: &PlanState, ui: &mut Ui, acts: &mut Acts) {
     let text = state.settings.language.text("plan.find");
     let size = vec2(ui.available_width(), theme::TOUCH);
     let button = theme::of(ui).primary(text).min_size(size);
@@ -72,7 +73,7 @@ fn find(state: &WindowState, ui: &mut Ui, acts: &mut Acts) {
 }
 
 /// The list of the foods; another one begins with its own size, and with the crust that is usual for it.
-fn foods(state: &WindowState, ui: &mut Ui, choice: &mut SteakChoice, plan: &mut PlanChoice) {
+fn foods(state: &PanelContext, ui: &mut Ui, choice: &mut SteakChoice, plan: &mut PlanChoice) {
     let (library, l) = (&state.session.library, state.settings.language);
     let name = library.foods.get(&choice.kind).map_or(choice.kind.as_str(), |food| food.name_in(l.code()));
     let name = name.to_owned();
@@ -94,7 +95,7 @@ fn foods(state: &WindowState, ui: &mut Ui, choice: &mut SteakChoice, plan: &mut 
 }
 
 /// The classes of the scale, and a temperature of the core.
-fn target(state: &WindowState, ui: &mut Ui, choice: &SteakChoice, plan: &mut PlanChoice) {
+fn target(state: &PanelContext, ui: &mut Ui, choice: &SteakChoice, plan: &mut PlanChoice) {
     let (library, l) = (&state.session.library, state.settings.language);
     let scales = scales_for(library, &choice.kind);
     let scale = scale_for(library, &choice.kind, &plan.scale);
@@ -122,7 +123,7 @@ fn target(state: &WindowState, ui: &mut Ui, choice: &SteakChoice, plan: &mut Pla
 }
 
 fn scale_list(
-    state: &WindowState,
+    state: &PanelContext,
     ui: &mut Ui,
     scales: &[&std::sync::Arc<saute_kitchen::food::Scale>],
     plan: &mut PlanChoice,
@@ -146,7 +147,7 @@ fn chip(ui: &mut Ui, text: &str, on: bool) -> bool {
     response.clicked()
 }
 
-fn crust_and_flips(state: &WindowState, ui: &mut Ui, choice: &SteakChoice, plan: &mut PlanChoice) {
+fn crust_and_flips(state: &PanelContext, ui: &mut Ui, choice: &SteakChoice, plan: &mut PlanChoice) {
     let l = state.settings.language;
     let usual = plan.crust_of(&state.session.library, &choice.kind);
     let mut crust = usual;
@@ -164,7 +165,7 @@ fn crust_and_flips(state: &WindowState, ui: &mut Ui, choice: &SteakChoice, plan:
 }
 
 /// The powers that the hob has, as they are typed.
-fn powers(state: &WindowState, ui: &mut Ui, plan: &mut PlanChoice) {
+fn powers(state: &PanelContext, ui: &mut Ui, plan: &mut PlanChoice) {
     let l = state.settings.language;
     ui.label(RichText::new(l.text("plan.powers")).size(13.0).color(theme::of(ui).quiet));
     let dial = PlanChoice::default().powers_w(state.settings.choice.hob(&state.session.library));

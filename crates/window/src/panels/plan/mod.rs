@@ -3,4 +3,5 @@
 mod answer;
 pub mod card;
 mod form;
+pub mod plan_state;
 mod time_line;

@@ -3,7 +3,7 @@
 use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Sense, Stroke, Ui, pos2, vec2};
 use saute_plan::schedule::{Deed, Plan};
 
-use crate::panels::window_state::WindowState;
+use crate::panels::context::PanelContext;
 use crate::ui::palette::Palette;
 use crate::ui::theme;
 use saute_words::clock::clock;
@@ -17,7 +17,7 @@ const BELOW: f32 = 18.0;
 const TIME_APART: f32 = 64.0;
 
 /// Shows the time line.
-pub fn show(state: &WindowState, plan: &Plan, ui: &mut Ui) {
+pub fn show(state: &PanelContext, plan: &Plan, ui: &mut Ui) {
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), HEIGHT), Sense::hover());
     let l = state.settings.language;
     let told: Vec<String> = plan

@@ -6,10 +6,11 @@ use saute_kitchen::celsius;
 use super::{WaysMemory, within};
 use crate::act::{Act, Acts, TimeAct, ViewAct};
 use crate::input::grab::ORBIT_PER_POINT;
+use crate::panels::context::PanelContext;
 use crate::panels::curves::sample;
 use crate::panels::ways::look::piece;
 use crate::panels::ways::look::style;
-use crate::panels::window_state::WindowState;
+use crate::panels::ways::ways_state::WaysState;
 use crate::ui::ways_layout::WayColumn;
 use crate::ui::{fingers, theme};
 use saute_session::timeline::{Stand, WayBeside};
@@ -24,7 +25,7 @@ const SMALL_BUTTON: f32 = 22.0;
 
 /// Shows a way in its column.
 pub(super) fn show(
-    state: &WindowState,
+    state: &WaysState,
     way: &WayBeside,
     memory: &mut WaysMemory,
     ui: &mut Ui,
@@ -58,7 +59,7 @@ fn head_places(ui: &Ui, head: Rect, way: &WayBeside, memory: &WaysMemory) -> (Re
     (words, Some(buttons))
 }
 
-fn head(state: &WindowState, way: &WayBeside, memory: &mut WaysMemory, ui: &mut Ui, name: &str) {
+fn head(state: &WaysState, way: &WayBeside, memory: &mut WaysMemory, ui: &mut Ui, name: &str) {
     ui.spacing_mut().item_spacing = vec2(5.0, 1.0);
     (ui.spacing_mut().interact_size.y, ui.spacing_mut().button_padding.y) = (SMALL_BUTTON, 0.0);
     ui.horizontal(|ui| {
@@ -80,7 +81,7 @@ fn head(state: &WindowState, way: &WayBeside, memory: &mut WaysMemory, ui: &mut 
 }
 
 /// Buttons to the way before and after, where there is room for one beside the one that goes on.
-fn pages(state: &WindowState, way: &WayBeside, memory: &mut WaysMemory, ui: &mut Ui) {
+fn pages(state: &WaysState, way: &WayBeside, memory: &mut WaysMemory, ui: &mut Ui) {
     let others: Vec<u64> = state.ways.iter().filter(|way| way.place.is_some()).map(|way| way.way.id).collect();
     let here = others.iter().position(|id| *id == way.way.id).unwrap_or(0);
     let l = state.settings.language;
@@ -96,7 +97,7 @@ fn pages(state: &WindowState, way: &WayBeside, memory: &mut WaysMemory, ui: &mut
 }
 
 /// How far a way is, and true if the words are in the accent.
-fn stand(state: &WindowState, way: &WayBeside) -> (String, bool) {
+fn stand(state: &PanelContext, way: &WayBeside) -> (String, bool) {
     let l = state.settings.language;
     let at = |key, time_s: f64| l.fill(key, &[("time", &clock(time_s))]);
     match way.stand {
@@ -109,7 +110,7 @@ fn stand(state: &WindowState, way: &WayBeside) -> (String, bool) {
 }
 
 /// The pan of a way beside the one that goes on: it is turned as that one is; a button goes over to it.
-fn beside(state: &WindowState, place: usize, ui: &mut Ui, acts: &mut Acts, picture: Rect, name: &str) {
+fn beside(state: &PanelContext, place: usize, ui: &mut Ui, acts: &mut Acts, picture: Rect, name: &str) {
     let l = state.settings.language;
     let response = ui.interact(picture, ui.scope_id().with(("way-pan", place)), Sense::drag());
     response.widget_info(|| {
@@ -134,14 +135,14 @@ fn beside(state: &WindowState, place: usize, ui: &mut Ui, acts: &mut Acts, pictu
     }
 }
 
-fn cut(state: &WindowState, way: &WayBeside, memory: &mut WaysMemory, ui: &mut Ui, name: &str) {
+fn cut(state: &WaysState, way: &WayBeside, memory: &mut WaysMemory, ui: &mut Ui, name: &str) {
     let l = state.settings.language;
     let Some(piece) = piece(state, way) else {
         ui.label(RichText::new(l.text("inside.no_food")).size(12.5));
         return;
     };
     let picture = memory.cuts.entry(way.way.id).or_default();
-    picture.refresh(state, piece, ui);
+    picture.refresh(state, piece, state.cut_at, ui);
     let room = vec2(ui.available_width(), CUT_SHARE * ui.available_height());
     let (rect, _) = ui.allocate_exact_size(room, Sense::hover());
     ui.spacing_mut().item_spacing.y = 1.0;

@@ -1,12 +1,12 @@
 //! How a way is told from the others: its piece and the style of its lines.
 
-use crate::panels::window_state::WindowState;
+use crate::panels::context::PanelContext;
 use egui_plot::LineStyle;
 use saute_kitchen::Piece;
 use saute_session::timeline::WayBeside;
 
 /// The piece of a way that is the one that the panels show.
-pub(crate) fn piece<'a>(state: &WindowState, way: &WayBeside<'a>) -> Option<&'a Piece> {
+pub(crate) fn piece<'a>(state: &PanelContext, way: &WayBeside<'a>) -> Option<&'a Piece> {
     way.kitchen.piece(&state.session.steak_id()).or_else(|| way.kitchen.pieces().first())
 }
 

@@ -4,12 +4,12 @@ mod column;
 mod look;
 pub mod memory;
 mod plot;
+pub mod ways_state;
 
 use egui::{Rect, Ui, pos2};
 
 use crate::act::Acts;
 use crate::panels::badge;
-use crate::panels::window_state::WindowState;
 use crate::ui::theme;
 use crate::ui::ways_layout::WaysLayout;
 use saute_session::timeline::{BranchName, WayBeside};
@@ -17,13 +17,14 @@ use saute_words::act_words::act_words;
 use saute_words::language::Language;
 
 use crate::panels::ways::memory::{WaysMemory, within};
+use crate::panels::ways::ways_state::WaysState;
 
 /// Height of the curves in the drawer of a narrow window [points].
 const DRAWER_CURVES: f32 = 150.0;
 
 /// Shows all of it but the pans, which are drawn with the scene.
 pub fn show(
-    state: &WindowState,
+    state: &WaysState,
     memory: &mut WaysMemory,
     ui: &mut Ui,
     acts: &mut Acts,
@@ -45,7 +46,7 @@ pub fn show(
 }
 
 /// Shows the curves in the drawer of a narrow window.
-pub fn curves_in_drawer(state: &WindowState, memory: &mut WaysMemory, ui: &mut Ui) {
+pub fn curves_in_drawer(state: &WaysState, memory: &mut WaysMemory, ui: &mut Ui) {
     if state.ways.is_empty() {
         return;
     }

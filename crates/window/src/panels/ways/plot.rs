@@ -8,7 +8,7 @@ use super::look::piece;
 use crate::panels::curve::Curve;
 use crate::panels::curves::{MOST_POINTS, axes, goal, goal_line, read_off, sample};
 use crate::panels::ways::look::style;
-use crate::panels::window_state::WindowState;
+use crate::panels::ways::ways_state::WaysState;
 use crate::ui::{fingers, theme};
 use saute_session::timeline::WayBeside;
 
@@ -54,7 +54,7 @@ impl Quantity {
 }
 
 /// Shows the curves in a height [points]: faint after the instant that is shown.
-pub(super) fn show(state: &WindowState, quantity: Quantity, ui: &mut Ui, height: f32) {
+pub(super) fn show(state: &WaysState, quantity: Quantity, ui: &mut Ui, height: f32) {
     let palette = theme::of(ui);
     // The one that goes on is the widest: the others lie on it.
     let mut ways: Vec<&WayBeside> = state.ways.iter().collect();
@@ -79,7 +79,7 @@ pub(super) fn show(state: &WindowState, quantity: Quantity, ui: &mut Ui, height:
     read_off(state, ui, &shown.response, &shown.transform, &curves);
 }
 
-fn curve(state: &WindowState, way: &WayBeside, quantity: Quantity, ui: &Ui) -> Curve {
+fn curve(state: &WaysState, way: &WayBeside, quantity: Quantity, ui: &Ui) -> Curve {
     let pieces = way.kitchen.pieces();
     let shown = piece(state, way).map(|piece| &piece.id);
     let place = pieces.iter().position(|piece| Some(&piece.id) == shown).unwrap_or(0);
@@ -98,7 +98,7 @@ fn curve(state: &WindowState, way: &WayBeside, quantity: Quantity, ui: &Ui) -> C
 }
 
 /// Shows which curve is whose, and chooses what they show.
-pub(super) fn legend(state: &WindowState, quantity: &mut Quantity, ui: &mut Ui) {
+pub(super) fn legend(state: &WaysState, quantity: &mut Quantity, ui: &mut Ui) {
     let l = state.settings.language;
     ui.spacing_mut().item_spacing = vec2(6.0, 2.0);
     ui.horizontal_wrapped(|ui| {
