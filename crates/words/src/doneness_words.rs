@@ -92,11 +92,12 @@ confidence = "low"
         assert_eq!([en, ja].map(|l| piece_words::name(&piece.id, &library, l)), ["chicken", "一枚の鶏むね"]);
         let fits = fitting(&library.scales, &piece.model);
         assert_eq!(fits.iter().map(|scale| scale.id.as_str()).collect::<Vec<_>>(), ["chicken"]);
-        assert_eq!([en, ja].map(|l| label(fits[0], l)), ["Chicken", "鶏肉"]);
-        assert_eq!([en, ja].map(|l| class(fits[0], "juicy", l)), ["juicy", "しっとり"]);
-        assert_eq!([en, ja].map(|l| piece_words::doneness(Some(fits[0]), piece, l)), ["raw", "生"], "our own word");
+        let scale: &Scale = fits[0];
+        assert_eq!([en, ja].map(|l| label(scale, l)), ["Chicken", "鶏肉"]);
+        assert_eq!([en, ja].map(|l| class(scale, "juicy", l)), ["juicy", "しっとり"]);
+        assert_eq!([en, ja].map(|l| piece_words::doneness(Some(scale), piece, l)), ["raw", "生"], "our own word");
         let wish = "stringy".parse().expect("a wish");
-        let goal = saute_plan::goal::Goal::new(&wish, fits[0], 0.0).expect("a goal");
+        let goal = saute_plan::goal::Goal::new(&wish, scale, 0.0).expect("a goal");
         let speech = |language| crate::speech::Speech { language, ..Default::default() };
         assert_eq!([en, ja].map(|l| plan_words::target(&goal, speech(l))), ["stringy", "ぱさぱさ"]);
     }

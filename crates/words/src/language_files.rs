@@ -42,7 +42,8 @@ impl LanguageFiles {
     /// Returns those of the program.
     pub(crate) fn shipped() -> &'static Self {
         static SHIPPED: LazyLock<LanguageFiles> = LazyLock::new(|| {
-            let named = TEXTS.files().filter_map(|file| Some((file.path().file_stem()?.to_str()?, file.contents_utf8()?)));
+            let named =
+                TEXTS.files().filter_map(|file| Some((file.path().file_stem()?.to_str()?, file.contents_utf8()?)));
             LanguageFiles::of(named)
         });
         &SHIPPED

@@ -17,9 +17,10 @@ pub fn words(refused: &Refused, library: &Library, l: Language) -> String {
             l.fill("refused.beside_food", &[("food", &name(food, library, l)), ("most", most_mm)])
         }
         Refused::AlreadyInPan(food) => of("refused.already_in_pan", food),
-        Refused::DoesNotFit { food, reach_mm, floor_mm } => {
-            l.fill("refused.does_not_fit", &[("food", &name(food, library, l)), ("reach", reach_mm), ("floor", floor_mm)])
-        }
+        Refused::DoesNotFit { food, reach_mm, floor_mm } => l.fill(
+            "refused.does_not_fit",
+            &[("food", &name(food, library, l)), ("reach", reach_mm), ("floor", floor_mm)],
+        ),
         Refused::Occupied { food, other } => {
             l.fill("refused.occupied", &[("food", &name(food, library, l)), ("other", &name(other, library, l))])
         }

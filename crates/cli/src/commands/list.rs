@@ -3,7 +3,6 @@
 use std::process::ExitCode;
 use std::sync::Arc;
 
-use clap::ValueEnum;
 use saute_kitchen::Library;
 use saute_kitchen::data::goals::GoalDescription;
 use saute_kitchen::data::library::DEFAULT_SCALE;

@@ -21,7 +21,7 @@ const BURNT_S: f64 = 612.0;
 pub fn looks() -> Book {
     let cooks = cooks();
     let burnt = |name: &str| cooks.iter().map(|(cook, _)| *cook).find(|cook| cook.strip_suffix(BURNT) == Some(name));
-    let figures = cooks.iter().filter_map(|(name, text)| Some(figure(name, burnt(name)?, text))).collect();
+    let figures = cooks.iter().filter_map(|&(name, text)| Some(figure(name, burnt(name)?, text))).collect();
     Book {
         page: "looks.md",
         opening: "# Every food from raw to burnt\n\nDrawn by `saute gallery --looks`. Row by row: raw, 1 minute, 2 minutes; just before the flip at 4 minutes, just after it, 8\nminutes; rested, cut, and burnt in a pan at 1500 W. Every picture shows a moment of a cook in `gallery/looks/`; the numbers below\nit belong to the same moment.\n",

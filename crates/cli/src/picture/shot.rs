@@ -4,7 +4,6 @@ use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use clap::ValueEnum;
 use saute_kitchen::TICK_S;
 use saute_kitchen::data::library::DEFAULT_SCALE;
 use saute_mirror::options::MirrorOptions;

@@ -91,8 +91,13 @@ fn shipped_protocols_and_scenarios_are_right_and_bear_their_ids() {
     }
     for (id, text) in saute_study::class::shipped::SHIPPED {
         let scenario = Scenario::parse(text, id, &library()).expect("parses");
-        assert!(scenario.id == id && scenario.title.others.contains_key("ja") && scenario.intro.others.contains_key("ja"), "{id}");
-        assert!(scenario.predictions.iter().all(|predict| predict.text.en.is_empty() == predict.text.others.is_empty()));
+        assert!(
+            scenario.id == id && scenario.title.others.contains_key("ja") && scenario.intro.others.contains_key("ja"),
+            "{id}"
+        );
+        assert!(
+            scenario.predictions.iter().all(|predict| predict.text.en.is_empty() == predict.text.others.is_empty())
+        );
     }
 }
 

@@ -69,7 +69,10 @@ fn bar(state: &PanelContext, inside: &Inside, ui: &mut Ui, scale: &Scale) {
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), 20.0), Sense::hover());
     let l = state.settings.language;
     let share = |name: &str, share: f64| {
-        l.fill("doneness.share", &[("class", &doneness_words::class(scale, name, l)), ("percent", &format!("{share:.0}"))])
+        l.fill(
+            "doneness.share",
+            &[("class", &doneness_words::class(scale, name, l)), ("percent", &format!("{share:.0}"))],
+        )
     };
     let spoken: Vec<String> = scale.class.iter().zip(shares).map(|(c, s)| share(&c.name, s)).collect();
     let spoken = spoken.join(l.text("doneness.list_joint"));

@@ -87,7 +87,8 @@ impl Announcer {
         let mut said: Vec<String> = Vec::new();
         for (id, lies) in &now {
             let Some(key) = before(id).and_then(|before| changed(before, lies)) else { continue };
-            let parts: [(&str, &dyn Display); 2] = [("name", &session.name_of(group_of(id), l)), ("place", &lies.place)];
+            let parts: [(&str, &dyn Display); 2] =
+                [("name", &session.name_of(group_of(id), l)), ("place", &lies.place)];
             let sentence = l.fill(key, &parts);
             if !said.contains(&sentence) {
                 said.push(sentence);

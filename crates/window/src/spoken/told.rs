@@ -85,7 +85,8 @@ mod tests {
         let english = told(&session, &Settings::default());
         let expected = ["Pan ", "1400 W", "steak: in the pan, core 5 °C", "Time 0:05"];
         assert!(expected.iter().all(|part| english.replace('\u{a0}', " ").contains(part)), "{english}");
-        let japanese = told(&session, &Settings { language: Language::of_code("ja").expect("Japanese"), ..Settings::default() });
+        let japanese =
+            told(&session, &Settings { language: Language::of_code("ja").expect("Japanese"), ..Settings::default() });
         assert!(japanese.contains("フライパン") && !japanese.contains('{'), "{japanese}");
         session.permits = Permits::only(&Permit::ALWAYS);
         let hidden = told(&session, &Settings::default());

@@ -36,9 +36,8 @@ impl ViewWords for View {
     }
 
     fn words(self, value: f64, speech: Speech, scale: Option<&Scale>) -> String {
-        let number = |key, places: usize, value: f64| {
-            speech.language.fill(key, &[("value", &format!("{value:.places$}"))])
-        };
+        let number =
+            |key, places: usize, value: f64| speech.language.fill(key, &[("value", &format!("{value:.places$}"))]);
         match self.spec().unit {
             Unit::Temperature => speech.fine_temperature(value),
             Unit::Doneness => doneness(value, speech, scale),

@@ -14,7 +14,6 @@ use saute_study::class::{Scenario, shipped};
 use saute_study::{LogRow, Pace, Protocol, RowKind, Stage, from_csv};
 use saute_window::desktop::log_file::study_in_folder;
 use saute_window::{Helps, SauteApp, Start};
-use saute_words::language::Language;
 
 use crate::harness::{cook, press, save, steps, window_with};
 use crate::sound::Witness;

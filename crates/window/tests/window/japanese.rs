@@ -21,7 +21,11 @@ const LATIN: [&str; 40] = [
 fn japanese(size: egui::Vec2) -> Harness<'static, SauteApp> {
     let mut harness = window(size);
     harness.state_mut().set_language(crate::harness::japanese());
-    assert_eq!(harness.state().settings().language, crate::harness::japanese(), "needs a Japanese font: fonts-ipafont-gothic");
+    assert_eq!(
+        harness.state().settings().language,
+        crate::harness::japanese(),
+        "needs a Japanese font: fonts-ipafont-gothic"
+    );
     steps(&mut harness, 3);
     harness
 }

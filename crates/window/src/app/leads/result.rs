@@ -59,7 +59,8 @@ impl SauteApp {
         let (goal, judgement) = self.judged()?;
         let speech = self.settings.speech();
         let marks = self.settings.marks.get(&goal.name).map_or(&[][..], Vec::as_slice);
-        let words = ResultWords::of(&judgement, &goal, &self.session.noun(speech.language), speech).with_marks(marks, speech.language);
+        let words = ResultWords::of(&judgement, &goal, &self.session.noun(speech.language), speech)
+            .with_marks(marks, speech.language);
         let live = self.leads.live.as_ref().filter(|live| live.judges(&self.session));
         // A plan says itself when it is served.
         let words = match (live, rise) {

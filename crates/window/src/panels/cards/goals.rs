@@ -57,7 +57,8 @@ fn goals(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
 fn wants(state: &PanelContext, goal: &GoalDescription) -> String {
     let l = state.settings.language;
     let named = goal.scale.as_deref().and_then(|id| state.session.library.scale(id));
-    let of_scale = |class| named.map_or_else(|| l.called("class", class), |scale| doneness_words::class(scale, class, l));
+    let of_scale =
+        |class| named.map_or_else(|| l.called("class", class), |scale| doneness_words::class(scale, class, l));
     let class = goal.class.as_deref().map_or("", of_scale);
     let share = match goal.counts {
         Counted::Section => {

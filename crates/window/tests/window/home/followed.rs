@@ -9,7 +9,6 @@ use saute_plan::goal::mark::Mark;
 use saute_plan::schedule::Plan;
 use saute_window::SauteApp;
 use saute_window::act::{Act, AppAct, CookAct, Setting, TimeAct};
-use saute_words::language::Language;
 
 use super::plan::{PHONE, WIDE, act, due, found, plan, plan_for};
 use crate::harness::{WINDOW, save, steps};

@@ -17,7 +17,6 @@ use saute_window::SauteApp;
 use saute_window::act::{Act, AppAct, Card, LearnAct, Setting};
 use saute_window::plan::choice::PlanChoice;
 use saute_window::plan::{PlanAct, PlanFile};
-use saute_words::language::Language;
 
 use crate::harness::{save, steps, window};
 
