@@ -205,10 +205,9 @@ impl SauteApp {
         }
         if let Some(Guided::Lesson(desk)) = &mut self.leads.guided
             && desk.cook_on(&mut self.session, COOKING_ON)
+            && let Some((row, _)) = desk.result()
         {
-            if let Some((row, _)) = desk.result() {
-                self.here.report(row);
-            }
+            self.here.report(row);
         }
     }
 
