@@ -46,6 +46,10 @@ impl FoodDescription {
 
     /// Returns the id of a piece of the food that is set out without a recipe, given the food's id.
     pub fn piece_id(&self, id: &str) -> String {
-        self.piece_in(FILE_LANGUAGE).map_or_else(|| id.to_owned(), |name| name.replace(' ', "-"))
+        let Some(name) = self.piece_in(FILE_LANGUAGE) else { return id.to_owned() };
+        let plain = |c: char| if c.is_ascii_alphanumeric() || c == '_' { c } else { '-' };
+        let plain: String = name.chars().map(plain).collect();
+        let plain = plain.trim_matches('-');
+        if plain.is_empty() { id.to_owned() } else { plain.to_owned() }
     }
 }
