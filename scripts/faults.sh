@@ -74,7 +74,7 @@ fault "the panel has no button to undo" crates/window/src/panels/cook/time_strip
 fault "food throws no shadow" crates/scene/src/shaders/light.wgsl \
     'return depth_test(shadow_map, uv, step,' 'return 1.0; return depth_test(shadow_map, uv, step,' \
     integration pictures ''
-fault "the last triangle of a solid is left out" crates/surface/src/stl_file.rs \
+fault "the last triangle of a solid is left out" crates/surface/src/stl_file/binary.rs \
     '    Ok(soup)' '    soup.triangles.pop();
     Ok(soup)' integration surface formats::
 fault "the force of a device has no limit" crates/haptics/src/control/safety_limits.rs \
@@ -83,7 +83,7 @@ fault "the force of a device has no limit" crates/haptics/src/control/safety_lim
 fault "a table loses its units on the way to a file" crates/formats/src/parquet_file.rs \
     'notes.chain([KeyValue::new(UNITS.to_owned(), units)]).collect()' 'drop(units); notes.collect()' \
     integration formats parquet::
-fault "what a killed sweep had cooked is forgotten" crates/sweep-folder/src/journal.rs \
+fault "what a killed sweep had cooked is forgotten" crates/sweep-folder/src/folder.rs \
     'results.entry(result.row).or_insert(result);' 'drop(result);' integration sweep_folder folder::
 fault "what a study locks can be done" crates/window/src/app/leads/guided.rs \
     'let refused = !self.permits().allow(act.traits().needs);' 'let refused = false;' integration window guided::

@@ -7,6 +7,7 @@ mod architecture;
 mod cook;
 mod cycles;
 mod dependencies;
+mod faults;
 mod fit;
 mod folders;
 mod haptics;
