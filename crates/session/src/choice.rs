@@ -4,7 +4,7 @@ use saute_kitchen::food::{FoodDescription, Form, Rules};
 use saute_kitchen::pan::hob::HobDescription;
 use saute_kitchen::{Library, MeshSize, OutlineKind, PieceOrder, kelvin};
 use saute_recipe::Recipe;
-use saute_recipe::session::{SetOutFood, set_out};
+use saute_recipe::session::{FoodDetail, SetOutFood, set_out};
 use saute_schema::InputError;
 use saute_words::language::Language;
 
@@ -69,6 +69,7 @@ pub(super) fn as_recipe(library: &Library, choice: &SteakChoice) -> Result<Recip
         initial_c: choice.initial_c,
         seed: 1,
         count: None,
+        detail: FoodDetail::default(),
     };
     let title = noun(library, &choice.kind, Language::ENGLISH);
     let text = set_out(&title, choice.hob.as_deref(), &choice.pan, choice.preheat_c, &[food]);

@@ -311,8 +311,11 @@ impl FoodNames {
 
 /// Returns the title, marked if the recipe follows the rules of 2013.
 fn labelled(title: String, rules: Rules) -> String {
+    const LABEL: &str = " [rules of 2013]";
     match rules {
         Rules::Full => title,
-        Rules::Paper2013 => format!("{title} [rules of 2013]"),
+        // The recipe of a session has its label already.
+        Rules::Paper2013 if title.ends_with(LABEL) => title,
+        Rules::Paper2013 => title + LABEL,
     }
 }

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::fmt::Write;
 
-use saute_kitchen::Library;
+use saute_kitchen::{Library, MeshSize, OutlineKind, PieceOrder};
 use saute_schema::{InputError, LibraryError};
 use serde::{Deserialize, Serialize};
 
@@ -96,6 +96,32 @@ pub struct SetOutFood {
     pub seed: u64,
     /// Number of pieces of a group; `None` for one piece with the plain name.
     pub count: Option<usize>,
+    /// How it is meshed and outlined.
+    pub detail: FoodDetail,
+}
+
+/// How a food is meshed and outlined; by default as recipes do that state nothing of it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FoodDetail {
+    /// Spacing of the mesh relative to the default [-].
+    pub coarseness: f64,
+    /// Resolution of the mesh.
+    pub mesh: MeshSize,
+    /// Outline of the pieces.
+    pub outline: OutlineKind,
+}
+
+impl Default for FoodDetail {
+    fn default() -> Self {
+        Self { coarseness: 1.0, mesh: MeshSize::Default, outline: OutlineKind::Natural }
+    }
+}
+
+impl FoodDetail {
+    /// That of a piece.
+    pub fn of(order: &PieceOrder) -> Self {
+        Self { coarseness: order.coarseness, mesh: order.mesh, outline: order.outline }
+    }
 }
 
 /// Latest end of a recipe [s].
@@ -119,7 +145,7 @@ pub(super) fn head(title: &str, max_s: f64, hob: Option<&str>, pan: &str, pan_in
 
 /// Writes a food as a recipe states it.
 pub(super) fn write_food(text: &mut String, food: &SetOutFood) {
-    let SetOutFood { id, kind, size_mm, initial_c, seed, count } = food;
+    let SetOutFood { id, kind, size_mm, initial_c, seed, count, detail } = food;
     let (id, kind) = (toml::Value::String(id.clone()), toml::Value::String(kind.clone()));
     let _ = write!(
         text,
@@ -127,5 +153,14 @@ pub(super) fn write_food(text: &mut String, food: &SetOutFood) {
     );
     if let Some(count) = count {
         let _ = writeln!(text, "count = {count}");
+    }
+    if detail.coarseness != 1.0 {
+        let _ = writeln!(text, "coarseness = {}", detail.coarseness);
+    }
+    if detail.mesh == MeshSize::Paper2013 {
+        text.push_str("mesh = \"2013\"\n");
+    }
+    if detail.outline == OutlineKind::Plain {
+        text.push_str("outline = \"plain\"\n");
     }
 }

@@ -75,7 +75,7 @@ pub mod session_file;
 mod stored_entries;
 mod to_recipe;
 
-pub use beginning::{Beginning, SetOutFood, set_out};
+pub use beginning::{Beginning, FoodDetail, SetOutFood, set_out};
 pub use done::Done;
 pub use entry::{Deed, Entry};
 pub use moment::Moment;

@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
+use saute_kitchen::food::Rules;
 use saute_kitchen::{Library, PieceOrder, TICK_S, celsius};
 use saute_schema::InputError;
 use serde_json::Value;
@@ -11,7 +12,7 @@ use crate::action::{Action, mm, tidy};
 use crate::cook::play::Cook;
 use crate::cook::step_record::StepRecord;
 use crate::recipe::Recipe;
-use crate::session::beginning::{SetOutFood, head, write_food};
+use crate::session::beginning::{FoodDetail, SetOutFood, head, write_food};
 use crate::session::entry::Deed;
 use crate::session::recording::Recording;
 
@@ -80,7 +81,8 @@ impl Told<'_> {
         let max_s = (end_s + 1.0).clamp(1.0, 86_400.0);
         let mut text = {
             let (hob, pan_c) = (begun.hob_kind.as_deref(), tidy(celsius(begun.pan_temperature)));
-            head(&begun.title, max_s, hob, &begun.pan_kind, pan_c)
+            let preset = begun.foods.iter().any(|food| food.rules == Rules::Paper2013).then_some("preset = \"2013\"\n");
+            preset.unwrap_or_default().to_owned() + &head(&begun.title, max_s, hob, &begun.pan_kind, pan_c)
         };
         let usual = 1e-3 * library.room.contact.oil_g;
         let _ = writeln!(text, "oil_g = {}", mm(begun.oil.unwrap_or(usual)));
@@ -117,6 +119,7 @@ fn foods(orders: &[&PieceOrder], library: &Library) -> Result<Vec<SetOutFood>, T
                 initial_c,
                 seed: order.seed,
                 count: number,
+                detail: FoodDetail::of(order),
             }),
         }
     }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use saute_kitchen::dynamics::{Pose, Tool};
 use saute_kitchen::food::{MeshSize, OutlineKind, Rules};
 use saute_kitchen::{Command, Library, PieceOrder, RestOn, kelvin};
-use saute_recipe::session::{SetOutFood, set_out};
+use saute_recipe::session::{FoodDetail, SetOutFood, set_out};
 use saute_recipe::{Cook, Recipe, Recording, Replay};
 
 use saute_fixtures::draws::{Draws, count, seed};
@@ -246,6 +246,7 @@ fn a_choice_is_set_out_as_a_recipe() {
         initial_c: 5.5,
         seed: 1,
         count: None,
+        detail: FoodDetail::default(),
     };
     let shrimps = SetOutFood {
         id: "shrimp".into(),
@@ -294,5 +295,24 @@ fn a_session_becomes_a_recipe() {
     let cores = |kitchen: &saute_kitchen::Kitchen| kitchen.pieces().iter().map(|p| p.core()).collect::<Vec<_>>();
     for (now, then) in cores(&cooked.kitchen).iter().zip(cores(&cook.kitchen)) {
         assert!((now - then).abs() < 3.0, "{}\n{now} K, {then} K", made.text);
+    }
+}
+
+/// Promise: a session that is made a recipe of is cooked with the meshes, the outlines and the rules that it had.
+#[test]
+fn a_session_keeps_how_its_food_is_meshed_and_by_which_rules_it_cooks() {
+    let library = Library::embedded().expect("embedded data");
+    let coarse = "title = \"coarse\"\n[[food]]\nid = \"steak\"\nkind = \"beef-lean\"\ncoarseness = 2.5\noutline = \"plain\"\n\
+                  [[step]]\nat_s = 60\nend = true\n";
+    let of_2013 = "title = \"then\"\npreset = \"2013\"\n[[food]]\nid = \"steak\"\nkind = \"beef-lean\"\nmesh = \"2013\"\n\
+                   [[step]]\nat_s = 60\nend = true\n";
+    for text in [coarse, of_2013] {
+        let recipe = Recipe::parse(text, "begun.toml", &library).expect("parses");
+        let mut live = Live::begin(&library, &recipe, false);
+        live.person(Command::Hob(900.0));
+        (0..12).for_each(|_| live.frame(None));
+        let made = cooked_again(live.recording, &library).to_recipe(&library).expect("a recipe");
+        let again = Recipe::parse(&made.text, "again.toml", &library).expect("parses");
+        assert_eq!((&again.foods, &again.title), (&recipe.foods, &recipe.title), "{}", made.text);
     }
 }

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use saute_kitchen::{Library, kelvin};
-use saute_recipe::session::SetOutFood;
+use saute_recipe::session::{FoodDetail, SetOutFood};
 use saute_schema::{InputError, InputText};
 use toml::Spanned;
 
@@ -99,6 +99,7 @@ impl Check<'_> {
             initial_c: initial_c.unwrap_or(FOOD_C),
             seed: 1,
             count: None,
+            detail: FoodDetail::default(),
         };
         Ok(SetOut::food(title, (pan, preheat_c.unwrap_or(PAN_C)), &food))
     }
