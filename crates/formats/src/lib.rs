@@ -11,4 +11,4 @@ pub mod summary_table;
 pub mod table;
 pub mod vtk;
 
-pub use table::{Heading, Kind, Table, Value};
+pub use table::{ColumnKind, Heading, Table, Value};

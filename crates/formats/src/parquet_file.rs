@@ -20,7 +20,7 @@ use parquet::file::serialized_reader::SerializedFileReader;
 use parquet::file::writer::{SerializedFileWriter, SerializedRowGroupWriter};
 use parquet::schema::types::{Type, TypePtr};
 
-use crate::table::{Heading, Kind, Table, Value};
+use crate::table::{ColumnKind, Heading, Table, Value};
 
 /// Key of the units in the file's metadata.
 pub const UNITS: &str = "saute.units";
@@ -143,21 +143,21 @@ impl Table {
 
 fn field(heading: &Heading) -> Result<TypePtr, ParquetError> {
     let (physical, logical) = match heading.kind {
-        Kind::Float => (Physical::DOUBLE, None),
-        Kind::Integer => (Physical::INT64, None),
-        Kind::Flag => (Physical::BOOLEAN, None),
-        Kind::Text => (Physical::BYTE_ARRAY, Some(LogicalType::String)),
+        ColumnKind::Float => (Physical::DOUBLE, None),
+        ColumnKind::Integer => (Physical::INT64, None),
+        ColumnKind::Flag => (Physical::BOOLEAN, None),
+        ColumnKind::Text => (Physical::BYTE_ARRAY, Some(LogicalType::String)),
     };
     let builder = Type::primitive_type_builder(&heading.name, physical);
     builder.with_repetition(Repetition::OPTIONAL).with_logical_type(logical).build().map(Arc::new)
 }
 
-fn kind_of(physical: Physical) -> Result<Kind, TableError> {
+fn kind_of(physical: Physical) -> Result<ColumnKind, TableError> {
     match physical {
-        Physical::DOUBLE => Ok(Kind::Float),
-        Physical::INT64 => Ok(Kind::Integer),
-        Physical::BOOLEAN => Ok(Kind::Flag),
-        Physical::BYTE_ARRAY => Ok(Kind::Text),
+        Physical::DOUBLE => Ok(ColumnKind::Float),
+        Physical::INT64 => Ok(ColumnKind::Integer),
+        Physical::BOOLEAN => Ok(ColumnKind::Flag),
+        Physical::BYTE_ARRAY => Ok(ColumnKind::Text),
         other => Err(TableError(format!("a column has the type {other}"))),
     }
 }

@@ -12,7 +12,7 @@ use saute_recipe::Summary;
 use serde::Serialize;
 use serde_json::Value as Json;
 
-use crate::table::{Heading, Kind, Table, Value};
+use crate::table::{ColumnKind, Heading, Table, Value};
 
 /// Keys of a summary that are not columns: lists, times of this machine, labels of scales, and foods, which have columns of their
 /// own.
@@ -46,7 +46,7 @@ pub fn cells(summary: &Summary) -> Vec<Cell> {
         flatten(&format!("food.{}", entry.food.id), &json(entry.food), &mut found);
         if entry.group {
             let count = i64::try_from(entry.members.len()).unwrap_or(i64::MAX);
-            put(&format!("food.{}.count", entry.food.id), Kind::Integer, Some(Value::Integer(count)), &mut found);
+            put(&format!("food.{}.count", entry.food.id), ColumnKind::Integer, Some(Value::Integer(count)), &mut found);
         }
     }
     for kind in EventKind::ALL {
@@ -54,10 +54,10 @@ pub fn cells(summary: &Summary) -> Vec<Cell> {
         let count = tally.map_or(0, |tally| i64::try_from(tally.count).unwrap_or(i64::MAX));
         let name = json(&kind);
         let name = name.as_str().unwrap_or("other");
-        put(&format!("events.{name}.count"), Kind::Integer, Some(Value::Integer(count)), &mut found);
+        put(&format!("events.{name}.count"), ColumnKind::Integer, Some(Value::Integer(count)), &mut found);
     }
     let warnings = summary.warnings.join("; ");
-    put("warnings", Kind::Text, Some(Value::Text(warnings)), &mut found);
+    put("warnings", ColumnKind::Text, Some(Value::Text(warnings)), &mut found);
     found.into_values().collect()
 }
 
@@ -86,19 +86,19 @@ fn flatten(path: &str, json: &Json, found: &mut BTreeMap<String, Cell>) {
             }
         }
         Json::Array(_) => {}
-        Json::Null if path == "waiting_step" => put(path, Kind::Integer, None, found),
-        Json::Null => put(path, Kind::Float, None, found),
-        Json::Bool(flag) => put(path, Kind::Flag, Some(Value::Flag(*flag)), found),
-        Json::String(text) => put(path, Kind::Text, Some(Value::Text(text.clone())), found),
+        Json::Null if path == "waiting_step" => put(path, ColumnKind::Integer, None, found),
+        Json::Null => put(path, ColumnKind::Float, None, found),
+        Json::Bool(flag) => put(path, ColumnKind::Flag, Some(Value::Flag(*flag)), found),
+        Json::String(text) => put(path, ColumnKind::Text, Some(Value::Text(text.clone())), found),
         Json::Number(number) => match number.as_i64() {
-            Some(whole) => put(path, Kind::Integer, Some(Value::Integer(whole)), found),
-            None => put(path, Kind::Float, number.as_f64().map(Value::Float), found),
+            Some(whole) => put(path, ColumnKind::Integer, Some(Value::Integer(whole)), found),
+            None => put(path, ColumnKind::Float, number.as_f64().map(Value::Float), found),
         },
     }
 }
 
-fn put(path: &str, kind: Kind, value: Option<Value>, found: &mut BTreeMap<String, Cell>) {
-    let unit = if matches!(kind, Kind::Float) { unit_of(path) } else { "" };
+fn put(path: &str, kind: ColumnKind, value: Option<Value>, found: &mut BTreeMap<String, Cell>) {
+    let unit = if matches!(kind, ColumnKind::Float) { unit_of(path) } else { "" };
     found.insert(path.to_owned(), (Heading::new(path, unit, kind), value));
 }
 

@@ -19,7 +19,7 @@ pub enum Value {
 
 /// The type of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum ColumnKind {
     /// Numbers.
     Float,
     /// Whole numbers.
@@ -32,12 +32,12 @@ pub enum Kind {
 
 impl Value {
     /// Returns the type of the value.
-    pub fn kind(&self) -> Kind {
+    pub fn kind(&self) -> ColumnKind {
         match self {
-            Self::Float(_) => Kind::Float,
-            Self::Integer(_) => Kind::Integer,
-            Self::Flag(_) => Kind::Flag,
-            Self::Text(_) => Kind::Text,
+            Self::Float(_) => ColumnKind::Float,
+            Self::Integer(_) => ColumnKind::Integer,
+            Self::Flag(_) => ColumnKind::Flag,
+            Self::Text(_) => ColumnKind::Text,
         }
     }
 
@@ -52,9 +52,9 @@ impl Value {
     }
 
     /// Returns the value as a kind of column wants it; none if it is of another kind.
-    pub fn to_kind(self, kind: Kind) -> Option<Self> {
+    pub fn to_kind(self, kind: ColumnKind) -> Option<Self> {
         match (self, kind) {
-            (Self::Integer(v), Kind::Float) => Some(Self::Float(v as f64)),
+            (Self::Integer(v), ColumnKind::Float) => Some(Self::Float(v as f64)),
             (value, kind) => (value.kind() == kind).then_some(value),
         }
     }
@@ -68,12 +68,12 @@ pub struct Heading {
     /// Unit, as `°C`; empty where there is none.
     pub unit: String,
     /// Type of the values.
-    pub kind: Kind,
+    pub kind: ColumnKind,
 }
 
 impl Heading {
     /// Returns a heading.
-    pub fn new(name: impl Into<String>, unit: impl Into<String>, kind: Kind) -> Self {
+    pub fn new(name: impl Into<String>, unit: impl Into<String>, kind: ColumnKind) -> Self {
         Self { name: name.into(), unit: unit.into(), kind }
     }
 }

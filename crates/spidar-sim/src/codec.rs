@@ -84,11 +84,11 @@ pub fn parse(bytes: &[u8]) -> Option<Parsed> {
 }
 
 /// An answer under construction.
-struct Answer {
+struct ReplyBytes {
     bytes: Vec<u8>,
 }
 
-impl Answer {
+impl ReplyBytes {
     fn new(kind: u8, sequence: u32, session: u32) -> Self {
         let mut bytes = vec![b'S', b'P', VERSION, kind];
         bytes.extend(sequence.to_le_bytes());
@@ -119,7 +119,7 @@ pub struct Identity {
 
 /// Returns the frame of the capabilities.
 pub fn caps(identity: &Identity, sequence: u32, session: u32) -> Vec<u8> {
-    let mut answer = Answer::new(2, sequence, session);
+    let mut answer = ReplyBytes::new(2, sequence, session);
     answer.bytes.extend([8, 1, identity.tension_unit, 1]);
     answer.bytes.extend(identity.pitch_nm.to_le_bytes());
     for value in [identity.min_mn, identity.max_mn, identity.rate_hz, identity.watchdog_ms] {
@@ -145,7 +145,7 @@ pub struct Reading {
 
 /// Returns the frame of a sample.
 pub fn sample(reading: &Reading, sequence: u32, session: u32) -> Vec<u8> {
-    let mut answer = Answer::new(5, sequence, session);
+    let mut answer = ReplyBytes::new(5, sequence, session);
     answer.bytes.extend([reading.state, reading.fault, reading.jig, reading.buttons]);
     answer.bytes.extend(reading.time_us.to_le_bytes());
     answer.bytes.extend(reading.obeyed.to_le_bytes());
@@ -156,7 +156,7 @@ pub fn sample(reading: &Reading, sequence: u32, session: u32) -> Vec<u8> {
 
 /// Returns the frame of a refusal, with the time after which another hello may succeed.
 pub fn refused(why: Refusal, wait: Duration, sequence: u32, session: u32) -> Vec<u8> {
-    let mut answer = Answer::new(7, sequence, session);
+    let mut answer = ReplyBytes::new(7, sequence, session);
     let reason = match why {
         Refusal::WrongCode => 0,
         Refusal::Busy => 1,

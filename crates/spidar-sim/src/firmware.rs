@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 
 use crate::codec::{self, Identity, Parsed, Reading, Refusal, Request};
 use crate::faults::Faults;
-use crate::pairing::{Pairing, Verdict};
+use crate::pairing::{CodeCheck, Pairing};
 use crate::rig_file::{RigFile, RigFileError};
 use crate::scene::{Making, Scene};
 use crate::session::{Past, Session};
@@ -226,9 +226,9 @@ impl Device {
             return;
         }
         match self.pairing.check(pairing, now) {
-            Verdict::Paired => self.begin_session(Session::begin(from, number, sequence, now), now),
-            Verdict::Wrong => self.refuse(Refusal::WrongCode, self.pairing.wait(now), number, from, now),
-            Verdict::TooSoon => self.refuse(Refusal::TooManyTries, self.pairing.wait(now), number, from, now),
+            CodeCheck::Paired => self.begin_session(Session::begin(from, number, sequence, now), now),
+            CodeCheck::Wrong => self.refuse(Refusal::WrongCode, self.pairing.wait(now), number, from, now),
+            CodeCheck::TooSoon => self.refuse(Refusal::TooManyTries, self.pairing.wait(now), number, from, now),
         }
     }
 

@@ -16,7 +16,7 @@ pub struct NoRandom(#[from] getrandom::Error);
 
 /// Result of a try.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Verdict {
+pub enum CodeCheck {
     /// The code is right, or none is needed.
     Paired,
     /// The code is wrong.
@@ -39,18 +39,18 @@ impl Pairing {
     }
 
     /// Checks a code.
-    pub fn check(&mut self, given: u32, now: Instant) -> Verdict {
+    pub fn check(&mut self, given: u32, now: Instant) -> CodeCheck {
         if self.code == 0 {
-            return Verdict::Paired;
+            return CodeCheck::Paired;
         }
         if self.wait(now) > Duration::ZERO {
-            return Verdict::TooSoon;
+            return CodeCheck::TooSoon;
         }
         if given == self.code {
-            return Verdict::Paired;
+            return CodeCheck::Paired;
         }
         self.closed_until = Some(now + WAIT);
-        Verdict::Wrong
+        CodeCheck::Wrong
     }
 
     /// Returns the time until a code is looked at again.

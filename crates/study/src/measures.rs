@@ -6,7 +6,7 @@ use saute_recipe::{Recorder, Recording};
 
 use super::log_row::LogRow;
 use saute_plan::Aimed;
-use saute_plan::goal::{Course, Judged, Judgement, Verdict};
+use saute_plan::goal::{Course, GoalVerdict, Judged, Judgement};
 
 /// What came of a trial.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -90,7 +90,7 @@ impl Measures {
         Self {
             score: judgement.score.0,
             mark: judgement.mark.points(),
-            is_met: judgement.verdict == Verdict::Met,
+            is_met: judgement.verdict == GoalVerdict::Met,
             target_share_pct: outcome.target_share_pct,
             beyond_pct: outcome.beyond_pct,
             grey_band_mm: judgement.grey_mm.iter().sum::<f64>() / 2.0,

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use saute_formats::parquet_file::TableError;
 use saute_formats::summary_table::{Cell, cells, unit_of};
-use saute_formats::{Heading, Kind, Table, Value};
+use saute_formats::{ColumnKind, Heading, Table, Value};
 use saute_kitchen::{Library, OwnFiles};
 use saute_recipe::{Cook, Recipe, StoppedBy, Summary};
 use saute_schema::{InputError, InputText};
@@ -186,17 +186,17 @@ impl Sweep {
     /// their paths, and the summary's numbers.
     pub fn headings(&self) -> Vec<Heading> {
         let head = [
-            ("row", Kind::Integer),
-            ("status", Kind::Text),
-            ("message", Kind::Text),
-            ("seed", Kind::Integer),
-            ("recipe", Kind::Text),
-            ("version", Kind::Text),
+            ("row", ColumnKind::Integer),
+            ("status", ColumnKind::Text),
+            ("message", ColumnKind::Text),
+            ("seed", ColumnKind::Integer),
+            ("recipe", ColumnKind::Text),
+            ("version", ColumnKind::Text),
         ];
         let head = head.map(|(name, kind)| Heading::new(name, "", kind));
         let varied = self.factors.iter().map(|f| {
-            let kind = f.levels.samples().first().map_or(Kind::Float, |v| to_cell(v).kind());
-            let unit = if matches!(kind, Kind::Float | Kind::Integer) {
+            let kind = f.levels.samples().first().map_or(ColumnKind::Float, |v| to_cell(v).kind());
+            let unit = if matches!(kind, ColumnKind::Float | ColumnKind::Integer) {
                 unit_of(f.path.split('[').next().unwrap_or_default())
             } else {
                 ""

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use saute_kitchen::Library;
-use saute_session::work::Kind;
+use saute_session::work::WorkKind;
 use saute_session::work::executor::Executor;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -20,7 +20,7 @@ impl JobExecutor {
     /// Throws if there is no such kind, or the embedded data is broken.
     #[wasm_bindgen(constructor)]
     pub fn new(kind: &str) -> Result<Self, js_sys::Error> {
-        let kind = Kind::named(kind).ok_or_else(|| js_sys::Error::new(&format!("there is no work \"{kind}\"")))?;
+        let kind = WorkKind::named(kind).ok_or_else(|| js_sys::Error::new(&format!("there is no work \"{kind}\"")))?;
         let library = Library::embedded().map_err(|error| js_sys::Error::new(&error.to_string()))?;
         Ok(Self(Executor::new(kind, library.into())))
     }

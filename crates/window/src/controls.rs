@@ -9,7 +9,7 @@ use serde::Serialize;
 /// What a control is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
-pub enum Kind {
+pub enum ControlKind {
     /// Pressed.
     Button,
     /// On or off.
@@ -34,7 +34,7 @@ pub struct Control {
     /// Its number, as text: scripts do not hold it as a number.
     pub id: String,
     /// What it is.
-    pub kind: Kind,
+    pub kind: ControlKind,
     /// What it is called.
     pub name: String,
     /// Whether it is on, for those that are on or off.
@@ -79,7 +79,7 @@ pub fn under_card(controls: &mut [Control]) {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Identity {
     id: String,
-    kind: Kind,
+    kind: ControlKind,
     name: String,
     /// How many of its kind and name stand before it.
     number: usize,
@@ -108,31 +108,32 @@ impl Identity {
 
 fn control(id: NodeId, node: &Node) -> Option<Control> {
     let kind = kind(node)?;
-    let range = (kind == Kind::Slider).then(|| range(node)).flatten();
+    let range = (kind == ControlKind::Slider).then(|| range(node)).flatten();
     // What has no range is only read.
-    let kind = if kind == Kind::Slider && range.is_none() { Kind::Label } else { kind };
-    let named = node.label().or_else(|| node.value().filter(|_| matches!(kind, Kind::Label | Kind::Heading)));
+    let kind = if kind == ControlKind::Slider && range.is_none() { ControlKind::Label } else { kind };
+    let named =
+        node.label().or_else(|| node.value().filter(|_| matches!(kind, ControlKind::Label | ControlKind::Heading)));
     let name = named.map(str::trim).filter(|name| !name.is_empty())?.to_owned();
     let on = node.toggled().map(|toggled| toggled == Toggled::True);
-    let on = on.or_else(|| node.is_selected()).or((kind == Kind::Radio).then_some(false));
+    let on = on.or_else(|| node.is_selected()).or((kind == ControlKind::Radio).then_some(false));
     let text = match kind {
-        Kind::Text => Some(node.value().unwrap_or_default().to_owned()),
-        Kind::Slider => node.value().map(str::to_owned),
+        ControlKind::Text => Some(node.value().unwrap_or_default().to_owned()),
+        ControlKind::Slider => node.value().map(str::to_owned),
         _ => None,
     };
     Some(Control { id: id.0.to_string(), kind, name, on, range, text, off: node.is_disabled(), is_over: false })
 }
 
-fn kind(node: &Node) -> Option<Kind> {
+fn kind(node: &Node) -> Option<ControlKind> {
     Some(match node.role() {
-        Role::Button | Role::DefaultButton | Role::Link => Kind::Button,
-        Role::CheckBox | Role::Switch => Kind::Check,
-        Role::RadioButton => Kind::Radio,
-        Role::ComboBox => Kind::Menu,
-        Role::Slider | Role::SpinButton => Kind::Slider,
-        Role::TextInput | Role::SearchInput | Role::MultilineTextInput => Kind::Text,
-        Role::Label | Role::ProgressIndicator => Kind::Label,
-        Role::Heading | Role::Group => Kind::Heading,
+        Role::Button | Role::DefaultButton | Role::Link => ControlKind::Button,
+        Role::CheckBox | Role::Switch => ControlKind::Check,
+        Role::RadioButton => ControlKind::Radio,
+        Role::ComboBox => ControlKind::Menu,
+        Role::Slider | Role::SpinButton => ControlKind::Slider,
+        Role::TextInput | Role::SearchInput | Role::MultilineTextInput => ControlKind::Text,
+        Role::Label | Role::ProgressIndicator => ControlKind::Label,
+        Role::Heading | Role::Group => ControlKind::Heading,
         _ => return None,
     })
 }
@@ -197,8 +198,8 @@ mod tests {
         let mut found = controls(&update);
         under_card(&mut found);
         let states: Vec<_> = found.iter().map(|control| (control.name.as_str(), control.kind, control.off)).collect();
-        let heading = ("Keys", Kind::Heading, false);
-        assert_eq!(states, [("Flip", Kind::Button, true), heading, ("Done", Kind::Button, false)]);
+        let heading = ("Keys", ControlKind::Heading, false);
+        assert_eq!(states, [("Flip", ControlKind::Button, true), heading, ("Done", ControlKind::Button, false)]);
     }
 
     #[test]
@@ -235,7 +236,7 @@ mod tests {
         let names: Vec<&str> = found.iter().map(|control| control.name.as_str()).collect();
         assert_eq!(names, ["Power", "Pan 20 °C", "Lid", "Flip"]);
         assert_eq!(found[0].range, Some([0.0, 2000.0, 800.0]));
-        assert_eq!((found[1].kind, found[2].on, found[3].off), (Kind::Label, Some(true), true));
+        assert_eq!((found[1].kind, found[2].on, found[3].off), (ControlKind::Label, Some(true), true));
         assert_eq!(
             serde_json::to_string(&found[2]).expect("is written"),
             r#"{"id":"6","kind":"button","name":"Lid","on":true}"#

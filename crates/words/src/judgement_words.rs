@@ -4,7 +4,7 @@ use std::fmt::Display;
 
 use saute_kitchen::data::goals::Counted;
 use saute_kitchen::food::change::doneness::Measure;
-use saute_plan::goal::{Better, Goal, Judgement, Shortfall, Verdict};
+use saute_plan::goal::{Better, Goal, GoalVerdict, Judgement, Shortfall};
 
 use crate::doneness_words::class;
 use crate::language::Language;
@@ -45,15 +45,15 @@ impl ResultWords {
     pub fn of(judgement: &Judgement, goal: &Goal, food: &str, speech: Speech) -> Self {
         let teller = Teller { judgement, goal, speech };
         let l = speech.language;
-        let is_met = judgement.verdict == Verdict::Met;
+        let is_met = judgement.verdict == GoalVerdict::Met;
         let name = match l.called("goal", &goal.name) {
             name if name == goal.name => class(&goal.scale, &goal.name, l).to_owned(),
             name => name.to_owned(),
         };
         let key = if is_met { "result.met" } else { "result.missed" };
         let missed = match &judgement.verdict {
-            Verdict::Met => Vec::new(),
-            Verdict::Missed(shortfalls) => shortfalls.iter().map(|one| teller.missing(*one)).collect(),
+            GoalVerdict::Met => Vec::new(),
+            GoalVerdict::Missed(shortfalls) => shortfalls.iter().map(|one| teller.missing(*one)).collect(),
         };
         Self {
             is_met,

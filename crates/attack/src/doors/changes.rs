@@ -25,9 +25,9 @@ const fn step(text: &'static str, named: &'static [&'static str], range: Range) 
     Some(Way { write: Part::Step(text), named, range })
 }
 
-type Entry = Option<Way<fn(f64) -> Deed>>;
+type PossibleDeed = Option<Way<fn(f64) -> Deed>>;
 
-const fn entry(write: fn(f64) -> Deed, named: &'static [&'static str], range: Range) -> Entry {
+const fn entry(write: fn(f64) -> Deed, named: &'static [&'static str], range: Range) -> PossibleDeed {
     Some(Way { write, named, range })
 }
 

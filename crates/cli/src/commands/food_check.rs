@@ -19,7 +19,7 @@ use crate::output::{json, stdout};
 
 /// Result of the check, as `--json` prints it.
 #[derive(Debug, Serialize)]
-struct Verdict {
+struct FoodVerdict {
     file: String,
     ok: bool,
     findings: Vec<Finding>,
@@ -32,7 +32,7 @@ struct Verdict {
 /// Checks a food file or a surface.
 pub fn run(args: &FoodCheckArgs, data: Option<&Path>) -> Result<ExitCode, CliError> {
     let file = args.file.display().to_string();
-    let mut verdict = Verdict { file, ok: false, findings: Vec::new(), food: None, surface: None };
+    let mut verdict = FoodVerdict { file, ok: false, findings: Vec::new(), food: None, surface: None };
     if saute_surface::Format::of(&verdict.file).is_some() {
         match closed(&args.file, args.scale_mm) {
             Ok(report) => verdict.surface = Some(report),
@@ -108,7 +108,7 @@ fn finding(line: usize, key: &str, error: &CliError) -> Finding {
     Finding { line, key: key.to_owned(), message, remedy }
 }
 
-fn text(verdict: &Verdict) -> String {
+fn text(verdict: &FoodVerdict) -> String {
     let finding = |f: &Finding| format!("{}:{}: {}\n  remedy: {}\n", verdict.file, f.line, f.message, f.remedy);
     let findings: String = verdict.findings.iter().map(finding).collect();
     let food = verdict.food.as_ref().map_or(String::new(), food_text);

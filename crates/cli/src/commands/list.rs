@@ -24,7 +24,7 @@ use crate::wording;
 
 /// One line of a list.
 #[derive(Debug, Serialize)]
-struct Entry {
+struct ListRow {
     id: String,
     name: String,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -37,7 +37,7 @@ struct Entry {
     goal: Option<GoalEntry>,
 }
 
-impl Entry {
+impl ListRow {
     fn new(id: &str, name: &str) -> Self {
         Self { id: id.to_owned(), name: name.to_owned(), size_mm: None, class: None, source: None, goal: None }
     }
@@ -124,29 +124,29 @@ pub fn run(args: &ListArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
     Ok(ExitCode::SUCCESS)
 }
 
-fn foods(library: &Library) -> Vec<Entry> {
+fn foods(library: &Library) -> Vec<ListRow> {
     let sizes = |f: &FoodDescription| Sizes {
         default: f.size.default_mm.clone(),
         min: f.size.min_mm.clone(),
         max: f.size.max_mm.clone(),
     };
-    library.foods.iter().map(|(id, f)| Entry { size_mm: Some(sizes(f)), ..Entry::new(id, &f.name) }).collect()
+    library.foods.iter().map(|(id, f)| ListRow { size_mm: Some(sizes(f)), ..ListRow::new(id, &f.name) }).collect()
 }
 
-fn pans(library: &Library) -> Vec<Entry> {
-    library.pans.iter().map(|(id, p)| Entry::new(id, &p.name)).collect()
+fn pans(library: &Library) -> Vec<ListRow> {
+    library.pans.iter().map(|(id, p)| ListRow::new(id, &p.name)).collect()
 }
 
-fn hobs(library: &Library) -> Vec<Entry> {
-    library.hobs.iter().map(|(id, hob)| Entry::new(id, &hob.name)).collect()
+fn hobs(library: &Library) -> Vec<ListRow> {
+    library.hobs.iter().map(|(id, hob)| ListRow::new(id, &hob.name)).collect()
 }
 
 /// Lists the recipes. One that is broken, or needs a broken file, is named on stderr and left out.
-fn recipes(data: &DataLibrary) -> Result<Vec<Entry>, CliError> {
+fn recipes(data: &DataLibrary) -> Result<Vec<ListRow>, CliError> {
     let mut entries = Vec::new();
     for (id, text) in &data.library.recipes {
         match Recipe::parse(text, &data.recipe_place(id), &data.library) {
-            Ok(recipe) => entries.push(Entry::new(id, &recipe.title)),
+            Ok(recipe) => entries.push(ListRow::new(id, &recipe.title)),
             Err(error) if data.has_own_files() => stderr::say(format!("warning: {error}")),
             Err(error) => return Err(error.into()),
         }
@@ -154,47 +154,47 @@ fn recipes(data: &DataLibrary) -> Result<Vec<Entry>, CliError> {
     Ok(entries)
 }
 
-fn studies(library: &Library) -> Result<Vec<Entry>, CliError> {
-    let entry = |(id, text): (&str, &str)| Ok(Entry::new(id, &Protocol::parse(text, id, library)?.title));
+fn studies(library: &Library) -> Result<Vec<ListRow>, CliError> {
+    let entry = |(id, text): (&str, &str)| Ok(ListRow::new(id, &Protocol::parse(text, id, library)?.title));
     saute_study::shipped::SHIPPED.into_iter().map(entry).collect()
 }
 
-fn scenarios(library: &Library) -> Result<Vec<Entry>, CliError> {
-    let entry = |(id, text): (&str, &str)| Ok(Entry::new(id, &Scenario::parse(text, id, library)?.title.en));
+fn scenarios(library: &Library) -> Result<Vec<ListRow>, CliError> {
+    let entry = |(id, text): (&str, &str)| Ok(ListRow::new(id, &Scenario::parse(text, id, library)?.title.en));
     saute_study::class::shipped::SHIPPED.into_iter().map(entry).collect()
 }
 
-fn scales(library: &Library) -> Vec<Entry> {
+fn scales(library: &Library) -> Vec<ListRow> {
     let class = |scale: &Scale, place: usize| ClassEntry {
         name: scale.class[place].name.clone(),
         from_c: scale.class[place].from_c,
         from_pct: scale.class[place].from_pct,
         range: wording::class_range(scale, place),
     };
-    let entry = |scale: &Arc<Scale>| Entry {
+    let entry = |scale: &Arc<Scale>| ListRow {
         class: Some((0..scale.class.len()).map(|place| class(scale, place)).collect()),
         source: Some(scale.source.clone()),
-        ..Entry::new(&scale.id, &scale.name)
+        ..ListRow::new(&scale.id, &scale.name)
     };
     library.scales.iter().map(entry).collect()
 }
 
-fn goals(library: &Library) -> Vec<Entry> {
-    let entry = |goal: &Arc<GoalDescription>| Entry {
+fn goals(library: &Library) -> Vec<ListRow> {
+    let entry = |goal: &Arc<GoalDescription>| ListRow {
         goal: Some(GoalEntry::new(goal)),
         source: Some(goal.source.clone()),
-        ..Entry::new(&goal.id, &goal.name)
+        ..ListRow::new(&goal.id, &goal.name)
     };
     library.goals.iter().map(entry).collect()
 }
 
-fn views() -> Vec<Entry> {
-    View::ALL.into_iter().map(|view| Entry::new(view.spec().id, &view.meaning(Speech::default()))).collect()
+fn views() -> Vec<ListRow> {
+    View::ALL.into_iter().map(|view| ListRow::new(view.spec().id, &view.meaning(Speech::default()))).collect()
 }
 
-fn table(entries: &[Entry]) -> String {
+fn table(entries: &[ListRow]) -> String {
     let width = entries.iter().map(|e| e.id.chars().count()).max().unwrap_or(0);
-    let more = |e: &Entry| {
+    let more = |e: &ListRow| {
         e.size_mm.as_ref().map_or(String::new(), sizes)
             + &e.class.as_ref().map_or(String::new(), |c| classes(c))
             + &e.goal.as_ref().map_or(String::new(), GoalEntry::text)

@@ -12,7 +12,7 @@ use crate::output::{json, stdout};
 
 /// An action.
 #[derive(Debug, Serialize)]
-struct Entry {
+struct ListedAction {
     id: &'static str,
     /// Description.
     name: &'static str,
@@ -48,13 +48,13 @@ fn members(of: &Value) -> impl Iterator<Item = (&String, &Value)> {
     of.as_object().into_iter().flatten()
 }
 
-fn entries(schema: &Value) -> Vec<Entry> {
+fn entries(schema: &Value) -> Vec<ListedAction> {
     let properties = &schema["$defs"]["StepEntry"]["properties"];
     let entry = |kind: ActionKind| {
         let id = kind.name();
-        Entry { id, name: kind.summary(), key: keys(schema, &properties[id]) }
+        ListedAction { id, name: kind.summary(), key: keys(schema, &properties[id]) }
     };
-    let mut entries: Vec<Entry> = ActionKind::ALL.map(entry).into();
+    let mut entries: Vec<ListedAction> = ActionKind::ALL.map(entry).into();
     entries.sort_by_key(|entry| entry.id);
     entries
 }
@@ -85,7 +85,7 @@ fn table<'a>(schema: &'a Value, part: &'a Value) -> Option<&'a Value> {
     part["anyOf"].as_array()?.iter().find_map(|alternative| table(schema, alternative))
 }
 
-fn text(entry: &Entry) -> String {
+fn text(entry: &ListedAction) -> String {
     let mut lines = format!("{:<12}{}\n", entry.id, entry.name);
     for key in &entry.key {
         let range = key.min.zip(key.max).map_or(String::new(), |(low, high)| format!(" {low}–{high}."));

@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use saute_kitchen::data::at_home::KitchenAtHome;
 use saute_kitchen::{Library, celsius};
-use saute_plan::fit::found::{Estimate, Found, Worst};
+use saute_plan::fit::found::{Estimate, FitResult, Worst};
 use saute_plan::fit::log::reading::{CurveRead, Reading};
 use saute_plan::fit::log::unit::UnitFrom;
 use saute_plan::fit::observed::Quantity;
@@ -19,9 +19,9 @@ pub const FILE: &str = "kitchen-at-home.toml";
 
 /// What a fit found, beside what the program assumes.
 #[derive(Debug, Serialize)]
-pub struct Answer {
+pub struct FitReport {
     #[serde(skip)]
-    found: Found,
+    found: FitResult,
     /// Electrical power that reaches the pan's metal [-].
     hob_efficiency: Estimate,
     /// Factor on the contact conductance between food and pan [-].
@@ -55,8 +55,8 @@ pub struct Answer {
     wall_s: f64,
 }
 
-impl Answer {
-    pub fn new(found: &Found, recipe: &Recipe, library: &Library, log: Option<Reading>, wall: Duration) -> Self {
+impl FitReport {
+    pub fn new(found: &FitResult, recipe: &Recipe, library: &Library, log: Option<Reading>, wall: Duration) -> Self {
         let at_home = found.at_home(library, "");
         Self {
             found: *found,
@@ -79,7 +79,7 @@ impl Answer {
     }
 
     pub fn text(&self) -> String {
-        let Found { samples, rounds, misfit, .. } = self.found;
+        let FitResult { samples, rounds, misfit, .. } = self.found;
         let wall = wording::duration(self.wall_s);
         let log = self.log.as_ref().map_or(String::new(), as_read);
         let head = format!(
@@ -105,13 +105,13 @@ impl Answer {
 
     /// Returns the file for a `--data` folder.
     pub fn data_file(&self, log: Option<&Path>) -> String {
-        let Found { hob_efficiency: hob, contact, thickness_mm, misfit, samples, .. } = self.found;
+        let FitResult { hob_efficiency: hob, contact, thickness_mm, misfit, samples, .. } = self.found;
         let log = log.and_then(Path::file_name).map_or("weight or class".into(), |name| name.to_string_lossy());
         let read = self.log.as_ref().map_or(String::new(), |log| format!(" ({})", columns(log).join("; ")));
         let source = format!("fitted to {samples} values of {log}{read}; misfit {misfit:.2}");
         let at_home = KitchenAtHome { source, ..self.at_home.clone() };
         format!(
-            "# Found by saute fit. 90 % intervals: efficiency of the hob {:.3}–{:.3}, contact {:.2}–{:.2}, thickness of that food {:.1}–{:.1} mm.\n{}",
+            "# FitResult by saute fit. 90 % intervals: efficiency of the hob {:.3}–{:.3}, contact {:.2}–{:.2}, thickness of that food {:.1}–{:.1} mm.\n{}",
             hob.low,
             hob.high,
             contact.low,

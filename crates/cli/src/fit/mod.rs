@@ -9,7 +9,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use clap::builder::PossibleValuesParser;
-use saute_plan::fit::found::Found;
+use saute_plan::fit::found::FitResult;
 use saute_plan::fit::log::logger::loggers;
 use saute_plan::fit::observed::Observed;
 use saute_plan::fit::predict::FitError;
@@ -128,7 +128,7 @@ pub fn run(args: &FitArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
     let file = args.out.as_deref().map(prepare).transpose()?;
     let (found, wall) = fitted(recipe.clone(), data, &observed).map_err(|error| of_fit(&error, args))?;
     let describes = found.describes();
-    let answer = answer::Answer::new(&found, &recipe, &data.library, reading, wall);
+    let answer = answer::FitReport::new(&found, &recipe, &data.library, reading, wall);
     if let Some(file) = file.filter(|_| describes || args.force) {
         let place = file.place().to_string();
         file.fill(answer.data_file(args.log.as_deref()).as_bytes())?;
@@ -144,7 +144,7 @@ pub fn run(args: &FitArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
     Ok(exit_code::of_goal(describes))
 }
 
-fn no_description(found: &Found, args: &FitArgs) {
+fn no_description(found: &FitResult, args: &FitArgs) {
     stderr::say(format!(
         "the model does not describe the measurements: they miss it by {:.1} times their errors; the intervals are widened by that",
         found.misfit
@@ -166,7 +166,7 @@ fn prepare(dir: &Path) -> Result<OutFile, CliError> {
 }
 
 /// Runs the rounds of a fit on every core.
-fn fitted(recipe: Recipe, data: &DataLibrary, observed: &Observed) -> Result<(Found, Duration), FitError> {
+fn fitted(recipe: Recipe, data: &DataLibrary, observed: &Observed) -> Result<(FitResult, Duration), FitError> {
     let started = Instant::now();
     let progress = Progress::over(PARTS);
     let mut fit = Fit::new(recipe, Arc::new(data.library.clone()), observed)?;

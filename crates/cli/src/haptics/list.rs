@@ -20,7 +20,7 @@ pub struct DevicesArgs {
 
 /// A device of the list.
 #[derive(Debug, Serialize)]
-struct Entry {
+struct ListedDevice {
     id: String,
     capabilities: Capabilities,
     rendering: Rendering,
@@ -72,7 +72,7 @@ impl Strings {
     }
 }
 
-impl Entry {
+impl ListedDevice {
     fn of_strings((id, geometry): (String, Geometry)) -> Self {
         let capabilities = geometry.capabilities();
         let rendering = capabilities.rendering();
@@ -119,9 +119,9 @@ impl Entry {
 
 /// Prints the devices and their capabilities.
 pub fn list(args: &DevicesArgs) -> Result<ExitCode, CliError> {
-    let strings = library::devices()?.into_iter().map(Entry::of_strings);
-    let entries: Vec<Entry> = strings.chain(NETWORKED.iter().map(Entry::of_network)).collect();
-    let text = if args.json { json::text(&entries)? } else { entries.iter().map(Entry::text).collect() };
+    let strings = library::devices()?.into_iter().map(ListedDevice::of_strings);
+    let entries: Vec<ListedDevice> = strings.chain(NETWORKED.iter().map(ListedDevice::of_network)).collect();
+    let text = if args.json { json::text(&entries)? } else { entries.iter().map(ListedDevice::text).collect() };
     stdout::print(&text)?;
     Ok(ExitCode::SUCCESS)
 }

@@ -46,7 +46,7 @@ struct Own {
 }
 
 impl Own {
-    fn of(dir: Option<&Path>, found: &Found) -> Self {
+    fn of(dir: Option<&Path>, found: &FoundData) -> Self {
         let names = found.own.texts.keys().chain(&found.own.unreadable).cloned().collect();
         Self { dir: dir.map_or_else(PathBuf::new, Path::to_owned), names }
     }
@@ -63,14 +63,14 @@ impl Own {
 
 /// Files found in the `--data` folder, and the errors of those that cannot be read.
 #[derive(Debug, Default)]
-struct Found {
+struct FoundData {
     own: OwnFiles,
     errors: Vec<CliError>,
     /// Length of all texts [bytes].
     length: usize,
 }
 
-impl Found {
+impl FoundData {
     /// Adds a text file. One that cannot be read is set aside, and one that leads out of the folder.
     fn add(&mut self, dir: &Path, name: String) {
         let path = dir.join(&name);
@@ -135,7 +135,7 @@ impl DataLibrary {
 
     /// Reads the shipped files and the ones in `dir`, which take precedence. Broken files are named on stderr and set aside.
     pub fn open(dir: Option<&Path>) -> Result<Self, CliError> {
-        let mut found = dir.map_or_else(|| Ok(Found::default()), read_folders)?;
+        let mut found = dir.map_or_else(|| Ok(FoundData::default()), read_folders)?;
         dir.into_iter().for_each(|dir| found.add_surfaces(dir));
         found.library(dir)
     }
@@ -171,14 +171,14 @@ impl DataLibrary {
 /// The remedy for an entry whose file is broken.
 pub const MEND: &str = "correct that file, or remove it from the --data folder to use the shipped one";
 
-fn read_folders(dir: &Path) -> Result<Found, CliError> {
+fn read_folders(dir: &Path) -> Result<FoundData, CliError> {
     let remedy = "name a folder with foods/, pans/, hobs/, recipes/, kinetics/, coatings/ or oils/ that contain .toml files, or with doneness.toml, goals.toml or kitchen-at-home.toml";
     if !dir.is_dir() {
         let message = if dir.exists() { "--data is not a folder" } else { "--data does not exist" };
         return Err(CliError::place(dir.display(), message, remedy));
     }
     let present: Vec<&str> = FOLDERS.into_iter().filter(|f| dir.join(f).is_dir()).collect();
-    let mut found = Found::default();
+    let mut found = FoundData::default();
     let files: Vec<&str> = FILES.into_iter().filter(|file| dir.join(file).exists()).collect();
     files.iter().for_each(|file| found.add(dir, (*file).to_owned()));
     if files.is_empty() && present.is_empty() {
@@ -202,7 +202,7 @@ fn within(dir: &Path, path: &Path) -> Result<(), CliError> {
 
 /// Returns a library with the kinetics that a food can name: the shipped ones and the ones in a folder.
 pub fn kinetics(dir: Option<&Path>) -> Result<Library, CliError> {
-    let mut found = Found::default();
+    let mut found = FoundData::default();
     if let Some((dir, folder)) = dir.map(|d| (d, d.join("kinetics"))).filter(|(_, f)| f.is_dir()) {
         for name in toml_names(&folder)? {
             found.add(dir, format!("kinetics/{name}"));

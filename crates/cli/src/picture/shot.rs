@@ -145,7 +145,7 @@ fn within(text: &str, range: RangeInclusive<f32>) -> Option<f32> {
 /// Renders the pictures and writes them.
 pub fn run(args: &ShotArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
     let source = session_source::load(&args.recipe, data)?;
-    let kind = Kind::of(args)?;
+    let kind = Rendered::of(args)?;
     let out = OutFile::prepare(&args.out)?;
     let scales = data.scales(&args.doneness)?;
     let options = ShotOptions {
@@ -163,15 +163,15 @@ pub fn run(args: &ShotArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
     };
     let mut cook = session_source::cook(source, data)?;
     let bytes = match kind {
-        Kind::One(at_s) => {
+        Rendered::One(at_s) => {
             let at_s = at_s.map_or_else(|| cook_to_end(&mut cook), Ok)?;
             png_bytes(&one(args, cook, at_s, options)?)?
         }
-        Kind::Sheet => {
+        Rendered::Sheet => {
             let mut series = Series::of(cook, options, args.size)?;
             png_bytes(&contact_sheet(&mut series, &args.contact_sheet, args.size)?)?
         }
-        Kind::Lapse(format, every_s) => {
+        Rendered::Lapse(format, every_s) => {
             let mut series = Series::of(cook, options, args.size)?;
             time_lapse(&mut series, &Lapse { format, every_s, until_s: args.at, size: args.size })?
         }
@@ -181,7 +181,7 @@ pub fn run(args: &ShotArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
 }
 
 /// What is rendered.
-enum Kind {
+enum Rendered {
     /// One picture at a time [s], or at the end of the cook.
     One(Option<f64>),
     /// Several pictures in one.
@@ -190,7 +190,7 @@ enum Kind {
     Lapse(Format, f64),
 }
 
-impl Kind {
+impl Rendered {
     /// Reads it from the arguments; the name of the file must fit.
     fn of(args: &ShotArgs) -> Result<Self, CliError> {
         let ending = args.out.extension().and_then(|e| e.to_str()).map(str::to_ascii_lowercase);

@@ -8,7 +8,7 @@ use serde::Serialize;
 
 /// The plan as JSON.
 #[derive(Debug, Serialize)]
-pub struct Answer<'a> {
+pub struct PlanReport<'a> {
     target: Target<'a>,
     is_met: bool,
     missing: Vec<Shortfall>,
@@ -46,7 +46,7 @@ struct Changed<'a> {
     sensitivity: &'a Sensitivity,
 }
 
-impl<'a> Answer<'a> {
+impl<'a> PlanReport<'a> {
     /// Returns the answer of a plan that took some time.
     pub fn new(plan: &'a Plan, wall: Duration) -> Self {
         let goal = &plan.order.goal;

@@ -45,7 +45,11 @@ pub fn run(args: &PlanArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
     if let Some(file) = card {
         write(file, &kitchen_card::page(&plan, &data.library, Speech::default()))?;
     }
-    stdout::print(&if args.json { json::text(&answer::Answer::new(&plan, wall))? } else { text::text(&plan, wall) })?;
+    stdout::print(&if args.json {
+        json::text(&answer::PlanReport::new(&plan, wall))?
+    } else {
+        text::text(&plan, wall)
+    })?;
     if !is_met {
         text::why_not(&plan).into_iter().for_each(stderr::say);
     }

@@ -54,7 +54,7 @@ pub enum SweepCommand {
 
 /// What a run of a sweep prints as JSON.
 #[derive(Debug, Serialize)]
-struct Answer {
+struct SweepReport {
     out: PathBuf,
     rows: u64,
     done: u64,
@@ -98,7 +98,7 @@ fn say(tally: Tally, out: &Path, jobs: usize, wall: Duration, as_json: bool) -> 
     let (out, wall_s) = (out.join(ROWS), wall.as_secs_f64());
     let Tally { rows, done, failed, fresh } = tally;
     let text = format!("{rows} rows in {}; {fresh} cooked in {}, {jobs} at a time\n", out.display(), duration(wall_s));
-    let answer = Answer { out, rows, done, failed, cooked: fresh, jobs, wall_s };
+    let answer = SweepReport { out, rows, done, failed, cooked: fresh, jobs, wall_s };
     stdout::print(&if as_json { json::text(&answer)? } else { text })
 }
 

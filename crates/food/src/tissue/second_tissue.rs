@@ -11,11 +11,11 @@ pub struct TissueField {
     seed: u64,
     /// The two axes of the body frame across the direction of growth.
     across: [usize; 2],
-    kind: Kind,
+    kind: Parts,
 }
 
 #[derive(Clone, Debug)]
-enum Kind {
+enum Parts {
     Plain,
     Core {
         /// Mean radius [m], waviness of the edge [-] and width of the transition [m].
@@ -47,32 +47,32 @@ impl TissueField {
         let kind = match (&description.core, &description.sheaths) {
             (Some(core), _) => core_of(core, radius, half, seed),
             (None, Some(sheaths)) => sheaths_of(sheaths, radius, seed),
-            (None, None) => Kind::Plain,
+            (None, None) => Parts::Plain,
         };
         Self { seed, across, kind }
     }
 
     /// Returns true if the piece has no second tissue.
     pub fn is_plain(&self) -> bool {
-        matches!(self.kind, Kind::Plain)
+        matches!(self.kind, Parts::Plain)
     }
 
     /// Share of the second tissue at a point of the rest frame [-].
     pub fn at(&self, p: [f64; 3]) -> f64 {
         match &self.kind {
-            Kind::Plain => 0.0,
-            Kind::Core { radius, wave, edge, centre } => {
+            Parts::Plain => 0.0,
+            Parts::Core { radius, wave, edge, centre } => {
                 let q = [p[self.across[0]] - centre[0], p[self.across[1]] - centre[1]];
                 let reach = radius * (1.0 + wave * self.ripple(q));
                 smooth_step((reach - libm::hypot(q[0], q[1])) / edge + 0.5)
             }
-            Kind::Sheaths { shares, .. } => shares[self.sheath(p)],
+            Parts::Sheaths { shares, .. } => shares[self.sheath(p)],
         }
     }
 
     /// Index of the sheath around a point of the rest frame, from the middle outwards [-]; 0 without sheaths.
     pub fn sheath(&self, p: [f64; 3]) -> usize {
-        let Kind::Sheaths { radii, .. } = &self.kind else { return 0 };
+        let Parts::Sheaths { radii, .. } = &self.kind else { return 0 };
         let distance = self.off_axis(p);
         radii.partition_point(|r| *r < distance).min(radii.len() - 1)
     }
@@ -80,12 +80,12 @@ impl TissueField {
     /// Distance from the nearest border between sheaths or from the edge of a core [m]; infinite without either.
     pub fn border(&self, p: [f64; 3]) -> f64 {
         match &self.kind {
-            Kind::Plain => f64::INFINITY,
-            Kind::Core { radius, wave, centre, .. } => {
+            Parts::Plain => f64::INFINITY,
+            Parts::Core { radius, wave, centre, .. } => {
                 let q = [p[self.across[0]] - centre[0], p[self.across[1]] - centre[1]];
                 libm::fabs(radius * (1.0 + wave * self.ripple(q)) - libm::hypot(q[0], q[1]))
             }
-            Kind::Sheaths { radii, .. } => {
+            Parts::Sheaths { radii, .. } => {
                 let distance = self.off_axis(p);
                 radii.iter().map(|r| libm::fabs(r - distance)).fold(f64::INFINITY, f64::min)
             }
@@ -95,7 +95,7 @@ impl TissueField {
     /// Radii of the borders between sheaths in a direction across the axis, from the middle outwards [m]; none without
     /// sheaths.
     pub fn sheath_borders(&self, towards: [f64; 2]) -> Vec<f64> {
-        let Kind::Sheaths { radii, .. } = &self.kind else { return Vec::new() };
+        let Parts::Sheaths { radii, .. } = &self.kind else { return Vec::new() };
         let wave = 1.0 + SHEATH_WAVE * self.ripple(towards);
         radii.iter().map(|r| r * wave).collect()
     }
@@ -110,7 +110,7 @@ impl TissueField {
     ///
     /// Each border is a contact resistance in series with flesh of the conductivity `k` [W/(m·K)].
     pub fn share_across(&self, [p, q]: [[f64; 3]; 2], k: f64) -> f64 {
-        let Kind::Sheaths { conductance, .. } = &self.kind else { return 1.0 };
+        let Parts::Sheaths { conductance, .. } = &self.kind else { return 1.0 };
         let borders = self.sheath(p).abs_diff(self.sheath(q)) as f64;
         let length = libm::sqrt((0..3).map(|i| (p[i] - q[i]) * (p[i] - q[i])).sum());
         1.0 / (1.0 + borders * k / (conductance * length))
@@ -123,10 +123,10 @@ impl TissueField {
     }
 }
 
-fn core_of(core: &Core, radius: f64, half: [f64; 2], seed: u64) -> Kind {
+fn core_of(core: &Core, radius: f64, half: [f64; 2], seed: u64) -> Parts {
     let angle = core::f64::consts::TAU * uniform(seed, 401);
     let far = core.offset * (0.4 + 0.6 * uniform(seed, 402));
-    Kind::Core {
+    Parts::Core {
         radius: core.radius * radius,
         wave: core.wave,
         edge: 1e-3 * core.edge_mm,
@@ -135,7 +135,7 @@ fn core_of(core: &Core, radius: f64, half: [f64; 2], seed: u64) -> Kind {
 }
 
 /// Sheaths of seeded thickness out to the skin. The outer ones are greener, more so in a slice from higher up the shaft.
-fn sheaths_of(sheaths: &Sheaths, radius: f64, seed: u64) -> Kind {
+fn sheaths_of(sheaths: &Sheaths, radius: f64, seed: u64) -> Parts {
     let height = uniform(seed, 410);
     let (mut radii, mut shares) = (Vec::new(), Vec::new());
     let mut outer = 0.0;
@@ -148,7 +148,7 @@ fn sheaths_of(sheaths: &Sheaths, radius: f64, seed: u64) -> Kind {
         radii.push(outer);
         shares.push((sheaths.greenest * (1.5 * height + 0.9 * outwards - 0.9) + jitter).clamp(0.0, 1.0));
     }
-    Kind::Sheaths { radii, shares, conductance: sheaths.conductance_w_m2k }
+    Parts::Sheaths { radii, shares, conductance: sheaths.conductance_w_m2k }
 }
 
 fn smooth_step(x: f64) -> f64 {

@@ -7,11 +7,11 @@ use crate::vtk::vtu_file::escaped;
 /// Grids that belong together, each with its time.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Collection {
-    entries: Vec<Entry>,
+    entries: Vec<DataSet>,
 }
 
 #[derive(Clone, Debug, PartialEq)]
-struct Entry {
+struct DataSet {
     time_s: f64,
     part: usize,
     name: String,
@@ -21,7 +21,7 @@ struct Entry {
 impl Collection {
     /// Adds a file at a time [s]: one of the parts that stand side by side then, with its name.
     pub fn push(&mut self, time_s: f64, part: usize, name: &str, file: &str) {
-        self.entries.push(Entry { time_s, part, name: name.to_owned(), file: file.to_owned() });
+        self.entries.push(DataSet { time_s, part, name: name.to_owned(), file: file.to_owned() });
     }
 
     /// Returns the series as a PVD file.
@@ -29,7 +29,7 @@ impl Collection {
         let mut text = String::from(
             "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n<Collection>\n",
         );
-        for Entry { time_s, part, name, file } in &self.entries {
+        for DataSet { time_s, part, name, file } in &self.entries {
             let (name, file) = (escaped(name), escaped(file));
             // Writing to a text does not fail.
             let _ = writeln!(

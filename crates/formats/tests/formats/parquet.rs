@@ -1,6 +1,6 @@
 //! Promise: a cook's summary and series come back from Parquet as they were, with their types and units.
 
-use saute_formats::{Heading, Kind, Table, Value, series_table, summary_table};
+use saute_formats::{ColumnKind, Heading, Table, Value, series_table, summary_table};
 use saute_kitchen::Library;
 use saute_recipe::{Cook, Recipe};
 
@@ -18,7 +18,12 @@ fn cooked() -> Cook {
 
 #[test]
 fn every_type_and_every_gap_comes_back() {
-    let headings = [("a", "°C", Kind::Float), ("b", "", Kind::Integer), ("c", "", Kind::Flag), ("d", "", Kind::Text)];
+    let headings = [
+        ("a", "°C", ColumnKind::Float),
+        ("b", "", ColumnKind::Integer),
+        ("c", "", ColumnKind::Flag),
+        ("d", "", ColumnKind::Text),
+    ];
     let headings = headings.map(|(name, unit, kind)| Heading::new(name, unit, kind)).into();
     let full = vec![
         Some(Value::Float(0.1)),

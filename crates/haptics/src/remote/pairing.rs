@@ -25,7 +25,7 @@ pub struct Pairing {
 
 /// Result of an attempt.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Verdict {
+pub enum Admission {
     /// The code is correct.
     Paired,
     /// The code is wrong or came too soon after a wrong one; no code is accepted for this time.
@@ -69,24 +69,24 @@ impl Pairing {
     }
 
     /// Checks a code.
-    pub fn try_code(&mut self, given: &str, now: Instant) -> Verdict {
+    pub fn try_code(&mut self, given: &str, now: Instant) -> Admission {
         if self.wrong >= MOST_WRONG {
-            return Verdict::Closed;
+            return Admission::Closed;
         }
         if let Some(left) =
             self.closed_until.and_then(|until| until.checked_duration_since(now)).filter(|d| !d.is_zero())
         {
-            return Verdict::Wait(left);
+            return Admission::Wait(left);
         }
         if bool::from(self.code.as_slice().ct_eq(given.trim().as_bytes())) {
             self.wrong = 0;
-            return Verdict::Paired;
+            return Admission::Paired;
         }
         let wait = (FIRST_WAIT_S * f64::from(1u32 << self.wrong.min(20))).min(LONGEST_WAIT_S);
         self.wrong += 1;
         let wait = Duration::from_secs_f64(wait);
         self.closed_until = Some(now + wait);
-        Verdict::Wait(wait)
+        Admission::Wait(wait)
     }
 }
 
@@ -105,10 +105,10 @@ mod tests {
     fn the_right_code_pairs_and_a_wrong_one_makes_even_the_right_one_wait() {
         let mut pairing = Pairing::of(42);
         let now = Instant::now();
-        assert_eq!((pairing.code().as_str(), pairing.try_code("000042", now)), ("000042", Verdict::Paired));
-        assert_eq!(pairing.try_code("000043", now), Verdict::Wait(Duration::from_secs(1)));
-        assert!(matches!(pairing.try_code("000042", now + Duration::from_millis(900)), Verdict::Wait(_)));
-        assert_eq!(pairing.try_code("000042", now + Duration::from_millis(1100)), Verdict::Paired);
+        assert_eq!((pairing.code().as_str(), pairing.try_code("000042", now)), ("000042", Admission::Paired));
+        assert_eq!(pairing.try_code("000043", now), Admission::Wait(Duration::from_secs(1)));
+        assert!(matches!(pairing.try_code("000042", now + Duration::from_millis(900)), Admission::Wait(_)));
+        assert_eq!(pairing.try_code("000042", now + Duration::from_millis(1100)), Admission::Paired);
     }
 
     #[test]
@@ -117,12 +117,12 @@ mod tests {
         let mut now = Instant::now();
         let mut waits = Vec::new();
         for given in ["", "1", "1234567", "12345", "abcdef", "123 456", "000000"].iter().cycle().take(20) {
-            let Verdict::Wait(wait) = pairing.try_code(given, now) else { panic!("{given} was accepted") };
+            let Admission::Wait(wait) = pairing.try_code(given, now) else { panic!("{given} was accepted") };
             waits.push(wait.as_secs());
             now += wait;
         }
         assert_eq!(waits[..7], [1, 2, 4, 8, 16, 32, 60]);
-        assert_eq!(pairing.try_code("123456", now), Verdict::Closed);
+        assert_eq!(pairing.try_code("123456", now), Admission::Closed);
     }
 
     #[test]

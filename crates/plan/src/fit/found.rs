@@ -57,7 +57,7 @@ pub struct Worst {
 
 /// What a fit found.
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
-pub struct Found {
+pub struct FitResult {
     /// Electrical power that reaches the pan's metal [-].
     pub hob_efficiency: Estimate,
     /// Factor on the contact conductance between food and pan [-].
@@ -77,7 +77,7 @@ pub struct Found {
     pub rounds: usize,
 }
 
-impl Found {
+impl FitResult {
     /// Returns true if the model describes what was measured.
     pub fn describes(&self) -> bool {
         self.misfit <= LARGEST_MISFIT

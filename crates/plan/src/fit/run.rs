@@ -7,7 +7,7 @@ use saute_recipe::Recipe;
 use serde::{Deserialize, Serialize};
 
 use super::curves::{Curves, Drawing};
-use super::found::Found;
+use super::found::FitResult;
 use super::observed::Observed;
 use super::predict::{FitError, Job, Predicting};
 use super::search::Fit;
@@ -16,7 +16,7 @@ use super::search::Fit;
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct Fitted {
     /// The parameters.
-    pub found: Found,
+    pub found: FitResult,
     /// Id of the hob on which was cooked; none for that of the kitchen at home.
     pub hob: Option<String>,
     /// What the fitted kitchen would have shown.
@@ -104,7 +104,7 @@ impl FitRun {
     }
 
     /// Cooks once more with what was found, for the curves.
-    fn draw(&mut self, found: Found) -> Result<(), FitError> {
+    fn draw(&mut self, found: FitResult) -> Result<(), FitError> {
         if self.fitted.is_some() {
             return Ok(());
         }

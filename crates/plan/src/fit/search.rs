@@ -7,7 +7,7 @@ use nalgebra::{DMatrix, DVector, SMatrix};
 use saute_kitchen::Library;
 use saute_recipe::{Recipe, Step, Trigger};
 
-use super::found::{Estimate, Found, Worst};
+use super::found::{Estimate, FitResult, Worst};
 use super::levels::Level;
 use super::observed::{Observed, Sample};
 use super::parameters::{COUNT, Logs, Parameters};
@@ -43,7 +43,7 @@ pub struct Fit {
     rounds: usize,
     damping: f64,
     best: Option<Point>,
-    found: Option<Found>,
+    found: Option<FitResult>,
 }
 
 /// Parameters with what they predict.
@@ -140,7 +140,7 @@ impl Fit {
     }
 
     /// Returns the job of what was found, on the mesh of the last level.
-    pub(super) fn job_of(&self, found: &Found) -> Job {
+    pub(super) fn job_of(&self, found: &FitResult) -> Job {
         Job {
             number: 0,
             recipe: Arc::clone(&self.recipe),
@@ -179,7 +179,7 @@ impl Fit {
     }
 
     /// Returns what was found once the fit has ended.
-    pub fn found(&self) -> Option<&Found> {
+    pub fn found(&self) -> Option<&FitResult> {
         self.found.as_ref()
     }
 
@@ -253,7 +253,7 @@ impl Fit {
             logs[k] += z * covariance[(k, k)].sqrt();
             Parameters::from_logs(&logs)
         };
-        self.found = Some(Found {
+        self.found = Some(FitResult {
             hob_efficiency: Estimate::of(|z| at(0, z).hob_efficiency),
             contact: Estimate::of(|z| at(1, z).contact),
             thickness_mm: Estimate::of(|z| 1e3 * at(2, z).thickness),
@@ -285,7 +285,7 @@ mod tests {
                           put = \"steak\"\n[[step]]\nat_s = 60\nend = true\n";
 
     /// Fits to thirty values that are linear in the parameters; a kitchen with `truth` gives them, but for those at `wrong`.
-    fn found(truth: &Logs, wrong: &[usize]) -> (Found, Arc<Library>) {
+    fn found(truth: &Logs, wrong: &[usize]) -> (FitResult, Arc<Library>) {
         let library = Arc::new(Library::embedded().expect("embedded data"));
         let recipe = Recipe::parse(RECIPE, "steak.toml", &library).expect("a recipe");
         let of = |logs: &Logs, k: usize| {

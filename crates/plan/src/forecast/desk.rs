@@ -34,14 +34,14 @@ const ROUND_PARTS: u64 = 3;
 
 /// A finished forecast.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
-pub struct Answer {
+pub struct Foreseen {
     /// What it says.
     pub outlook: Outlook,
     /// What had been done when it began, as the shell counts it.
     pub done: u64,
 }
 
-impl Answer {
+impl Foreseen {
     /// Age at a frame of the kitchen [s].
     pub fn age_s(&self, frame: u64) -> f64 {
         frame.saturating_sub(self.outlook.frame) as f64 * FRAME_S
@@ -78,8 +78,8 @@ pub struct Desk {
     present: Option<(u64, u64)>,
     /// The same when the full model began.
     exact_from: Option<(u64, u64)>,
-    answers: Vec<Answer>,
-    exact_answer: Option<Answer>,
+    answers: Vec<Foreseen>,
+    exact_answer: Option<Foreseen>,
     parts: u64,
 }
 
@@ -134,7 +134,7 @@ impl Desk {
         let asks: Vec<Ask> = questions.iter().copied().map(ask).collect();
         self.round = self.asked(kitchen, &asks, done)?;
         let all = Question::ALL.map(ask);
-        let possible = |answer: &Answer| all.iter().any(|ask| is_of(answer, ask) && is_possible(kitchen, ask));
+        let possible = |answer: &Foreseen| all.iter().any(|ask| is_of(answer, ask) && is_possible(kitchen, ask));
         self.answers.retain(possible);
         if self.is_exact_due(frame, done) && !self.looks_further(kitchen, done) {
             self.exact_from = Some((frame, done));
@@ -225,7 +225,7 @@ impl Desk {
         let Some(exact) = self.open_exact() else { return };
         exact.advance(1);
         if exact.is_done() {
-            self.exact_answer = Some(Answer { outlook: exact.outlook().clone(), done });
+            self.exact_answer = Some(Foreseen { outlook: exact.outlook().clone(), done });
         }
     }
 
@@ -245,16 +245,16 @@ impl Desk {
         if outlook.question == Question::AsItIs {
             self.course = Some((ahead, done));
         }
-        self.answers.push(Answer { outlook, done });
+        self.answers.push(Foreseen { outlook, done });
     }
 
     /// The last answer to a question, five minutes ahead on coarse meshes.
-    pub fn answer(&self, question: Question) -> Option<&Answer> {
+    pub fn answer(&self, question: Question) -> Option<&Foreseen> {
         self.answers.iter().find(|answer| answer.outlook.question == question)
     }
 
     /// The last answer of the full model to "as it is", a minute ahead.
-    pub fn exact_answer(&self) -> Option<&Answer> {
+    pub fn exact_answer(&self) -> Option<&Foreseen> {
         self.exact_answer.as_ref()
     }
 }
@@ -264,7 +264,7 @@ fn is_course_of(outlook: &Outlook, kitchen: &Kitchen, by_s: f64) -> bool {
     kitchen.piece(&outlook.food).is_some_and(|piece| (piece.core() - outlook.core_at(by_s)).abs() <= SAME_K)
 }
 
-fn is_of(answer: &Answer, ask: &Ask) -> bool {
+fn is_of(answer: &Foreseen, ask: &Ask) -> bool {
     answer.outlook.question == ask.question && answer.outlook.food == ask.food
 }
 

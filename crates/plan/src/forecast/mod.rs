@@ -17,7 +17,7 @@ mod question;
 
 pub use ahead::{Ahead, HORIZON_S};
 pub use band::{Band, Bands, BandsError, Confidence, SPANS_S};
-pub use desk::{Answer, Desk, Wanted};
+pub use desk::{Desk, Foreseen, Wanted};
 pub use exact::{EXACT_S, Exact};
 pub use outlook::{Outlook, Peak, SAMPLE_S, Sample};
 pub use question::{Ask, Question};

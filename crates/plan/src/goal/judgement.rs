@@ -23,7 +23,7 @@ pub struct Judged<'a> {
 
 /// Whether a cook meets its goal.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Verdict {
+pub enum GoalVerdict {
     /// It does.
     Met,
     /// It does not: what is missing.
@@ -34,7 +34,7 @@ pub enum Verdict {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Judgement {
     /// Whether the goal is met.
-    pub verdict: Verdict,
+    pub verdict: GoalVerdict,
     /// What the cook gave.
     pub outcome: Outcome,
     /// The terms of the score.
@@ -80,7 +80,7 @@ impl Judgement {
         let better = Better::of(&evidence);
         Some(Self {
             better,
-            verdict: if shortfalls.is_empty() { Verdict::Met } else { Verdict::Missed(shortfalls) },
+            verdict: if shortfalls.is_empty() { GoalVerdict::Met } else { GoalVerdict::Missed(shortfalls) },
             score: Score::sum(&terms),
             mark: Mark::of(&outcome, goal),
             grey_mm: grey_band(first, goal).map(|metres| 1e3 * metres),

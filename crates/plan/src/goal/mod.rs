@@ -12,7 +12,7 @@ mod target;
 
 pub use better::Better;
 pub use course::Course;
-pub use judgement::{Judged, Judgement, Verdict};
+pub use judgement::{GoalVerdict, Judged, Judgement};
 pub use outcome::Outcome;
 pub(crate) use outcome::at_core;
 pub use score::{Score, Shortfall, Term, TermKind};

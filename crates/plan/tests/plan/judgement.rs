@@ -5,7 +5,7 @@ use saute_kitchen::food::Rules;
 use saute_kitchen::{
     Command, Kitchen, Library, MeshSize, OutlineKind, Piece, PieceOrder, RestOn, TICK_S, celsius, kelvin,
 };
-use saute_plan::goal::{Better, Course, Goal, Judged, Judgement, Shortfall, Verdict};
+use saute_plan::goal::{Better, Course, Goal, GoalVerdict, Judged, Judgement, Shortfall};
 use saute_recipe::Recorder;
 
 /// Time at which the steak goes in, and time for which it rests [s].
@@ -87,15 +87,15 @@ fn an_overcooked_steak_misses_its_goal_with_a_reason_that_has_numbers_and_a_good
         assert!((points - judgement.score.0).abs() < 1e-9);
         let of_2013 = judged(&kitchen, &course, mass, &study);
         let has_share = of_2013.outcome.target_share_pct >= 40.0;
-        assert_eq!(of_2013.verdict == Verdict::Met, has_share, "{of_2013:?}");
-        if let Verdict::Missed(shortfalls) = &judgement.verdict
+        assert_eq!(of_2013.verdict == GoalVerdict::Met, has_share, "{of_2013:?}");
+        if let GoalVerdict::Missed(shortfalls) = &judgement.verdict
             && shortfalls.contains(&Shortfall::Overcooked)
         {
             missed += 1;
             let Some(Better::PullEarlier { by, by_s: Some(by_s) }) = judgement.better else { panic!("{judgement:?}") };
             assert!(by > 4.0 && (20.0..400.0).contains(&by_s), "{by} K, {by_s} s");
         } else {
-            assert_eq!(judgement.verdict, Verdict::Met);
+            assert_eq!(judgement.verdict, GoalVerdict::Met);
         }
     }
     assert_eq!(missed, 1, "the one that stayed in for long is overcooked, the other is not");

@@ -10,7 +10,7 @@ use crate::file::action_file::{
     PutTable, RestTable, ShakeTable, TiltTable, TossTable, TrueValue, WaterTable,
 };
 use crate::file::repeat_file::RepeatEntry;
-use crate::file::shorthand::{Entry, Written};
+use crate::file::shorthand::{ShortOrTable, Written};
 
 /// Declares [`ActionKind`] and [`ActionEntry`] from one row for each action: kind, key, format, example, description. The
 /// example is a value for a recipe with a food "steak".
@@ -73,26 +73,26 @@ macro_rules! actions {
 }
 
 actions! {
-    Hob "hob_w" Entry<HobTable>, "2000",
+    Hob "hob_w" ShortOrTable<HobTable>, "2000",
         "sets the hob; a bare number is its electrical power, 0–3500 [W]; with hold_c it holds the pan at a temperature.";
-    Put "put" Entry<PutTable>, "\"steak\"", "puts foods into the pan.";
-    Flip "flip" Entry<FlipTable>, "\"steak\"", "turns foods over.";
-    Rest "rest" Entry<RestTable>, "\"steak\"", "takes foods out of the pan to rest.";
-    Halve "halve" Entry<HalveTable>, "\"steak\"", "cuts foods that lie on the board in halves.";
-    MovePan "move_pan" Entry<MovePanTable>, "{ lift_mm = 50 }",
+    Put "put" ShortOrTable<PutTable>, "\"steak\"", "puts foods into the pan.";
+    Flip "flip" ShortOrTable<FlipTable>, "\"steak\"", "turns foods over.";
+    Rest "rest" ShortOrTable<RestTable>, "\"steak\"", "takes foods out of the pan to rest.";
+    Halve "halve" ShortOrTable<HalveTable>, "\"steak\"", "cuts foods that lie on the board in halves.";
+    MovePan "move_pan" ShortOrTable<MovePanTable>, "{ lift_mm = 50 }",
         "moves the pan over the hob, or lifts it, until it is moved again; true sets it back onto its ring.";
-    Cool "cool" Entry<CoolTable>, "\"wet-cloth\"", "sets the pan on a wet cloth, off the hob.";
-    Oil "oil_g" Entry<OilTable>, "10", "pours oil into the pan; a bare number is how much [g].";
-    Butter "butter_g" Entry<ButterTable>, "15", "puts butter into the pan; a bare number is how much [g].";
-    Water "water_g" Entry<WaterTable>, "30", "pours water into the pan; a bare number is how much [g].";
-    Toss "toss" Entry<TossTable>, "true", "tosses what lies in the pan; true takes the defaults.";
-    Shake "shake" Entry<ShakeTable>, "5", "shakes the pan to and fro; a bare number is how long [s].";
-    Tilt "tilt" Entry<TiltTable>, "15",
+    Cool "cool" ShortOrTable<CoolTable>, "\"wet-cloth\"", "sets the pan on a wet cloth, off the hob.";
+    Oil "oil_g" ShortOrTable<OilTable>, "10", "pours oil into the pan; a bare number is how much [g].";
+    Butter "butter_g" ShortOrTable<ButterTable>, "15", "puts butter into the pan; a bare number is how much [g].";
+    Water "water_g" ShortOrTable<WaterTable>, "30", "pours water into the pan; a bare number is how much [g].";
+    Toss "toss" ShortOrTable<TossTable>, "true", "tosses what lies in the pan; true takes the defaults.";
+    Shake "shake" ShortOrTable<ShakeTable>, "5", "shakes the pan to and fro; a bare number is how long [s].";
+    Tilt "tilt" ShortOrTable<TiltTable>, "15",
         "tilts the pan until it is tilted otherwise; a bare number is the angle [°], 0 levels it.";
-    Press "press" Entry<PressTable>, "\"steak\"", "presses foods onto the floor with the turner.";
-    Move "move" Entry<MoveTable>, "{ food = \"steak\", to_mm = [30, 0] }",
+    Press "press" ShortOrTable<PressTable>, "\"steak\"", "presses foods onto the floor with the turner.";
+    Move "move" ShortOrTable<MoveTable>, "{ food = \"steak\", to_mm = [30, 0] }",
         "pushes or carries foods to a place in the pan.";
-    Lid "lid" Entry<LidTable>, "true", "lays the lid on (true, \"on\") or takes it off (false, \"off\").";
+    Lid "lid" ShortOrTable<LidTable>, "true", "lays the lid on (true, \"on\") or takes it off (false, \"off\").";
     Wipe "wipe" TrueValue, "true", "wipes the pan with a paper towel, once nothing lies in it: only the film of a seasoned pan stays.";
     Repeat "repeat" RepeatEntry, "{ flip = \"steak\", every_s = 30, times = 4 }",
         "carries out one action again and again, first after every_s, until a condition holds or so many times.";

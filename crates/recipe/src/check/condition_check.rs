@@ -5,7 +5,7 @@ use toml::Spanned;
 use crate::check::recipe_check::{Check, Checked, FoodNames};
 use crate::condition::{Condition, Measured, Side};
 use crate::file::recipe_file::{SideTable, WhenEntry};
-use crate::file::shorthand::Entry;
+use crate::file::shorthand::ShortOrTable;
 use crate::recipe::Quantity;
 use saute_kitchen::kelvin;
 
@@ -37,7 +37,7 @@ impl Check<'_> {
         self.on_a_side(measured, side)
     }
 
-    fn on_a_side(&self, measured: Measured, entry: &Entry<SideTable>) -> Checked<Condition> {
+    fn on_a_side(&self, measured: Measured, entry: &ShortOrTable<SideTable>) -> Checked<Condition> {
         let key = measured.key();
         let (side, number) = match (entry.bare, entry.table.above, entry.table.below) {
             (true, Some(number), _) => (measured.plain_side(), number),

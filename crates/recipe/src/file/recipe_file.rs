@@ -9,7 +9,7 @@ use schemars::{JsonSchema, Schema};
 use serde::Deserialize;
 use toml::Spanned;
 
-use crate::file::shorthand::{Entry, Shorthand};
+use crate::file::shorthand::{ShortOrTable, Shorthand};
 use crate::file::step_file::StepEntry;
 
 /// A cook: a pan, foods and steps.
@@ -126,21 +126,21 @@ pub enum MeshName {
 pub struct WhenEntry {
     /// Area mean of the pan's flat floor [°C].
     #[schemars(transform = of_temperatures)]
-    pub pan_c: Option<Entry<SideTable>>,
+    pub pan_c: Option<ShortOrTable<SideTable>>,
     /// Which food; of a group (or "all") the last piece must have met the condition while the step is waited for.
     #[schemars(with = "Option<String>")]
     pub food: Option<Spanned<String>>,
     /// Its core temperature [°C].
     #[schemars(transform = of_temperatures)]
-    pub core_c: Option<Entry<SideTable>>,
+    pub core_c: Option<ShortOrTable<SideTable>>,
     /// Mean temperature of its upper face [°C].
     #[schemars(transform = of_temperatures)]
-    pub top_c: Option<Entry<SideTable>>,
+    pub top_c: Option<ShortOrTable<SideTable>>,
     /// Mean temperature of its lower face [°C].
     #[schemars(transform = of_temperatures)]
-    pub bottom_c: Option<Entry<SideTable>>,
+    pub bottom_c: Option<ShortOrTable<SideTable>>,
     /// Its mass [g].
-    pub mass_g: Option<Entry<SideTable>>,
+    pub mass_g: Option<ShortOrTable<SideTable>>,
 }
 
 /// Largest mass of a condition [g] (chosen: beyond any food).

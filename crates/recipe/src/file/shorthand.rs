@@ -27,7 +27,7 @@ pub trait Shorthand: Sized {
 
 /// A table, written in full or as a bare value.
 #[derive(Clone, Debug)]
-pub struct Entry<T> {
+pub struct ShortOrTable<T> {
     /// The table.
     pub table: T,
     /// Byte offset in the text.
@@ -42,7 +42,7 @@ pub trait Written {
     fn is_bare(&self) -> bool;
 }
 
-impl<T> Written for Entry<T> {
+impl<T> Written for ShortOrTable<T> {
     fn is_bare(&self) -> bool {
         self.bare
     }
@@ -54,7 +54,7 @@ enum BareOrTable<B, T> {
     Table(T),
 }
 
-impl<'de, T> Deserialize<'de> for Entry<T>
+impl<'de, T> Deserialize<'de> for ShortOrTable<T>
 where
     T: Shorthand + Deserialize<'de>,
     T::Bare: Deserialize<'de>,
@@ -122,7 +122,7 @@ fn one_value(key: &Value) -> Schema {
     Schema::try_from(value).unwrap_or_default()
 }
 
-impl<T> JsonSchema for Entry<T>
+impl<T> JsonSchema for ShortOrTable<T>
 where
     T: Shorthand + JsonSchema,
     T::Bare: JsonSchema,

@@ -5,7 +5,7 @@ use saute_plan::fit::run::Fitted;
 
 use super::entered::Entered;
 use super::job::{FitAnswer, FitOrder, Reply};
-use super::why_not::WhyNot;
+use super::why_not::WhyNoFit;
 use crate::work::Helper;
 
 /// How a fit stands.
@@ -19,7 +19,7 @@ pub enum Standing {
     /// It is over.
     Found(Box<Fitted>),
     /// It could not be done, and why.
-    Refused(WhyNot),
+    Refused(WhyNoFit),
 }
 
 /// What was entered, and the fit to it.
@@ -41,7 +41,7 @@ impl AtHome {
     }
 
     /// Nothing can be fitted, and why.
-    pub fn refuse(&mut self, why: WhyNot) {
+    pub fn refuse(&mut self, why: WhyNoFit) {
         self.standing = Standing::Refused(why);
     }
 

@@ -10,8 +10,8 @@ use saute_recipe::Recipe;
 use serde::{Deserialize, Serialize};
 use web_time::Instant;
 
-use super::why_not::WhyNot;
-use crate::work::job::{self, AT_ONCE, Answer, Job, all_until};
+use super::why_not::WhyNoFit;
+use crate::work::job::{self, AT_ONCE, Job, JobAnswer, all_until};
 
 /// A kitchen to be fitted.
 #[derive(Debug, Deserialize, Serialize)]
@@ -27,27 +27,27 @@ pub struct FitOrder {
 }
 
 /// How far a fit is: the share of the work that is done [-], or what was found.
-pub type Reply = job::Reply<f64, Box<Fitted>, WhyNot>;
+pub type Reply = job::Reply<f64, Box<Fitted>, WhyNoFit>;
 /// What comes back.
-pub type FitAnswer = Answer<Reply>;
+pub type FitAnswer = JobAnswer<Reply>;
 
 impl Job for FitRun {
     type Order = FitOrder;
     type Progress = f64;
     type Found = Box<Fitted>;
-    type WhyNot = WhyNot;
+    type WhyNot = WhyNoFit;
 
     fn number(order: &FitOrder) -> u64 {
         order.number
     }
 
-    fn begin(FitOrder { recipe, home, observed, .. }: FitOrder, library: &Library) -> Result<Self, WhyNot> {
-        let library = library.in_kitchen(home.as_deref()).map_err(|_| WhyNot::NoKitchen)?.into_owned();
+    fn begin(FitOrder { recipe, home, observed, .. }: FitOrder, library: &Library) -> Result<Self, WhyNoFit> {
+        let library = library.in_kitchen(home.as_deref()).map_err(|_| WhyNoFit::NoKitchen)?.into_owned();
         let recipe = Recipe::parse(&recipe, "recipe.toml", &library)?;
-        Self::new(recipe, Arc::new(library), &observed).map_err(WhyNot::from)
+        Self::new(recipe, Arc::new(library), &observed).map_err(WhyNoFit::from)
     }
 
-    fn go_on(&mut self, until: Instant) -> Result<(), WhyNot> {
+    fn go_on(&mut self, until: Instant) -> Result<(), WhyNoFit> {
         Ok(Self::go_on(self, AT_ONCE, |cooks| all_until(cooks, until, Predicting::second))?)
     }
 

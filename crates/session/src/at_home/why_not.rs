@@ -10,7 +10,7 @@ use saute_words::language::Language;
 
 /// Why a kitchen cannot be fitted.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
-pub enum WhyNot {
+pub enum WhyNoFit {
     /// Nothing was measured.
     Nothing,
     /// There is no recipe of what was cooked.
@@ -63,7 +63,7 @@ pub enum WhyNot {
     NoKitchen,
 }
 
-impl From<FitError> for WhyNot {
+impl From<FitError> for WhyNoFit {
     fn from(error: FitError) -> Self {
         match error {
             FitError::Nothing => Self::Nothing,
@@ -75,13 +75,13 @@ impl From<FitError> for WhyNot {
     }
 }
 
-impl From<saute_schema::InputError> for WhyNot {
+impl From<saute_schema::InputError> for WhyNoFit {
     fn from(error: saute_schema::InputError) -> Self {
         Self::Recipe { file: error.file, line: error.line, detail: error.message }
     }
 }
 
-impl From<LogError> for WhyNot {
+impl From<LogError> for WhyNoFit {
     fn from(error: LogError) -> Self {
         match error.question {
             Some(Question::Unit(_)) => Self::WhichUnit,
@@ -92,7 +92,7 @@ impl From<LogError> for WhyNot {
     }
 }
 
-impl From<EnteredError> for WhyNot {
+impl From<EnteredError> for WhyNoFit {
     fn from(error: EnteredError) -> Self {
         match error {
             EnteredError::Log(error) => error.into(),
@@ -103,7 +103,7 @@ impl From<EnteredError> for WhyNot {
     }
 }
 
-impl WhyNot {
+impl WhyNoFit {
     /// Puts it into words.
     pub fn words(&self, l: Language) -> String {
         match self {

@@ -7,7 +7,7 @@ use saute_kitchen::{Kitchen, Library};
 use saute_plan::forecast::{Desk, Question, Wanted};
 use web_time::{Duration, Instant};
 
-use super::{Found, Present};
+use super::{FoundForecast, Present};
 use crate::work::worker::Worker;
 
 /// Forecasts of one piece, with foods and pans of its own.
@@ -70,7 +70,7 @@ impl Foreseeing {
             return None;
         }
         self.told = Some(news);
-        let found = Found {
+        let found = FoundForecast {
             number: taken.number,
             answers: Question::ALL.into_iter().filter_map(|question| self.desk.answer(question)).cloned().collect(),
             exact: self.desk.exact_answer().cloned(),

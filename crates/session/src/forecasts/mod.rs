@@ -7,7 +7,7 @@ pub mod foreseeing;
 mod present;
 
 use saute_kitchen::Kitchen;
-use saute_plan::forecast::{Answer, Band, Bands, Question};
+use saute_plan::forecast::{Band, Bands, Foreseen, Question};
 use serde::{Deserialize, Serialize};
 
 use crate::work::Helper;
@@ -47,10 +47,10 @@ impl Present {
 
 /// What comes back: all that is known of the piece.
 #[derive(Debug, Deserialize, Serialize)]
-struct Found {
+struct FoundForecast {
     number: u64,
-    answers: Vec<Answer>,
-    exact: Option<Answer>,
+    answers: Vec<Foreseen>,
+    exact: Option<Foreseen>,
     /// True if the round is over: a newer present is wanted.
     wants_present: bool,
 }
@@ -108,15 +108,15 @@ pub struct Forecasts {
     rounds: u64,
     /// What is to be asked at the end of the tick, and the wall time at which that became due [s].
     due: Option<(Watched, f64, Shown)>,
-    answers: Vec<Answer>,
-    exact: Option<Answer>,
+    answers: Vec<Foreseen>,
+    exact: Option<Foreseen>,
 }
 
 /// An answer as it stands to the instant that is shown.
 #[derive(Clone, Copy, Debug)]
 pub struct Standing<'a> {
     /// What was found.
-    pub answer: &'a Answer,
+    pub answer: &'a Foreseen,
     /// How far from a full cook it may be.
     pub band: &'a Band,
     /// Age of the answer [simulated s].
@@ -166,7 +166,7 @@ impl Forecasts {
             *self = Self::default();
             return;
         };
-        for found in answers.iter().filter_map(|bytes| postcard::from_bytes::<Found>(bytes).ok()) {
+        for found in answers.iter().filter_map(|bytes| postcard::from_bytes::<FoundForecast>(bytes).ok()) {
             let Some(asked) = self.asked.as_mut().filter(|_| found.number >= self.since) else { continue };
             let is_over = found.number == self.number && found.wants_present;
             self.rounds += u64::from(is_over && !asked.is_over);
@@ -218,7 +218,7 @@ impl Forecasts {
 
 /// Returns true if an answer of the helper holds all questions, and the full model's minute.
 pub fn is_whole(answer: &[u8]) -> bool {
-    let found = postcard::from_bytes::<Found>(answer);
+    let found = postcard::from_bytes::<FoundForecast>(answer);
     found.is_ok_and(|found| found.answers.len() == Question::ALL.len() && found.exact.is_some())
 }
 

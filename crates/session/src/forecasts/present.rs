@@ -1,6 +1,6 @@
 //! The present of a session, which is handed over for forecasts, and what was found of it.
 
-use saute_plan::forecast::{Answer, Question};
+use saute_plan::forecast::{Foreseen, Question};
 
 use super::{Forecasts, Shown, Standing, Watched};
 use crate::Session;
@@ -47,7 +47,7 @@ impl<H: Hands> Session<H> {
     /// The last answer to a question about the piece that the panels show, as it stands to the shown instant.
     pub fn foreseen(&self, question: Question) -> Option<Standing<'_>> {
         let food = &self.steak()?.id;
-        let of = |answer: &&Answer| answer.outlook.question == question && answer.outlook.food == *food;
+        let of = |answer: &&Foreseen| answer.outlook.question == question && answer.outlook.food == *food;
         let answer = self.forecasts.answers.iter().find(of)?;
         let band = self.forecasts.bands.as_ref()?.of(question)?;
         Some(Standing {
@@ -59,7 +59,7 @@ impl<H: Hands> Session<H> {
     }
 
     /// The last answer of the full model to "as it is", a minute ahead, if nothing was done since.
-    pub fn foreseen_exactly(&self) -> Option<&Answer> {
+    pub fn foreseen_exactly(&self) -> Option<&Foreseen> {
         let answer = self.forecasts.exact.as_ref().filter(|answer| answer.is_current(self.done()))?;
         (answer.outlook.food == self.steak()?.id).then_some(answer)
     }

@@ -9,8 +9,8 @@ use saute_plan::schedule::search::{PlanData, Search, SearchProgress};
 use serde::{Deserialize, Serialize};
 use web_time::Instant;
 
-use super::why_not::WhyNot;
-use crate::work::job::{self, AT_ONCE, Answer, Job, all_until};
+use super::why_not::WhyNoPlan;
+use crate::work::job::{self, AT_ONCE, Job, JobAnswer, all_until};
 
 /// A plan to be searched for.
 #[derive(Debug, Deserialize, Serialize)]
@@ -33,26 +33,26 @@ pub struct PlanProgress {
 }
 
 /// How far a search is.
-pub type Reply = job::Reply<PlanProgress, Box<PlanData>, WhyNot>;
+pub type Reply = job::Reply<PlanProgress, Box<PlanData>, WhyNoPlan>;
 /// What comes back.
-pub type PlanAnswer = Answer<Reply>;
+pub type PlanAnswer = JobAnswer<Reply>;
 
 impl Job for Search {
     type Order = PlanOrder;
     type Progress = PlanProgress;
     type Found = Box<PlanData>;
-    type WhyNot = WhyNot;
+    type WhyNot = WhyNoPlan;
 
     fn number(order: &PlanOrder) -> u64 {
         order.number
     }
 
-    fn begin(PlanOrder { home, asked, .. }: PlanOrder, library: &Library) -> Result<Self, WhyNot> {
-        let library = library.in_kitchen(home.as_deref()).map_err(|_| WhyNot::NoKitchen)?;
-        Self::new(&asked, Arc::new(library.into_owned())).map_err(WhyNot::from)
+    fn begin(PlanOrder { home, asked, .. }: PlanOrder, library: &Library) -> Result<Self, WhyNoPlan> {
+        let library = library.in_kitchen(home.as_deref()).map_err(|_| WhyNoPlan::NoKitchen)?;
+        Self::new(&asked, Arc::new(library.into_owned())).map_err(WhyNoPlan::from)
     }
 
-    fn go_on(&mut self, until: Instant) -> Result<(), WhyNot> {
+    fn go_on(&mut self, until: Instant) -> Result<(), WhyNoPlan> {
         Ok(Self::go_on(self, AT_ONCE, |cookings| all_until(cookings, until, Cooking::second))?)
     }
 

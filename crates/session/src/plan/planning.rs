@@ -8,7 +8,7 @@ use saute_plan::schedule::search::{PlanData, SearchProgress};
 use web_time::Instant;
 
 use super::job::{PlanAnswer, PlanOrder, PlanProgress, Reply};
-use super::why_not::WhyNot;
+use super::why_not::WhyNoPlan;
 use crate::work::Helper;
 
 /// How a search stands.
@@ -22,7 +22,7 @@ pub enum Standing {
     /// A plan was found.
     Found(Box<Plan>),
     /// It could not be searched for, and why.
-    Refused(WhyNot),
+    Refused(WhyNoPlan),
 }
 
 /// The search for a plan.

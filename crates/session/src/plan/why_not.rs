@@ -9,7 +9,7 @@ use saute_words::language::Language;
 
 /// Why nothing can be planned.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
-pub enum WhyNot {
+pub enum WhyNoPlan {
     /// The food is unknown.
     NoFood,
     /// The scale has no such class.
@@ -29,7 +29,7 @@ pub enum WhyNot {
     NoKitchen,
 }
 
-impl From<AskedError> for WhyNot {
+impl From<AskedError> for WhyNoPlan {
     fn from(error: AskedError) -> Self {
         match error {
             AskedError::Food(_) => Self::NoFood,
@@ -42,7 +42,7 @@ impl From<AskedError> for WhyNot {
     }
 }
 
-impl From<JobError> for WhyNot {
+impl From<JobError> for WhyNoPlan {
     fn from(error: JobError) -> Self {
         match error {
             JobError::NoPower => Self::NoPower,
@@ -51,7 +51,7 @@ impl From<JobError> for WhyNot {
     }
 }
 
-impl WhyNot {
+impl WhyNoPlan {
     /// Puts it into words.
     pub fn words(&self, l: Language) -> String {
         match self {

@@ -21,14 +21,14 @@ pub(super) fn last_act(entries: &[Entry], given: usize, before: usize) -> Option
 fn joins(before: &Entry, entry: &Entry) -> bool {
     let apart = entry.frame - before.frame;
     match (kind(&before.deed), kind(&entry.deed)) {
-        (Kind::Motion, Kind::Motion) | (Kind::Hob, Kind::Hob) => apart < ONE_ACT,
-        (Kind::Put, Kind::Put) | (Kind::Add, Kind::Add) | (Kind::Remove, Kind::Remove) => apart == 0,
+        (ActKind::Motion, ActKind::Motion) | (ActKind::Hob, ActKind::Hob) => apart < ONE_ACT,
+        (ActKind::Put, ActKind::Put) | (ActKind::Add, ActKind::Add) | (ActKind::Remove, ActKind::Remove) => apart == 0,
         _ => false,
     }
 }
 
 #[derive(PartialEq)]
-enum Kind {
+enum ActKind {
     Motion,
     Hob,
     Put,
@@ -37,14 +37,14 @@ enum Kind {
     Other,
 }
 
-fn kind(deed: &Deed) -> Kind {
+fn kind(deed: &Deed) -> ActKind {
     match deed {
-        Deed::Command(command) if command.is_motion() => Kind::Motion,
-        Deed::Command(Command::Hob(_) | Command::HobHold { .. }) => Kind::Hob,
-        Deed::Command(Command::Put { .. }) => Kind::Put,
-        Deed::Add(_) => Kind::Add,
-        Deed::Remove(_) => Kind::Remove,
-        Deed::Command(_) | Deed::TakeOver | Deed::Resume => Kind::Other,
+        Deed::Command(command) if command.is_motion() => ActKind::Motion,
+        Deed::Command(Command::Hob(_) | Command::HobHold { .. }) => ActKind::Hob,
+        Deed::Command(Command::Put { .. }) => ActKind::Put,
+        Deed::Add(_) => ActKind::Add,
+        Deed::Remove(_) => ActKind::Remove,
+        Deed::Command(_) | Deed::TakeOver | Deed::Resume => ActKind::Other,
     }
 }
 

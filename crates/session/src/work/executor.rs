@@ -7,7 +7,7 @@ use saute_plan::fit::run::FitRun;
 use saute_plan::schedule::search::Search;
 use web_time::{Duration, Instant};
 
-use super::Kind;
+use super::WorkKind;
 use super::job::JobWorker;
 use super::worker::Worker;
 use crate::forecasts::foreseeing::Foreseeing;
@@ -15,7 +15,7 @@ use crate::playback::playing::Playing;
 
 /// An executor for one kind of work, with its own foods and pans.
 pub struct Executor {
-    kind: Kind,
+    kind: WorkKind,
     worker: Box<dyn Worker>,
     /// Computing time since the last rest.
     worked: Duration,
@@ -23,7 +23,7 @@ pub struct Executor {
 
 impl Executor {
     /// An executor without an order.
-    pub fn new(kind: Kind, library: Arc<Library>) -> Self {
+    pub fn new(kind: WorkKind, library: Arc<Library>) -> Self {
         Self { kind, worker: worker(kind, library), worked: Duration::ZERO }
     }
 
@@ -56,11 +56,11 @@ impl Executor {
 }
 
 /// Who does a kind of work.
-fn worker(kind: Kind, library: Arc<Library>) -> Box<dyn Worker> {
+fn worker(kind: WorkKind, library: Arc<Library>) -> Box<dyn Worker> {
     match kind {
-        Kind::Play => Box::new(Playing::new(library)),
-        Kind::Forecast => Box::new(Foreseeing::new(library)),
-        Kind::Plan => Box::new(JobWorker::<Search>::new(library)),
-        Kind::Fit => Box::new(JobWorker::<FitRun>::new(library)),
+        WorkKind::Play => Box::new(Playing::new(library)),
+        WorkKind::Forecast => Box::new(Foreseeing::new(library)),
+        WorkKind::Plan => Box::new(JobWorker::<Search>::new(library)),
+        WorkKind::Fit => Box::new(JobWorker::<FitRun>::new(library)),
     }
 }

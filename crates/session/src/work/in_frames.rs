@@ -6,7 +6,7 @@ use saute_kitchen::Library;
 use web_time::{Duration, Instant};
 
 use super::executor::Executor;
-use super::{Agency, Helper, Kind};
+use super::{Agency, Helper, WorkKind};
 
 /// How long a frame may work [ms] (chosen: a quarter of a frame at 60 frames a second).
 const FRAME_MS: u64 = 4;
@@ -19,7 +19,7 @@ pub struct InFrames {
 
 impl InFrames {
     /// An executor without an order.
-    pub fn new(kind: Kind, library: &Arc<Library>) -> Self {
+    pub fn new(kind: WorkKind, library: &Arc<Library>) -> Self {
         Self { executor: Executor::new(kind, Arc::clone(library)), rests_until: None }
     }
 }
@@ -48,7 +48,7 @@ impl Helper for InFrames {
 pub struct Frames;
 
 impl Agency for Frames {
-    fn hire(&self, kind: Kind, library: &Arc<Library>) -> Box<dyn Helper> {
+    fn hire(&self, kind: WorkKind, library: &Arc<Library>) -> Box<dyn Helper> {
         Box::new(InFrames::new(kind, library))
     }
 }
@@ -56,14 +56,14 @@ impl Agency for Frames {
 /// A helper whose place is taken in frames once it is of no use: its last order is done anew.
 pub struct OrInFrames {
     helper: Box<dyn Helper>,
-    kind: Kind,
+    kind: WorkKind,
     library: Arc<Library>,
     order: Vec<u8>,
 }
 
 impl OrInFrames {
     /// Lets a helper work as long as it can.
-    pub fn new(helper: Box<dyn Helper>, kind: Kind, library: &Arc<Library>) -> Self {
+    pub fn new(helper: Box<dyn Helper>, kind: WorkKind, library: &Arc<Library>) -> Self {
         Self { helper, kind, library: Arc::clone(library), order: Vec::new() }
     }
 }

@@ -49,7 +49,7 @@ pub trait Job: Sized {
 
 /// What comes back.
 #[derive(Debug, Deserialize, Serialize)]
-pub struct Answer<T> {
+pub struct JobAnswer<T> {
     /// The number of the order.
     pub number: u64,
     /// How far it is.
@@ -122,7 +122,7 @@ impl<U: Job> Worker for JobWorker<U> {
     fn go_on(&mut self, budget: Duration) -> Option<Vec<u8>> {
         let refused = self.refused.take().map(|(number, why)| (number, Reply::Refused(why)));
         let (number, reply) = refused.or_else(|| self.slice(budget))?;
-        postcard::to_allocvec(&Answer { number, reply }).ok()
+        postcard::to_allocvec(&JobAnswer { number, reply }).ok()
     }
 }
 

@@ -9,7 +9,7 @@ use web_time::Duration;
 
 use super::executor::Executor;
 use super::in_frames::InFrames;
-use super::{Agency, Helper, Kind};
+use super::{Agency, Helper, WorkKind};
 
 /// Computing time between two looks at what is ordered [ms] (chosen: a new order waits no longer; short against a frame).
 const SLICE_MS: u64 = 8;
@@ -31,7 +31,7 @@ impl Threads {
 }
 
 impl Agency for Threads {
-    fn hire(&self, kind: Kind, library: &Arc<Library>) -> Box<dyn Helper> {
+    fn hire(&self, kind: WorkKind, library: &Arc<Library>) -> Box<dyn Helper> {
         match OwnThread::begin(kind, library, self) {
             Ok(helper) => Box::new(helper),
             Err(_) => Box::new(InFrames::new(kind, library)),
@@ -50,7 +50,7 @@ impl OwnThread {
     ///
     /// # Errors
     /// If the system gives none.
-    pub fn begin(kind: Kind, library: &Arc<Library>, threads: &Threads) -> std::io::Result<Self> {
+    pub fn begin(kind: WorkKind, library: &Arc<Library>, threads: &Threads) -> std::io::Result<Self> {
         let (orders, ordered) = channel();
         let (done, answers) = channel();
         let (library, wake, begins) = (Arc::clone(library), Arc::clone(&threads.wake), threads.begins);

@@ -12,7 +12,7 @@ use saute_session::playback::playing::Playing;
 use saute_session::work::in_frames::{Frames, OrInFrames};
 use saute_session::work::thread::Threads;
 use saute_session::work::worker::Worker;
-use saute_session::work::{Agency, Helper, Kind};
+use saute_session::work::{Agency, Helper, WorkKind};
 use web_time::Duration;
 
 /// How long a frame may play.
@@ -205,9 +205,9 @@ fn threads_and_frames_and_whoever_stands_in_play_the_same_cook() {
     let threads = Threads::new(Arc::new(|| {}), || {});
     let failing = Box::new(Beside { fails: true, ..Beside::new(&library) });
     let helpers: [Box<dyn Helper>; 3] = [
-        threads.hire(Kind::Play, &library),
-        Frames.hire(Kind::Play, &library),
-        Box::new(OrInFrames::new(failing, Kind::Play, &library)),
+        threads.hire(WorkKind::Play, &library),
+        Frames.hire(WorkKind::Play, &library),
+        Box::new(OrInFrames::new(failing, WorkKind::Play, &library)),
     ];
     for helper in helpers {
         assert_eq!(played_by(&library, &live, helper), live.kitchen.state_hash());

@@ -6,7 +6,7 @@ use crate::act::Card;
 use crate::frame_meter::FrameMeter;
 use crate::session::Session;
 use crate::settings::Settings;
-use saute_session::work::{Agency, Helper, Kind};
+use saute_session::work::{Agency, Helper, WorkKind};
 use saute_words::language::Language;
 
 impl SauteApp {
@@ -27,13 +27,13 @@ impl SauteApp {
 
     /// Lets an agency find helpers for heavy work from now on: each kind of work gets its own.
     pub fn employ(&mut self, agency: Box<dyn Agency>) {
-        self.session.employ(agency.hire(Kind::Play, &self.session.library));
-        self.session.employ_for_forecasts(agency.hire(Kind::Forecast, &self.session.library));
+        self.session.employ(agency.hire(WorkKind::Play, &self.session.library));
+        self.session.employ_for_forecasts(agency.hire(WorkKind::Forecast, &self.session.library));
         self.agency = Some(agency);
     }
 
     /// Hires a helper for a kind of work; none where nobody works beside the window.
-    pub fn hire(&self, kind: Kind) -> Option<Box<dyn Helper>> {
+    pub fn hire(&self, kind: WorkKind) -> Option<Box<dyn Helper>> {
         self.agency.as_ref().map(|agency| agency.hire(kind, &self.session.library))
     }
 

@@ -8,20 +8,20 @@ use wasm_bindgen::JsCast;
 
 use super::host::Host;
 use saute_session::work::in_frames::OrInFrames;
-use saute_session::work::{Agency, Helper, Kind};
+use saute_session::work::{Agency, Helper, WorkKind};
 
 /// The worker for a kind of work.
 struct OwnWorker {
     host: Host,
-    kind: Kind,
+    kind: WorkKind,
 }
 
 impl Agency for Host {
-    fn hire(&self, kind: Kind, library: &Arc<Library>) -> Box<dyn Helper> {
+    fn hire(&self, kind: WorkKind, library: &Arc<Library>) -> Box<dyn Helper> {
         let worker = Box::new(OwnWorker { host: self.clone(), kind });
         match kind {
             // Without a worker the session plays cooks itself.
-            Kind::Play => worker,
+            WorkKind::Play => worker,
             _ => Box::new(OrInFrames::new(worker, kind, library)),
         }
     }

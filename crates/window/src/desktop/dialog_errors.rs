@@ -1,7 +1,7 @@
 //! Whether a file dialog could be shown. The library that shows it returns nothing both where a person cancels and where the system
 //! has no dialog (no desktop portal, as on kiosks and bare window managers); only its log tells them apart.
 
-use crate::desktop::files::Answer;
+use crate::desktop::files::DialogAnswer;
 use log::{LevelFilter, Log, Metadata, Record};
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -30,15 +30,15 @@ impl Log for Hears {
 }
 
 /// Shows a dialog; where another log is installed, a dialog that cannot be shown counts as cancelled.
-pub(crate) fn show(dialog: impl FnOnce() -> Option<PathBuf>) -> Answer {
+pub(crate) fn show(dialog: impl FnOnce() -> Option<PathBuf>) -> DialogAnswer {
     if log::set_logger(&Hears).is_ok() {
         log::set_max_level(LevelFilter::Error);
     }
     FAILED.store(false, Ordering::SeqCst);
     match dialog() {
-        Some(path) => Answer::Chosen(path),
-        None if FAILED.load(Ordering::SeqCst) => Answer::NotShown,
-        None => Answer::Cancelled,
+        Some(path) => DialogAnswer::Chosen(path),
+        None if FAILED.load(Ordering::SeqCst) => DialogAnswer::NotShown,
+        None => DialogAnswer::Cancelled,
     }
 }
 
@@ -48,15 +48,15 @@ mod tests {
 
     #[test]
     fn a_failure_is_told_from_a_cancel() {
-        assert_eq!(show(|| None), Answer::Cancelled);
-        assert_eq!(show(|| Some("a.toml".into())), Answer::Chosen("a.toml".into()));
+        assert_eq!(show(|| None), DialogAnswer::Cancelled);
+        assert_eq!(show(|| Some("a.toml".into())), DialogAnswer::Chosen("a.toml".into()));
         log::error!(target: "wgpu", "something else");
-        assert_eq!(show(|| None), Answer::Cancelled);
+        assert_eq!(show(|| None), DialogAnswer::Cancelled);
         let fails = || {
             log::warn!(target: "rfd::backend", "another way is tried");
             log::error!(target: "rfd::backend", "no way is left");
             None
         };
-        assert_eq!(show(fails), Answer::NotShown);
+        assert_eq!(show(fails), DialogAnswer::NotShown);
     }
 }

@@ -26,7 +26,7 @@ pub(crate) enum Asked {
 
 /// What came of a dialog.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Answer {
+pub(crate) enum DialogAnswer {
     /// A file was chosen.
     Chosen(PathBuf),
     /// The person wants none.
@@ -37,7 +37,7 @@ pub(crate) enum Answer {
 
 /// A dialog that is open in a thread of its own; the window goes on.
 #[derive(Debug, Default)]
-pub(crate) struct Dialog(pub(crate) Option<(Asked, Receiver<Answer>)>);
+pub(crate) struct Dialog(pub(crate) Option<(Asked, Receiver<DialogAnswer>)>);
 
 /// Returns the path of a new file in a folder: the name, with a number where there is such a file.
 pub(crate) fn free_path(folder: &Path, name: &str) -> Result<PathBuf, String> {

@@ -3,7 +3,7 @@
 use maud::Markup;
 use saute_sweep::Manifest;
 
-use super::{Found, Sensitivity, tables};
+use super::{Indices, Sensitivity, tables};
 use crate::chart::axis::{Panel, Ticks, quantity};
 use crate::chart::bars::{bar, interval};
 use crate::chart::figure::Figure;
@@ -31,10 +31,10 @@ pub fn figure(manifest: &Manifest, one: &Sensitivity) -> Markup {
     figure.markup(|width| drawing(manifest, one, width), None)
 }
 
-fn legend(found: &Found) -> [(&'static str, String); 2] {
+fn legend(found: &Indices) -> [(&'static str, String); 2] {
     let entries = match found {
-        Found::Sobol(_) => [("core", "alone"), ("top", "with others; thin: 90 % interval")],
-        Found::Effects(_) => [("core", "mean size of the effects"), ("top", "their deviation")],
+        Indices::Sobol(_) => [("core", "alone"), ("top", "with others; thin: 90 % interval")],
+        Indices::Effects(_) => [("core", "mean size of the effects"), ("top", "their deviation")],
     };
     entries.map(|(class, name)| (class, name.to_owned()))
 }
@@ -45,12 +45,12 @@ fn bottom(manifest: &Manifest) -> f64 {
 }
 
 /// Returns the two bars of a value as value, low and high, in the unit of the axis.
-fn bars(found: &Found, place: usize) -> [[f64; 3]; 2] {
+fn bars(found: &Indices, place: usize) -> [[f64; 3]; 2] {
     match found {
-        Found::Sobol(indices) => {
+        Indices::Sobol(indices) => {
             [indices.of[place].first, indices.of[place].total].map(|e| [e.value, e.low, e.high].map(|v| 100.0 * v))
         }
-        Found::Effects(effects) => {
+        Indices::Effects(effects) => {
             let of = effects.of[place];
             [of.mean_size, of.deviation].map(|v| [v; 3])
         }
@@ -61,7 +61,7 @@ fn drawing(manifest: &Manifest, one: &Sensitivity, width: f64) -> String {
     let count = manifest.varied.len();
     let all = (0..count).flat_map(|place| bars(&one.found, place)).flatten();
     let most = all.fold(f64::MIN_POSITIVE, f64::max);
-    let end = if matches!(one.found, Found::Sobol(_)) { most.max(100.0) } else { most };
+    let end = if matches!(one.found, Indices::Sobol(_)) { most.max(100.0) } else { most };
     let edges = [LEFT, width - RIGHT, TOP, bottom(manifest)];
     let (x, y) = (Scale::new([0.0, end], [edges[0], edges[1]]), Scale::new([0.0, count as f64], [edges[2], edges[3]]));
     let values = manifest.varied.iter().enumerate();
@@ -69,13 +69,13 @@ fn drawing(manifest: &Manifest, one: &Sensitivity, width: f64) -> String {
     values.collect::<String>() + &axis(&Panel { x, y, edges }, &one.found, end)
 }
 
-fn axis(panel: &Panel, found: &Found, end: f64) -> String {
+fn axis(panel: &Panel, found: &Indices, end: f64) -> String {
     let range = [0.0, end];
     match found {
-        Found::Sobol(_) => {
+        Indices::Sobol(_) => {
             panel.x_axis(Ticks { range, step: 20.0 }, |share| share.to_string(), "share of the variance [%]")
         }
-        Found::Effects(_) => {
+        Indices::Effects(_) => {
             let word = |effect| if effect == 0.0 { "0".to_owned() } else { format!("{effect:.3}") };
             panel.x_axis(Ticks { range, step: end }, word, "")
         }

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use saute_files::checksums::Checksums;
 use saute_files::regular_file;
-use saute_formats::{Heading, Kind, Table};
+use saute_formats::{ColumnKind, Heading, Table};
 use saute_sweep::design::DesignKind;
 use saute_sweep::{Manifest, manifest};
 use saute_sweep_folder::{MANIFEST_MIB, PART_MIB, ROWS};
@@ -61,7 +61,7 @@ impl Rows {
 
     /// Returns the numbers of the results: columns that are not given by the design.
     pub fn numbers(&self) -> Vec<Heading> {
-        let is_result = |h: &&Heading| h.kind == Kind::Float && !h.name.starts_with("vary.");
+        let is_result = |h: &&Heading| h.kind == ColumnKind::Float && !h.name.starts_with("vary.");
         self.headings.iter().filter(is_result).cloned().collect()
     }
 

@@ -38,12 +38,12 @@ pub struct ReportArgs {
 #[derive(Debug)]
 pub struct Sensitivity {
     heading: Heading,
-    found: Found,
+    found: Indices,
 }
 
 /// By either method.
 #[derive(Debug)]
-enum Found {
+enum Indices {
     Sobol(SobolIndices),
     Effects(ElementaryEffects),
 }
@@ -74,8 +74,8 @@ pub fn run(args: &ReportArgs) -> Result<ExitCode, CliError> {
 fn sensitivity(manifest: &Manifest, heading: Heading, numbers: &[Option<f64>]) -> Option<Sensitivity> {
     let design = &manifest.design;
     let found = match design.kind {
-        DesignKind::Saltelli => Found::Sobol(sobol_indices(numbers, design.dimensions(), design.seed)?),
-        DesignKind::Morris => Found::Effects(elementary_effects(numbers, design)?),
+        DesignKind::Saltelli => Indices::Sobol(sobol_indices(numbers, design.dimensions(), design.seed)?),
+        DesignKind::Morris => Indices::Effects(elementary_effects(numbers, design)?),
         DesignKind::Grid | DesignKind::LatinHypercube | DesignKind::Sobol => return None,
     };
     Some(Sensitivity { heading, found })

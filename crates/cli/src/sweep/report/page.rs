@@ -4,7 +4,7 @@ use maud::{Markup, html};
 use saute_sweep::Manifest;
 use saute_sweep::design::DesignKind;
 
-use super::{Found, Sensitivity, bars, tables};
+use super::{Indices, Sensitivity, bars, tables};
 use crate::page;
 
 /// Returns the whole page.
@@ -34,8 +34,8 @@ fn rows(manifest: &Manifest) -> String {
 
 fn section(manifest: &Manifest, one: &Sensitivity) -> Markup {
     let left_out = match &one.found {
-        Found::Sobol(indices) => indices.left_out,
-        Found::Effects(effects) => effects.left_out,
+        Indices::Sobol(indices) => indices.left_out,
+        Indices::Effects(effects) => effects.left_out,
     };
     html! {
         section {

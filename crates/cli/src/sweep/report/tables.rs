@@ -4,14 +4,14 @@ use std::fmt::Write;
 
 use saute_sweep::Manifest;
 
-use super::{Found, Sensitivity};
+use super::{Indices, Sensitivity};
 use crate::error::CliError;
 
 /// Returns a table with one line for each number and value.
 pub fn csv(manifest: &Manifest, found: &[Sensitivity]) -> Result<String, CliError> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     let head: &[&str] = match found.first().map(|one| &one.found) {
-        Some(Found::Effects(_)) => &["mean", "mean_size", "deviation"],
+        Some(Indices::Effects(_)) => &["mean", "mean_size", "deviation"],
         _ => &["first", "first_low", "first_high", "total", "total_low", "total_high"],
     };
     let head = ["number", "unit", "value"].iter().chain(head).chain(&["used", "left_out"]);
@@ -28,14 +28,14 @@ pub fn csv(manifest: &Manifest, found: &[Sensitivity]) -> Result<String, CliErro
     Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
 
-fn line(found: &Found, place: usize) -> (Vec<f64>, [usize; 2]) {
+fn line(found: &Indices, place: usize) -> (Vec<f64>, [usize; 2]) {
     match found {
-        Found::Sobol(indices) => {
+        Indices::Sobol(indices) => {
             let of = indices.of[place];
             let numbers = [of.first, of.total].iter().flat_map(|e| [e.value, e.low, e.high]).collect();
             (numbers, [indices.used, indices.left_out])
         }
-        Found::Effects(effects) => {
+        Indices::Effects(effects) => {
             let of = effects.of[place];
             (vec![of.mean, of.mean_size, of.deviation], [effects.used, effects.left_out])
         }
@@ -56,7 +56,7 @@ pub fn text(manifest: &Manifest, one: &Sensitivity) -> String {
 pub fn words(one: &Sensitivity, place: usize) -> String {
     let unit = &one.heading.unit;
     match &one.found {
-        Found::Sobol(indices) => {
+        Indices::Sobol(indices) => {
             let pct = |share: f64| (100.0 * share).round() + 0.0;
             let (first, total) = (indices.of[place].first, indices.of[place].total);
             format!(
@@ -69,7 +69,7 @@ pub fn words(one: &Sensitivity, place: usize) -> String {
                 pct(total.high)
             )
         }
-        Found::Effects(effects) => {
+        Indices::Effects(effects) => {
             let of = effects.of[place];
             format!("{:+.3} {unit} over its range, deviation {:.3} {unit}", of.mean, of.deviation)
         }

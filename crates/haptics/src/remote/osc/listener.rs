@@ -13,7 +13,7 @@ use rosc::{OscMessage, OscPacket, OscType};
 use crate::open::{Access, OpenError, Reach};
 use crate::remote::allowance::Allowance;
 use crate::remote::network_thread::NetworkThread;
-use crate::remote::pairing::{Pairing, Verdict};
+use crate::remote::pairing::{Admission, Pairing};
 use crate::remote::reachable::reachable;
 use crate::remote::remote_pose::SILENCE_S;
 use crate::remote::timeout::is_timeout;
@@ -183,9 +183,9 @@ impl Listener {
 
     fn pair(&mut self, code: &str, from: SocketAddr, now: Instant) -> Result<(), Rejection> {
         match self.pairing.try_code(code, now) {
-            Verdict::Paired => {}
-            Verdict::Wait(wait) => return Err(Rejection::WrongCode(wait.as_secs_f64().ceil())),
-            Verdict::Closed => return Err(Rejection::Closed),
+            Admission::Paired => {}
+            Admission::Wait(wait) => return Err(Rejection::WrongCode(wait.as_secs_f64().ceil())),
+            Admission::Closed => return Err(Rejection::Closed),
         }
         if !self.is_paired(from) {
             if self.paired.len() >= MOST_SENDERS {

@@ -13,7 +13,7 @@ use super::orientation::{Level, acceleration, from_angles};
 use super::server::{Shared, TlsStream, WRITE_TIMEOUT};
 use super::slots::Slot;
 use crate::remote::allowance::Allowance;
-use crate::remote::pairing::Verdict;
+use crate::remote::pairing::Admission;
 use crate::remote::remote_pose::SILENCE_S;
 use crate::remote::timeout::is_timeout;
 
@@ -124,20 +124,20 @@ impl Session<'_> {
     }
 
     fn pair(&mut self, code: &str, now: Instant) -> bool {
-        let verdict = self.shared.pairing.lock().map_or(Verdict::Closed, |mut p| p.try_code(code, now));
+        let verdict = self.shared.pairing.lock().map_or(Admission::Closed, |mut p| p.try_code(code, now));
         match verdict {
-            Verdict::Paired => {
+            Admission::Paired => {
                 self.slot.pair();
                 self.number = Some(1 + self.shared.holder.fetch_add(1, Ordering::AcqRel));
                 // The previous phone may have left with its finger down.
                 self.press(false);
                 self.send(&ToPhone::Welcome)
             }
-            Verdict::Wait(wait) => {
+            Admission::Wait(wait) => {
                 self.reject();
                 self.send(&ToPhone::Refused { wait_s: wait.as_secs_f64(), closed: false })
             }
-            Verdict::Closed => {
+            Admission::Closed => {
                 self.reject();
                 self.send(&ToPhone::Refused { wait_s: 0.0, closed: true });
                 false

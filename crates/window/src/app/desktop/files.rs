@@ -3,7 +3,7 @@
 use crate::app::SauteApp;
 use crate::app::export::COOK_SAID;
 use crate::desktop::dialog_errors;
-use crate::desktop::files::{Answer, Asked, Dialog, free_path, read};
+use crate::desktop::files::{Asked, Dialog, DialogAnswer, free_path, read};
 use crate::plan::PlanFile;
 use saute_files::write_whole;
 use saute_session::export::Export;
@@ -63,13 +63,13 @@ impl SauteApp {
             Ok(answer) => {
                 self.here.dialog = Dialog::default();
                 match (answer, asked) {
-                    (Answer::Chosen(path), Asked::Open) => self.open_file(&path),
-                    (Answer::Chosen(path), Asked::Save(what)) => self.save_export(what, &path),
-                    (Answer::Chosen(path), Asked::SavePlan(file)) => self.save_plan_at(file, &path),
-                    (Answer::Cancelled, _) => {}
-                    (Answer::NotShown, Asked::Open) => self.say_how_to_open(),
-                    (Answer::NotShown, Asked::Save(what)) => self.export_without_dialog(what),
-                    (Answer::NotShown, Asked::SavePlan(file)) => self.save_plan_without_dialog(file),
+                    (DialogAnswer::Chosen(path), Asked::Open) => self.open_file(&path),
+                    (DialogAnswer::Chosen(path), Asked::Save(what)) => self.save_export(what, &path),
+                    (DialogAnswer::Chosen(path), Asked::SavePlan(file)) => self.save_plan_at(file, &path),
+                    (DialogAnswer::Cancelled, _) => {}
+                    (DialogAnswer::NotShown, Asked::Open) => self.say_how_to_open(),
+                    (DialogAnswer::NotShown, Asked::Save(what)) => self.export_without_dialog(what),
+                    (DialogAnswer::NotShown, Asked::SavePlan(file)) => self.save_plan_without_dialog(file),
                 }
             }
             Err(std::sync::mpsc::TryRecvError::Empty) => {}

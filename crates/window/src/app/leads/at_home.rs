@@ -5,10 +5,10 @@ use crate::app::SauteApp;
 use crate::at_home::AtHomeAct;
 use crate::at_home::acts::SCALE;
 use saute_session::at_home::kept::KeptKitchen;
-use saute_session::at_home::why_not::WhyNot;
+use saute_session::at_home::why_not::WhyNoFit;
 use saute_session::export::Export;
 use saute_session::plan::live::Live;
-use saute_session::work::Kind;
+use saute_session::work::WorkKind;
 use std::sync::Arc;
 
 impl SauteApp {
@@ -39,7 +39,7 @@ impl SauteApp {
     pub(crate) fn open_log(&mut self, name: &str, bytes: &[u8]) {
         self.desk.card = Some(Card::AtHome);
         if let Err(error) = self.leads.at_home.entered.take_log(name, bytes) {
-            self.desk.notice.say(WhyNot::from(error).words(self.settings.language));
+            self.desk.notice.say(WhyNoFit::from(error).words(self.settings.language));
         }
     }
 
@@ -72,7 +72,7 @@ impl SauteApp {
                 return;
             }
         };
-        let helper = (!self.leads.at_home.has_helper()).then(|| self.hire_or_frames(Kind::Fit));
+        let helper = (!self.leads.at_home.has_helper()).then(|| self.hire_or_frames(WorkKind::Fit));
         // The factors count from the typical kitchen, whatever is cooked in now.
         self.leads.at_home.ask(recipe.text, self.typical_home(), observed, helper);
     }

@@ -10,7 +10,7 @@ use saute_plan::schedule::Plan;
 use saute_plan::schedule::voice::Keeping;
 use saute_session::SPEEDS;
 use saute_session::plan::live::Live;
-use saute_session::work::Kind;
+use saute_session::work::WorkKind;
 use saute_session::work::in_frames::InFrames;
 use std::sync::Arc;
 
@@ -32,7 +32,7 @@ impl SauteApp {
 
     fn find_plan(&mut self) {
         let asked = self.settings.plan.asked(&self.settings.choice, &self.session.library, &self.settings);
-        let helper = (!self.leads.planning.has_helper()).then(|| self.hire_or_frames(Kind::Plan));
+        let helper = (!self.leads.planning.has_helper()).then(|| self.hire_or_frames(WorkKind::Plan));
         let home = self.session.home();
         let there = asked.hob.as_ref().and_then(|hob| home.on_hob(hob).ok());
         let home = there.as_deref().unwrap_or(home).home().map(str::to_owned);
@@ -40,7 +40,7 @@ impl SauteApp {
     }
 
     /// A helper for a kind of work; where no agency finds one, it works in frames.
-    pub(crate) fn hire_or_frames(&self, kind: Kind) -> Box<dyn saute_session::work::Helper> {
+    pub(crate) fn hire_or_frames(&self, kind: WorkKind) -> Box<dyn saute_session::work::Helper> {
         let in_frames = || Box::new(InFrames::new(kind, &self.session.library)) as Box<dyn saute_session::work::Helper>;
         self.hire(kind).unwrap_or_else(in_frames)
     }

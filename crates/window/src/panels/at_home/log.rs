@@ -7,7 +7,7 @@ use saute_plan::fit::log::reading::{CurveRead, Pick, Reading};
 use saute_plan::fit::log::times::TimeForm;
 use saute_plan::fit::log::unit::Unit;
 use saute_session::at_home::open_log::{Columns, OpenLog};
-use saute_session::at_home::why_not::WhyNot;
+use saute_session::at_home::why_not::WhyNoFit;
 use saute_words::clock::clock;
 
 use super::at_home_state::AtHomeState;
@@ -172,7 +172,7 @@ fn as_read(state: &PanelContext, ui: &mut Ui, reading: &Reading) {
 /// What is wrong, or what would have to be known, with the answers that are possible.
 fn question(state: &PanelContext, ui: &mut Ui, error: &LogError, columns: &mut Columns) {
     let l = state.settings.language;
-    ui.label(RichText::new(WhyNot::from(error.clone()).words(l)).size(13.5).color(theme::of(ui).accent));
+    ui.label(RichText::new(WhyNoFit::from(error.clone()).words(l)).size(13.5).color(theme::of(ui).accent));
     let Some(Question::Times(forms)) = &error.question else { return };
     ui.horizontal_wrapped(|ui| {
         for form in forms {

@@ -13,10 +13,10 @@ const WIDTH: f32 = 520.0;
 const HEIGHT: f32 = 30.0;
 
 /// Keys of the name and of what it is, and what its button does.
-type Entry = (&'static str, &'static str, Act);
+type LearnRow = (&'static str, &'static str, Act);
 
 /// What the menu offers, in its order.
-const ENTRIES: [Entry; 7] = [
+const ENTRIES: [LearnRow; 7] = [
     ("tutorial.title", "learn.tutorial", Act::Learn(LearnAct::Tutorial(true))),
     ("goals.title", "learn.goals", Act::App(AppAct::Open(Card::Goals))),
     ("plan.title", "learn.plan", Act::App(AppAct::Open(Card::Plan))),
@@ -36,7 +36,7 @@ pub fn show(state: &PanelContext, ui: &Ui, acts: &mut Acts, whole: Rect) {
     });
 }
 
-fn row(state: &PanelContext, ui: &mut Ui, acts: &mut Acts, (name, what, act): &Entry) {
+fn row(state: &PanelContext, ui: &mut Ui, acts: &mut Acts, (name, what, act): &LearnRow) {
     let l = state.settings.language;
     let size = vec2(ui.available_width(), fingers::height(ui, HEIGHT));
     if ui.add(theme::of(ui).button(l.text(name), false).min_size(size)).clicked() {

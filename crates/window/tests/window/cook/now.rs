@@ -8,7 +8,7 @@ use egui::accesskit::{Action, ActionRequest, NodeId, Role, TreeId, TreeUpdate};
 use egui::{Context, Event, RawInput};
 use saute_kitchen::advice::class_goal;
 use saute_kitchen::{Place, TICK_S};
-use saute_plan::goal::Verdict;
+use saute_plan::goal::GoalVerdict;
 use saute_session::SteakChoice;
 use saute_window::act::{Act, AppAct, CookAct, Setting};
 use saute_window::learn::goal_choice::goal_of;
@@ -128,7 +128,7 @@ fn cooked(pan: &str, mm: f64, class: usize, late_s: f64) -> Result<(), String> {
         outcome.least_crust_pct,
         outcome.hottest_c
     );
-    if judgement.verdict == Verdict::Met { Ok(()) } else { Err(format!("{pan} {mm} mm {} {late_s}", goal.name)) }
+    if judgement.verdict == GoalVerdict::Met { Ok(()) } else { Err(format!("{pan} {mm} mm {} {late_s}", goal.name)) }
 }
 
 #[test]

@@ -12,7 +12,7 @@ use saute_kitchen::{Command, Library, celsius};
 use saute_plan::forecast::{EXACT_S, Question, SPANS_S};
 use saute_session::work::executor::Executor;
 use saute_session::work::thread::Threads;
-use saute_session::work::{Agency, Helper, Kind};
+use saute_session::work::{Agency, Helper, WorkKind};
 use saute_window::act::{Act, AppAct, Card, Setting};
 use saute_window::session::Session;
 use saute_window::ui::layout::Layout;
@@ -36,8 +36,8 @@ struct Worker {
 }
 
 impl Agency for AtOnce {
-    fn hire(&self, kind: Kind, library: &Arc<Library>) -> Box<dyn Helper> {
-        let is_kept = kind == Kind::Forecast;
+    fn hire(&self, kind: WorkKind, library: &Arc<Library>) -> Box<dyn Helper> {
+        let is_kept = kind == WorkKind::Forecast;
         Box::new(Worker { executor: Executor::new(kind, Arc::clone(library)), agency: self.clone(), is_kept })
     }
 }
@@ -291,11 +291,11 @@ fn a_thread_answers_what_the_same_thread_answers() {
     steps(&mut harness, 12);
     let library = Arc::clone(&harness.state().session().library);
     let order = agency.orders.borrow().last().expect("an order").clone();
-    let here = answers_of(AtOnce::default().hire(Kind::Forecast, &library), &order);
+    let here = answers_of(AtOnce::default().hire(WorkKind::Forecast, &library), &order);
     let threads = Threads::new(Arc::new(|| {}), || {});
-    assert_eq!(answers_of(threads.hire(Kind::Forecast, &library), &order), here);
+    assert_eq!(answers_of(threads.hire(WorkKind::Forecast, &library), &order), here);
     let frames = saute_session::work::in_frames::Frames;
-    assert_eq!(answers_of(frames.hire(Kind::Forecast, &library), &order), here);
+    assert_eq!(answers_of(frames.hire(WorkKind::Forecast, &library), &order), here);
 }
 
 #[test]

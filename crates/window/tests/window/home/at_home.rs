@@ -16,7 +16,7 @@ use saute_session::at_home::fitting::Standing;
 use saute_session::at_home::kept::KeptKitchen;
 use saute_session::kept::link;
 use saute_session::work::executor::Executor;
-use saute_session::work::{Agency, Helper, Kind};
+use saute_session::work::{Agency, Helper, WorkKind};
 use saute_window::SauteApp;
 use saute_window::act::{Act, AppAct, Card, HereAct, LearnAct, Setting, ViewAct};
 use saute_window::at_home::AtHomeAct;
@@ -62,7 +62,7 @@ struct Patient;
 struct PatientHelper(Executor);
 
 impl Agency for Patient {
-    fn hire(&self, kind: Kind, library: &Arc<Library>) -> Box<dyn Helper> {
+    fn hire(&self, kind: WorkKind, library: &Arc<Library>) -> Box<dyn Helper> {
         Box::new(PatientHelper(Executor::new(kind, Arc::clone(library))))
     }
 }

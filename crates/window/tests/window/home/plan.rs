@@ -12,7 +12,7 @@ use saute_plan::schedule::search::PlanData;
 use saute_plan::schedule::{Change, Job, Mesh, Order, Plan, Pull, Schedule, Sensitivity, Setting as Power};
 use saute_session::SteakChoice;
 use saute_session::plan::job::{PlanAnswer, PlanOrder, Reply};
-use saute_session::work::{Agency, Helper, Kind};
+use saute_session::work::{Agency, Helper, WorkKind};
 use saute_window::SauteApp;
 use saute_window::act::{Act, AppAct, Card, LearnAct, Setting};
 use saute_window::plan::choice::PlanChoice;
@@ -77,9 +77,9 @@ struct Canned(Plan);
 struct CannedHelper(Plan, Option<u64>);
 
 impl Agency for Canned {
-    fn hire(&self, kind: Kind, library: &Arc<Library>) -> Box<dyn Helper> {
+    fn hire(&self, kind: WorkKind, library: &Arc<Library>) -> Box<dyn Helper> {
         match kind {
-            Kind::Plan => Box::new(CannedHelper(self.0.clone(), None)),
+            WorkKind::Plan => Box::new(CannedHelper(self.0.clone(), None)),
             _ => saute_session::work::in_frames::Frames.hire(kind, library),
         }
     }

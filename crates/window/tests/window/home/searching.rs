@@ -11,7 +11,7 @@ use saute_plan::schedule::{Plan, Planner, Stage};
 use saute_session::plan::job::{PlanAnswer, PlanOrder, PlanProgress, Reply};
 use saute_session::plan::planning::Planning;
 use saute_session::work::executor::Executor;
-use saute_session::work::{Agency, Helper, Kind};
+use saute_session::work::{Agency, Helper, WorkKind};
 use saute_window::act::{Act, AppAct, Card, LearnAct};
 use saute_window::plan::PlanAct;
 
@@ -37,7 +37,7 @@ struct HalfWay(Plan);
 struct HalfWayHelper(Plan, Option<u64>);
 
 impl Agency for HalfWay {
-    fn hire(&self, _: Kind, _: &Arc<Library>) -> Box<dyn Helper> {
+    fn hire(&self, _: WorkKind, _: &Arc<Library>) -> Box<dyn Helper> {
         Box::new(HalfWayHelper(self.0.clone(), None))
     }
 }
@@ -98,7 +98,7 @@ fn a_search_off_the_frame_finds_the_plan_of_a_plain_one() {
         crust_pct: 0.0,
     };
     let mut planning = Planning::default();
-    planning.ask(asked.clone(), None, Some(Box::new(AtOnce(Executor::new(Kind::Plan, Arc::clone(&library))))));
+    planning.ask(asked.clone(), None, Some(Box::new(AtOnce(Executor::new(WorkKind::Plan, Arc::clone(&library))))));
     while planning.is_searching() {
         planning.take_answers(&library);
     }

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use egui::Key;
 use egui_kittest::kittest::Queryable;
 use saute_kitchen::{Command, Place, RestOn};
-use saute_plan::goal::{Better, Goal, Judgement, Shortfall, Verdict};
+use saute_plan::goal::{Better, Goal, GoalVerdict, Judgement, Shortfall};
 use saute_window::act::{Act, AppAct, Card, CookAct, Setting};
 use saute_window::learn::goal_choice::goal_of;
 use saute_window::{Helps, SauteApp, Start};
@@ -65,9 +65,9 @@ fn the_result_that_is_switched_off_stays_away_and_one_of_rare_medium_and_overcoo
             "overcooked" => Some(Shortfall::Overcooked),
             _ => None,
         };
-        let is_met = judgement.verdict == Verdict::Met;
+        let is_met = judgement.verdict == GoalVerdict::Met;
         assert!(says(&harness, if is_met { "Goal met: Medium" } else { "Goal missed: Medium" }), "{name}");
-        if let (Some(shortfall), Verdict::Missed(missed)) = (expected, &judgement.verdict) {
+        if let (Some(shortfall), GoalVerdict::Missed(missed)) = (expected, &judgement.verdict) {
             assert!(missed.contains(&shortfall), "{name}: {judgement:?}");
         }
         assert_eq!(is_met, expected.is_none(), "{name}: {judgement:?}");
