@@ -1,11 +1,11 @@
 //! Heavy work off the frame: orders as bytes that go away, answers as bytes that come back.
 //!
-//! Each [`WorkKind`] of work has a worker of its own, so that none waits behind another. The window hires a [`Helper`] for a kind from
+//! Each [`WorkKind`] has a worker of its own, so that none waits behind another. The window hires a [`Helper`] for a kind from
 //! its [`Agency`], gives it orders and goes on drawing. On the other side an [`Executor`](self::executor::Executor) does the work in slices:
 //! on a thread in the native window, in a second instance of the program in a page's worker, or, where there is neither, in the
 //! window's own thread between frames. Nothing is shared: what an order needs is in its bytes, or in the embedded library.
 //!
-//! To add a kind of work: a variant of [`WorkKind`] with its name, and a [`Worker`](self::worker::Worker) in [`executor`](self::executor). The page's
+//! To add a kind of work: a variant of [`WorkKind`] with its name, and a [`Worker`](self::worker::Worker) in [`executor`]. The page's
 //! scripts take the name as it is. An order replaces the one before and an empty one ends the work, so answers state the number of
 //! their order: some of an earlier one may still be on their way.
 
