@@ -111,7 +111,7 @@ impl FitReport {
         let source = format!("fitted to {samples} values of {log}{read}; misfit {misfit:.2}");
         let at_home = KitchenAtHome { source, ..self.at_home.clone() };
         format!(
-            "# FitResult by saute fit. 90 % intervals: efficiency of the hob {:.3}–{:.3}, contact {:.2}–{:.2}, thickness of that food {:.1}–{:.1} mm.\n{}",
+            "# Found by saute fit. 90 % intervals: efficiency of the hob {:.3}–{:.3}, contact {:.2}–{:.2}, thickness of that food {:.1}–{:.1} mm.\n{}",
             hob.low,
             hob.high,
             contact.low,

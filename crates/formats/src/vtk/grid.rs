@@ -1,6 +1,6 @@
 //! An unstructured grid: points, cells, and arrays with units on both.
 
-/// ColumnKind of a cell, with its number in VTK.
+/// Kind of a cell, with its number in VTK.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]
 pub enum CellKind {

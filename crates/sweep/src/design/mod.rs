@@ -33,7 +33,7 @@ pub enum DesignKind {
 /// A design with its size: how many rows there are and what varies in each.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct Design {
-    /// ColumnKind.
+    /// Kind.
     pub kind: DesignKind,
     /// Number of rows, base rows or trajectories; not used by a grid [-].
     pub n: u64,

@@ -65,7 +65,7 @@ pub struct RangeEntry {
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct DesignEntry {
-    /// ColumnKind.
+    /// Kind.
     pub kind: DesignKind,
     /// Rows of a Latin hypercube or a Sobol' sequence, base rows of `saltelli`, trajectories of `morris` [-]; a grid has none.
     #[schemars(with = "Option<i64>", range(min = 1))]
