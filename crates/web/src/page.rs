@@ -7,7 +7,7 @@ use eframe::{CreationContext, WebOptions, WebRunner};
 use saute_recipe::Recipe;
 use saute_window::browser::host::PageStart;
 use saute_window::pose::Pose;
-use saute_window::{Helps, SauteApp, Start};
+use saute_window::{DesktopOptions, SauteApp, Start};
 use wasm_bindgen::prelude::wasm_bindgen;
 use wasm_bindgen::{JsCast, JsValue};
 use web_sys::HtmlCanvasElement;
@@ -172,8 +172,8 @@ fn start(options: Options) -> Result<Start, String> {
     let host = PageStart { host, kept, link, is_embedded, opening, version };
     let lesson = options.lesson.map(|lesson| led::lesson(&library, lesson)).transpose()?;
     let (language, library) = (options.language, Some(library.into()));
-    let helps = Helps::default();
-    Ok(Start { library, recipe, recorded: None, study, lesson, language, frugal: true, helps, host })
+    let desktop = DesktopOptions::default();
+    Ok(Start { library, recipe, recorded: None, study, lesson, language, frugal: true, desktop, host })
 }
 
 fn shipped(library: &saute_kitchen::Library, name: &str) -> Result<Recipe, String> {

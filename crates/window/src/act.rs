@@ -5,7 +5,7 @@ mod bindings;
 mod card;
 mod cook_act;
 mod guided_act;
-mod here_act;
+mod host_act;
 mod learn_act;
 mod one_act;
 #[cfg(test)]
@@ -20,7 +20,7 @@ pub use self::bindings::{BINDINGS, Binding, CHORDS, ROLL_STEP, TOOL_STEP, hint, 
 pub use self::card::Card;
 pub use self::cook_act::CookAct;
 pub use self::guided_act::GuidedAct;
-pub use self::here_act::HereAct;
+pub use self::host_act::HostAct;
 pub use self::learn_act::LearnAct;
 pub use self::one_act::{Act, Acts};
 pub use self::setting::Setting;

@@ -42,7 +42,7 @@ use self::pace::Pace;
 use self::sights::Sights;
 use self::sounds::Sounds;
 use crate::act::Card;
-use crate::host::{Here, Host};
+use crate::host::{CurrentHost, Host};
 use crate::mirror::presenter::MirrorCallback;
 use crate::paint::ground::GroundCallback;
 use crate::paint::panel_layer::PanelLayer;
@@ -85,7 +85,7 @@ pub struct SauteApp {
     /// Who finds helpers for heavy work, if anyone does.
     agency: Option<Box<dyn Agency>>,
     /// What the window has of the desktop, or of its page.
-    pub(crate) here: Here,
+    pub(crate) host: CurrentHost,
 }
 
 impl SauteApp {
@@ -138,10 +138,10 @@ impl SauteApp {
             graphics: Graphics::new(start.frugal, japanese_font),
             keeps: Keeps { library: started, autosave: Default::default() },
             agency: None,
-            here: Here::default(),
+            host: CurrentHost::default(),
         };
         app.draw_on(context, graphics);
-        app.take_help(start.helps, context);
+        app.take_options(start.desktop, context);
         app.settings.language = Language::ENGLISH;
         app.set_language(language);
         if refused {
@@ -199,7 +199,7 @@ impl SauteApp {
 
     /// Returns true if panels and clock make room for the camera.
     pub(crate) fn photo_is_open(&self) -> bool {
-        self.here.photo().is_some()
+        self.host.photo().is_some()
     }
 
     /// Returns true if a card covers the scene, or a photo is taken of it; time then waits.

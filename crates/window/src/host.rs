@@ -7,9 +7,9 @@ use saute_scene::light::photo::Photo;
 use saute_study::class::ResultRow;
 
 #[cfg(target_arch = "wasm32")]
-pub use crate::browser::{host::PageStart as HostStart, page::Page as Here};
+pub use crate::browser::{host::PageStart as HostStart, page::Page as CurrentHost};
 #[cfg(not(target_arch = "wasm32"))]
-pub use crate::desktop::{hand::HandsStart as HostStart, host::Desktop as Here};
+pub use crate::desktop::{hand::HandsStart as HostStart, host::Desktop as CurrentHost};
 use crate::input::gamepad::PadState;
 use crate::listener::Listener;
 

@@ -41,4 +41,4 @@ pub(crate) mod system;
 pub mod ui;
 
 pub use app::SauteApp;
-pub use start::{Helps, Start, StartError};
+pub use start::{DesktopOptions, Start, StartError};

@@ -22,8 +22,8 @@ pub struct Start {
     pub language: Option<Language>,
     /// True draws panels a few times a second where the graphics are software.
     pub frugal: bool,
-    /// What may help the window.
-    pub helps: Helps,
+    /// What only a desktop has.
+    pub desktop: DesktopOptions,
     /// A study that leads the window.
     pub study: Option<StudyStart>,
     /// A lesson to begin with.
@@ -40,9 +40,9 @@ impl Start {
     }
 }
 
-/// What may help the window; a page has all of its own.
+/// What a desktop lets the window use; a page ignores it.
 #[derive(Clone, Debug, Default)]
-pub struct Helps {
+pub struct DesktopOptions {
     /// True lets threads work beside the window; without them nobody does.
     pub threads: bool,
     /// True plays the sound of the cook on the system's sound card.

@@ -9,7 +9,7 @@ use saute_session::guided::{LessonStart, StudyStart};
 use saute_study::class::{Scenario, shipped};
 use saute_study::{NoCode, Participant};
 use saute_window::desktop::hand::HandsStart;
-use saute_window::{Helps, Start};
+use saute_window::{DesktopOptions, Start};
 
 use crate::args::{HandArgs, OpenArgs};
 use crate::error::CliError;
@@ -53,8 +53,8 @@ fn open(data: DataLibrary, hands: HandArgs, start: Start) -> Result<ExitCode, Cl
     }
     let HandArgs { device, turner, pairing, calibration } = hands;
     let host = HandsStart { pan: device, turner, pairing, calibration };
-    let helps = Helps { threads: true, speaker: true, pictures: None };
-    let start = Start { library: Some(Arc::new(data.library)), host, helps, ..start };
+    let desktop = DesktopOptions { threads: true, speaker: true, pictures: None };
+    let start = Start { library: Some(Arc::new(data.library)), host, desktop, ..start };
     saute_window::desktop::window::run(start)
         .map_err(|e| CliError::NoDisplay(format!("the window cannot be opened: {e}\n{NO_DISPLAY}")))?;
     Ok(ExitCode::SUCCESS)

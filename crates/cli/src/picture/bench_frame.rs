@@ -9,7 +9,7 @@ use saute_recipe::Recipe;
 use saute_recipe::full_pan::{SHRIMPS, SHRIMPS_LIE_S};
 use saute_window::desktop::bench_frame::{DISH, DISH_FROM_S, FROM_S, FrameCase, bench_frame};
 use saute_window::ui::quality_choice::QualityChoice;
-use saute_window::{Helps, Start};
+use saute_window::{DesktopOptions, Start};
 
 use super::choices::QualityName;
 use super::size::size;
@@ -75,8 +75,8 @@ pub fn run(args: &BenchFrameArgs, data: &DataLibrary, process_start: Instant) ->
     };
     let quality = args.quality.map_or(QualityChoice::Automatic, |name| QualityChoice::Always(name.into()));
     let library = Some(Arc::new(data.library.clone()));
-    let helps = Helps { threads: args.forecasts, ..Helps::default() };
-    let start = Start { library, recipe: Some(recipe), helps, ..Start::default() };
+    let desktop = DesktopOptions { threads: args.forecasts, ..DesktopOptions::default() };
+    let start = Start { library, recipe: Some(recipe), desktop, ..Start::default() };
     let case = FrameCase { size: args.size, from_s: args.from_s.unwrap_or(from_s), quality, speed: args.speed };
     let bench = bench_frame(start, case, process_start)?;
     if args.json {

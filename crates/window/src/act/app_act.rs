@@ -1,7 +1,7 @@
 //! Cards, files, pictures, devices and settings.
 
 use super::card::Card;
-use super::here_act::HereAct;
+use super::host_act::HostAct;
 use super::setting::Setting;
 use super::traits::Traits;
 use saute_session::export::Export;
@@ -33,7 +33,7 @@ pub enum AppAct {
     /// Saves the result of the cook as a picture.
     ShareResult,
     /// What only a desktop, or only a page, has.
-    Here(HereAct),
+    Host(HostAct),
     /// Changes a remembered setting.
     Set(Setting),
     /// Says something over the scene.
@@ -67,7 +67,7 @@ impl AppAct {
             Self::Mirror => Traits { words: "key.mirror", over_cards: true, ..Traits::needing(&[Permit::Devices]) },
             Self::MirrorWindow(_) | Self::Calibrate(_) | Self::ReadRig => Traits::needing(&[Permit::Devices]),
             Self::ShareResult => Traits::needing(&[Permit::Pictures]),
-            Self::Here(act) => act.traits(),
+            Self::Host(act) => act.traits(),
             Self::Set(setting) => Traits::needing(setting.needs()),
             Self::Say(_) => Traits::needing(&[Permit::Eye]),
             Self::Open(card) => Traits::needing(card.needs()),

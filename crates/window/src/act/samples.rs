@@ -7,7 +7,7 @@ use saute_plan::forecast::Question;
 use saute_scene::light::room_light::RoomLight;
 use saute_scene::light::white_balance::WhiteBalance;
 
-use super::{Act, AppAct, Card, CookAct, HereAct, LearnAct, Setting, TimeAct, ViewAct};
+use super::{Act, AppAct, Card, CookAct, HostAct, LearnAct, Setting, TimeAct, ViewAct};
 use crate::act::GuidedAct;
 use crate::at_home::AtHomeAct;
 use crate::desktop::hand::Role;
@@ -199,7 +199,7 @@ fn app() -> Vec<AppAct> {
         AppAct::Calibrate(_) => AppAct::Calibrate(false),
         AppAct::ReadRig => AppAct::ReadRig,
         AppAct::ShareResult => AppAct::ShareResult,
-        AppAct::Here(_) => AppAct::Here(HereAct::TimeLapse),
+        AppAct::Host(_) => AppAct::Host(HostAct::TimeLapse),
         AppAct::Set(_) => AppAct::Set(Setting::Coach(true)),
         AppAct::Say(_) => AppAct::Say("so it is".into()),
         AppAct::Open(_) => AppAct::Open(Card::Help),
@@ -209,22 +209,22 @@ fn app() -> Vec<AppAct> {
         AppAct::Messages => AppAct::Messages,
         AppAct::Close => AppAct::Close,
     };
-    all.extend(here().into_iter().map(AppAct::Here));
+    all.extend(host().into_iter().map(AppAct::Host));
     all.extend(settings().into_iter().map(AppAct::Set));
     all.extend(cards().into_iter().flat_map(|card| [AppAct::Open(card), AppAct::Shut(card)]));
     all.extend([Export::Recipe, Export::Readings].map(AppAct::Export));
     all
 }
 
-fn here() -> Vec<HereAct> {
-    samples! { HereAct:
-        HereAct::OpenFile(_) => HereAct::OpenFile("a.toml".into()),
-        HereAct::ShowFile(_) => HereAct::ShowFile("a.toml".into()),
-        HereAct::ResumeHands => HereAct::ResumeHands,
-        HereAct::Connect { .. } => HereAct::Connect { role: Role::Pan, device: "spidar-pan".into(), pairing: 0 },
-        HereAct::Disconnect(_) => HereAct::Disconnect(Role::Turner),
-        HereAct::SetPhoto(_) => HereAct::SetPhoto(Default::default()),
-        HereAct::TimeLapse => HereAct::TimeLapse,
+fn host() -> Vec<HostAct> {
+    samples! { HostAct:
+        HostAct::OpenFile(_) => HostAct::OpenFile("a.toml".into()),
+        HostAct::ShowFile(_) => HostAct::ShowFile("a.toml".into()),
+        HostAct::ResumeHands => HostAct::ResumeHands,
+        HostAct::Connect { .. } => HostAct::Connect { role: Role::Pan, device: "spidar-pan".into(), pairing: 0 },
+        HostAct::Disconnect(_) => HostAct::Disconnect(Role::Turner),
+        HostAct::SetPhoto(_) => HostAct::SetPhoto(Default::default()),
+        HostAct::TimeLapse => HostAct::TimeLapse,
     }
 }
 

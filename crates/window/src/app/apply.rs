@@ -14,6 +14,7 @@ use crate::act::{Act, AppAct, Card, CookAct, LearnAct, Setting, TimeAct, ViewAct
 use crate::app::SauteApp;
 use crate::app::on_host::OnHost;
 use crate::input::tool_hand::TurnerPose;
+use crate::system::IS_PAGE;
 
 /// Height of a toss by key [m] (chosen: over the rim, within reach).
 const TOSS_M: f64 = 0.12;
@@ -138,8 +139,10 @@ impl SauteApp {
             AppAct::StopHands => self.stop_hands(),
             AppAct::Picture => self.take_picture(ctx),
             AppAct::Photo => self.turn_photo_mode(ctx),
-            AppAct::Here(act) => self.act_here(act, ctx),
-            AppAct::Mirror => self.turn_mirror(),
+            AppAct::Host(act) => self.act_on_host(act, ctx),
+            // A page has one canvas.
+            AppAct::Mirror if IS_PAGE => self.say("settings.native_only"),
+            AppAct::Mirror => self.toggle_mirror(),
             AppAct::MirrorWindow(open) => (self.sights.mirror.open, self.sights.mirror.full) = (open, false),
             AppAct::Calibrate(on) => self.calibrate_mirror(on),
             AppAct::ReadRig => self.sights.mirror.forget_rig(),

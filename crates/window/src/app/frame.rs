@@ -44,7 +44,7 @@ impl SauteApp {
         self.show(ui);
         self.sound(ctx.input(|i| i.time));
         self.inputs.tab_end.look(&ctx);
-        self.tell_shown();
+        self.publish_frame();
         self.show_mirror(&ctx);
     }
 

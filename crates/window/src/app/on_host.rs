@@ -5,16 +5,16 @@ use saute_scene::mesh::strings::StringLook;
 use saute_session::export::Export;
 use saute_words::language::Language;
 
-use crate::act::HereAct;
+use crate::act::HostAct;
 use crate::host::HostStart;
 use crate::plan::PlanFile;
-use crate::start::Helps;
+use crate::start::DesktopOptions;
 use crate::ui::layout::{Layout, Pane};
 
 /// What the app does differently on a desktop and in a page; [`super::SauteApp`] does it once for each, and only one of both is compiled.
 pub(crate) trait OnHost {
-    /// Takes the help that a start allows: threads, sound, a folder of pictures.
-    fn take_help(&mut self, helps: Helps, ctx: &Context);
+    /// Takes what a desktop lets the window use: threads, sound, a folder of pictures.
+    fn take_options(&mut self, options: DesktopOptions, ctx: &Context);
 
     /// Makes itself at home: connects devices, opens what an address names, keeps the cook if it `keeps` it.
     fn settle_in(&mut self, start: HostStart, keeps: bool, ctx: &Context);
@@ -28,11 +28,11 @@ pub(crate) trait OnHost {
     /// Takes what has come since the last frame: chosen files, pictures that are made, fonts.
     fn take_news(&mut self, ctx: &Context);
 
-    /// Tells the world around the window what a frame has shown.
-    fn tell_shown(&mut self);
+    /// Hands what a frame has shown to the host.
+    fn publish_frame(&mut self);
 
     /// Carries out an act that only this host has.
-    fn act_here(&mut self, act: HereAct, ctx: &Context);
+    fn act_on_host(&mut self, act: HostAct, ctx: &Context);
 
     /// Opens a file dialog for a recipe, a session or a log.
     fn choose_file(&mut self, ctx: &Context);
@@ -48,9 +48,6 @@ pub(crate) trait OnHost {
 
     /// Opens the photo mode or closes it; where there is none, saves a picture.
     fn turn_photo_mode(&mut self, ctx: &Context);
-
-    /// Opens the half mirror's window or closes it, and states how to use it.
-    fn turn_mirror(&mut self);
 
     /// Stops all devices until a hand resumes.
     fn stop_hands(&mut self);

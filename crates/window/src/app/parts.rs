@@ -8,7 +8,7 @@ use super::findings::Findings;
 use super::hands::Inputs;
 use super::leads::Leads;
 use super::sights::Sights;
-use crate::host::Here;
+use crate::host::CurrentHost;
 use crate::panels::Parts;
 use crate::panels::at_home::at_home_state::AtHomeState;
 use crate::panels::cards::mirror::MirrorState;
@@ -26,12 +26,12 @@ use crate::panels::ways::ways_state::WaysState;
 impl SauteApp {
     /// What each panel reads in a frame, and what panels keep.
     pub(crate) fn parts<'a>(&'a mut self, found: &'a Findings) -> (Parts<'a>, &'a mut PanelMemory) {
-        let Self { session, settings, sights, inputs, leads, desk, pace, graphics, here, .. } = self;
+        let Self { session, settings, sights, inputs, leads, desk, pace, graphics, host, .. } = self;
         let Desk { card, notice, memory } = desk;
         let context = PanelContext { session, settings, guided: leads.guided.as_ref() };
         let parts = Parts {
             context,
-            here,
+            host,
             scene: &sights.scene,
             card: *card,
             unfinished_s: found.unfinished_s,
@@ -41,7 +41,7 @@ impl SauteApp {
             result: found.result.as_ref(),
             top: TopState { context, card: *card, is_cut: sights.slice.is_some() },
             now: now(context, leads, found, card.is_some()),
-            cook: cook(context, here, inputs, found),
+            cook: cook(context, host, inputs, found),
             inside: inside(context, sights, found),
             ways: ways(context, sights, found),
             settings: SettingsState { context, quality: found.quality, japanese_font: graphics.japanese_font },
@@ -66,10 +66,10 @@ fn now<'a>(context: PanelContext<'a>, leads: &'a Leads, found: &'a Findings, car
     }
 }
 
-fn cook<'a>(context: PanelContext<'a>, here: &'a Here, inputs: &Inputs, found: &'a Findings) -> CookState<'a> {
+fn cook<'a>(context: PanelContext<'a>, host: &'a CurrentHost, inputs: &Inputs, found: &'a Findings) -> CookState<'a> {
     CookState {
         context,
-        here,
+        host,
         tool: inputs.tool_hand.tool,
         turner_in_hand: inputs.tool_hand.turner.is_some(),
         portion: inputs.portion,

@@ -42,7 +42,7 @@ impl SauteApp {
         let share = 1.0 - (-(now - self.sounds.shown_at).max(0.0) / READ_S).exp();
         self.sounds.shown = nearer(&self.sounds.shown, &snapshot, share as f32);
         self.sounds.shown_at = now;
-        if !is_paused && let Some(speaker) = self.here.speaker() {
+        if !is_paused && let Some(speaker) = self.host.speaker() {
             match speaker {
                 Ok(listener) => self.let_listen(listener),
                 Err(trouble) => self.say_no_sound(&trouble),

@@ -6,14 +6,14 @@ use crate::act::{Subject, Traits};
 
 /// What only a page lets a person do.
 #[derive(Clone, Debug, PartialEq)]
-pub enum HereAct {
+pub enum HostAct {
     /// The phone holds the pan, or no longer.
     TiltPhone,
     /// Copies what a report of a problem needs.
     Report,
 }
 
-impl HereAct {
+impl HostAct {
     /// What else is true of it.
     pub fn traits(&self) -> Traits {
         match self {

@@ -10,7 +10,7 @@ use crate::act::Traits;
 
 /// What only a desktop lets a person do.
 #[derive(Clone, Debug, PartialEq)]
-pub enum HereAct {
+pub enum HostAct {
     /// Opens a recipe's file.
     OpenFile(PathBuf),
     /// Shows a file in the system's file manager.
@@ -34,7 +34,7 @@ pub enum HereAct {
     TimeLapse,
 }
 
-impl HereAct {
+impl HostAct {
     /// What else is true of it.
     pub fn traits(&self) -> Traits {
         match self {

@@ -4,27 +4,33 @@ use egui::{Ui, vec2};
 
 use super::hand::{self, Choice};
 use super::photo_bar;
-use crate::act::{Act, Acts, AppAct, HereAct};
-use crate::host::Here;
+use crate::act::{Act, Acts, AppAct, HostAct};
+use crate::host::CurrentHost;
 use crate::panels::context::PanelContext;
 use crate::ui::layout::Layout;
 use crate::ui::notice::Said;
 
 /// What was typed and chosen about a device.
-pub(crate) type HereMemory = Choice;
+pub(crate) type HostMemory = Choice;
 
 /// Room for the foot of the help [points]: a window has none.
 pub(crate) const FOOT: f32 = 0.0;
 
 /// A window has no foot of the help.
-pub(crate) fn foot(_: &PanelContext, _: &Here, _: &mut Ui, _: &mut Acts) {}
+pub(crate) fn foot(_: &PanelContext, _: &CurrentHost, _: &mut Ui, _: &mut Acts) {}
 
 /// Shows the bar of the photo mode in place of all panels while it is open; returns true if it is.
-pub(crate) fn show_instead(state: &PanelContext, here: &Here, ui: &Ui, acts: &mut Acts, layout: &Layout) -> bool {
-    if here.photo.open {
-        photo_bar::show(state, &here.photo, ui, acts, layout.whole);
+pub(crate) fn show_instead(
+    state: &PanelContext,
+    host: &CurrentHost,
+    ui: &Ui,
+    acts: &mut Acts,
+    layout: &Layout,
+) -> bool {
+    if host.photo.open {
+        photo_bar::show(state, &host.photo, ui, acts, layout.whole);
     }
-    here.photo.open
+    host.photo.open
 }
 
 /// Shows the devices that are connected.
@@ -35,7 +41,7 @@ pub(crate) fn devices(state: &PanelContext, ui: &Ui, acts: &mut Acts, layout: &L
 /// Shows how devices are connected.
 pub(crate) fn device_settings(
     state: &PanelContext,
-    memory: &mut HereMemory,
+    memory: &mut HostMemory,
     ui: &mut Ui,
     acts: &mut Acts,
     is_narrow: bool,
@@ -53,7 +59,7 @@ pub(crate) fn file_button(state: &PanelContext, ui: &mut Ui, acts: &mut Acts, sa
     if let Some(file) = &said.file
         && ui.button(state.settings.language.text("messages.show")).clicked()
     {
-        acts.push(Act::App(AppAct::Here(HereAct::ShowFile(file.clone()))));
+        acts.push(Act::App(AppAct::Host(HostAct::ShowFile(file.clone()))));
     }
 }
 
@@ -63,10 +69,10 @@ pub(crate) fn recent_files(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
         let name = file.file_name().map_or_else(|| file.display().to_string(), |n| n.to_string_lossy().into_owned());
         let button = egui::Button::new(name).min_size(vec2(ui.available_width(), 34.0));
         if ui.add(button).on_hover_text(file.display().to_string()).clicked() {
-            acts.push(Act::App(AppAct::Here(HereAct::OpenFile(file.clone()))));
+            acts.push(Act::App(AppAct::Host(HostAct::OpenFile(file.clone()))));
         }
     }
 }
 
 /// A window is held by no phone.
-pub(crate) fn tilt_button(_: &PanelContext, _: &Here, _: &mut Ui, _: &mut Acts) {}
+pub(crate) fn tilt_button(_: &PanelContext, _: &CurrentHost, _: &mut Ui, _: &mut Acts) {}

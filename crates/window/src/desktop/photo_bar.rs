@@ -3,7 +3,7 @@
 use egui::{Align2, Area, Id, ProgressBar, Rect, RichText, Slider, Ui, vec2};
 use saute_scene::light::photo::Photo;
 
-use crate::act::{Act, Acts, AppAct, HereAct, hint};
+use crate::act::{Act, Acts, AppAct, HostAct, hint};
 use crate::desktop::photo::{PhotoMode, SIZES};
 use crate::panels::context::PanelContext;
 use crate::ui::layout::GAP;
@@ -36,7 +36,7 @@ pub fn show(state: &PanelContext, photo: &PhotoMode, ui: &Ui, acts: &mut Acts, w
                 ui.horizontal(|ui| rows.iter_mut().for_each(|row| row(ui)));
             }
             if choice != photo.choice {
-                acts.push(Act::App(AppAct::Here(HereAct::SetPhoto(choice))));
+                acts.push(Act::App(AppAct::Host(HostAct::SetPhoto(choice))));
             }
         });
     });
@@ -71,7 +71,7 @@ fn buttons(state: &PanelContext, photo: &PhotoMode, ui: &mut Ui, acts: &mut Acts
     } else {
         for (key, act, first) in [
             ("photo.take", Act::App(AppAct::Picture), true),
-            ("photo.lapse", Act::App(AppAct::Here(HereAct::TimeLapse)), false),
+            ("photo.lapse", Act::App(AppAct::Host(HostAct::TimeLapse)), false),
         ] {
             let shown = ui.add(theme::of(ui).button(l.text(key), first));
             let explained = if first { hint(&act, l) } else { l.text("photo.lapse_hint").to_owned() };

@@ -6,7 +6,7 @@ use saute_picture::view::View;
 
 use crate::act::Acts;
 use crate::panels::context::PanelContext;
-use crate::panels::here;
+use crate::panels::host_panels;
 use crate::panels::legend;
 use crate::ui::layout::{GAP, Layout};
 use crate::ui::notice::Said;
@@ -45,11 +45,11 @@ pub fn show(
     }
     if let Some(said) = notice {
         // A click on its button must reach it; through all others it reaches the scene.
-        let has_button = here::has_button(said);
+        let has_button = host_panels::has_button(said);
         // Over the food of a narrow window there is little room.
         let is_alone = layout.narrow && waiting.is_empty() && state.session.behind_s().is_none();
         message(ui, layout, ("notice", if is_alone { 12.0 } else { 52.0 } + lower), has_button, &said.text, |ui| {
-            here::file_button(state, ui, acts, said);
+            host_panels::file_button(state, ui, acts, said);
         });
     }
 }

@@ -6,7 +6,7 @@ use crate::act::{Act, ViewAct};
 use crate::panels::cards::result::CutOfResult;
 use crate::panels::context::PanelContext;
 use crate::panels::guided::Entries;
-use crate::panels::here::HereMemory;
+use crate::panels::host_panels::HostMemory;
 use crate::panels::now::now_memory::NowMemory;
 use crate::panels::pantry::PantryMemory;
 use crate::panels::section_read::Inside;
@@ -70,5 +70,5 @@ pub struct PanelMemory {
     /// The picture of the result.
     pub result: CutOfResult,
     /// What only a desktop, or only a page, keeps.
-    pub(crate) here: HereMemory,
+    pub(crate) host: HostMemory,
 }

@@ -13,7 +13,7 @@ pub mod cut_picture;
 pub mod doneness_bar;
 pub mod eye_bar;
 pub mod guided;
-pub(crate) mod here;
+pub(crate) mod host_panels;
 pub mod inside;
 pub mod learn;
 pub mod legend;
@@ -32,7 +32,7 @@ pub mod ways;
 use egui::{Rect, ScrollArea, Ui, UiBuilder};
 
 use crate::act::{Acts, Card};
-use crate::host::Here;
+use crate::host::CurrentHost;
 use crate::paint::ground::GroundCallback;
 use crate::panels::at_home::at_home_state::AtHomeState;
 use crate::panels::cards::mirror::MirrorState;
@@ -67,7 +67,7 @@ pub struct Parts<'a> {
     /// What every panel reads.
     pub context: PanelContext<'a>,
     /// What the window has of the desktop, or of its page.
-    pub here: &'a Here,
+    pub host: &'a CurrentHost,
     /// The scene's part of the window.
     pub scene: &'a SceneView,
     /// The card that is open.
@@ -105,8 +105,8 @@ pub struct Parts<'a> {
 /// Shows all panels, what is said over the scene, and the card that is open.
 pub fn show_all(parts: &Parts, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut Acts, layout: &Layout) {
     let (state, whole) = (&parts.context, layout.whole);
-    if here::show_instead(state, parts.here, ui, acts, layout) {
-        return here::devices(state, ui, acts, layout);
+    if host_panels::show_instead(state, parts.host, ui, acts, layout) {
+        return host_panels::devices(state, ui, acts, layout);
     }
     if let Some(ways) = &layout.ways {
         ways::show(&parts.ways, &mut memory.ways, ui, acts, (whole, ways));
@@ -123,7 +123,7 @@ pub fn show_all(parts: &Parts, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut
     }
     badge::show(state, parts.notice.as_ref(), &parts.waiting, ui, acts, layout);
     alarm::show(state, ui, acts, whole);
-    here::devices(state, ui, acts, layout);
+    host_panels::devices(state, ui, acts, layout);
     if guided::show(state, &mut memory.answers, ui, acts, layout) {
         return;
     }
@@ -138,9 +138,9 @@ pub fn show_all(parts: &Parts, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut
 fn show_card(card: Card, parts: &Parts, memory: &mut PanelMemory, ui: &Ui, acts: &mut Acts, whole: Rect) {
     let state = &parts.context;
     match card {
-        Card::Help => help::show(state, parts.here, &mut memory.search, ui, acts, whole),
+        Card::Help => help::show(state, parts.host, &mut memory.search, ui, acts, whole),
         Card::Messages => messages::show(state, parts.said, ui, acts, whole),
-        Card::Settings => cards::settings::show(&parts.settings, &mut memory.here, ui, acts, whole),
+        Card::Settings => cards::settings::show(&parts.settings, &mut memory.host, ui, acts, whole),
         Card::Mirror => cards::mirror::show(&parts.mirror, ui, acts, whole),
         Card::FirstSteps => first_steps::show(state, parts.settings.japanese_font, ui, acts, whole),
         Card::Learn => learn_card::show(state, ui, acts, whole),

@@ -6,7 +6,7 @@ use saute_kitchen::{Library, PieceOrder};
 
 use crate::act::{Act, Acts, AppAct, Card, CookAct, Setting};
 use crate::panels::context::PanelContext;
-use crate::panels::here;
+use crate::panels::host_panels;
 use crate::panels::still::Stills;
 use crate::ui::aloud::heading;
 use crate::ui::aloud::spoken_value;
@@ -218,7 +218,7 @@ fn recipes(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
     if crate::system::page_address().is_some() && ui.add(theme::of(ui).button(l.text("link.copy"), false)).clicked() {
         acts.push(Act::App(AppAct::CopyLink));
     }
-    here::recent_files(state, ui, acts);
+    host_panels::recent_files(state, ui, acts);
     for id in state.session.library.recipes.keys() {
         let plain = id.replace('-', " ");
         let title = l.called("recipe_file", &plain);

@@ -13,7 +13,7 @@ use saute_session::guided::{Guided, LessonStart};
 use saute_study::class::{Scenario, shipped};
 use saute_study::{LogRow, Pace, Protocol, RowKind, Stage, from_csv};
 use saute_window::desktop::log_file::study_in_folder;
-use saute_window::{Helps, SauteApp, Start};
+use saute_window::{DesktopOptions, SauteApp, Start};
 
 use crate::harness::{cook, press, save, steps, window_with};
 use crate::sound::Witness;
@@ -262,8 +262,10 @@ fn orders(harness: &Harness<'static, SauteApp>) -> usize {
 fn a_lesson_pauses_and_asks_compares_the_answer_and_gives_a_row() {
     let pictures = folder("results");
     std::fs::create_dir_all(&pictures).expect("folder");
-    let start =
-        Start { helps: Helps { pictures: Some(pictures.clone()), ..Helps::default() }, ..lesson("when-to-flip", true) };
+    let start = Start {
+        desktop: DesktopOptions { pictures: Some(pictures.clone()), ..DesktopOptions::default() },
+        ..lesson("when-to-flip", true)
+    };
     let mut harness = window_with(vec2(1280.0, 720.0), start);
     save(&mut harness, "lesson-intro");
     assert!(harness.query_by_label("Leave the lesson").is_none(), "it is locked");

@@ -6,9 +6,9 @@ use std::path::PathBuf;
 use egui::{Key, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
-use saute_window::act::{Act, AppAct, HereAct};
+use saute_window::act::{Act, AppAct, HostAct};
 use saute_window::desktop::photo::PhotoChoice;
-use saute_window::{Helps, SauteApp, Start};
+use saute_window::{DesktopOptions, SauteApp, Start};
 
 use crate::harness::{cook, press, save, steps, window_with};
 
@@ -19,7 +19,10 @@ fn window(name: &str, size: egui::Vec2) -> (Harness<'static, SauteApp>, PathBuf)
     std::fs::create_dir_all(&folder).expect("folder");
     let mut harness = window_with(
         size,
-        Start { helps: Helps { pictures: Some(folder.clone()), ..Helps::default() }, ..Start::default() },
+        Start {
+            desktop: DesktopOptions { pictures: Some(folder.clone()), ..DesktopOptions::default() },
+            ..Start::default()
+        },
     );
     let text = "[pan]\ninitial_c = 210\n[[food]]\nid = \"steak\"\nkind = \"beef-lean\"\n\
         [[step]]\nhob_w = 900\n[[step]]\nput = \"steak\"\n[[step]]\nafter_s = 900\nend = true\n";
@@ -62,7 +65,7 @@ fn the_photo_mode_shows_the_scene_alone_and_time_waits() {
     let brighter =
         PhotoChoice { photo: saute_scene::light::photo::Photo { exposure_ev: 1.0, ..choice.photo }, ..choice };
     let ctx = harness.ctx.clone();
-    harness.state_mut().act(Act::App(AppAct::Here(HereAct::SetPhoto(brighter))), &ctx);
+    harness.state_mut().act(Act::App(AppAct::Host(HostAct::SetPhoto(brighter))), &ctx);
     steps(&mut harness, 3);
     assert!(brightness(&mut harness) > usual + 10.0, "one stop more is brighter");
     press(&mut harness, Key::Escape);

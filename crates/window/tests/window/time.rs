@@ -5,7 +5,7 @@ use egui::{Event, Key, Modifiers, Pos2, pos2};
 use egui_kittest::{Harness, kittest::Queryable};
 use saute_window::act::{Act, AppAct, CookAct, TimeAct};
 use saute_window::ui::theme::Theme;
-use saute_window::{Helps, SauteApp, Start};
+use saute_window::{DesktopOptions, SauteApp, Start};
 use saute_words::act_words::act_words;
 use saute_words::language::Language;
 
@@ -264,7 +264,10 @@ fn without_a_file_dialog_a_cook_is_saved_with_the_pictures() {
     std::fs::create_dir_all(&folder).expect("folder");
     let mut harness = window_with(
         WIDE,
-        Start { helps: Helps { pictures: Some(folder.clone()), ..Helps::default() }, ..Start::default() },
+        Start {
+            desktop: DesktopOptions { pictures: Some(folder.clone()), ..DesktopOptions::default() },
+            ..Start::default()
+        },
     );
     for count in 1..=2 {
         harness.state_mut().export_without_dialog(saute_session::export::Export::Cook);

@@ -28,7 +28,7 @@ impl SauteApp {
         if let Some(card) = self.desk.card {
             self.shut_card(card);
         }
-        self.here.close_photo();
+        self.host.close_photo();
     }
 
     /// Opens one of the panels on the left, or none.

@@ -19,7 +19,7 @@ const SAVED_WITHOUT_DIALOG: &str = "notice.no_dialog_saved";
 impl SauteApp {
     /// Opens the system's file dialog.
     pub(super) fn ask(&mut self, asked: Asked, ctx: &egui::Context) {
-        if self.here.dialog.0.is_some() {
+        if self.host.dialog.0.is_some() {
             return;
         }
         let (send, receive) = channel();
@@ -35,7 +35,7 @@ impl SauteApp {
             ctx.request_repaint();
         });
         match begun {
-            Ok(_) => self.here.dialog = Dialog(Some((asked, receive))),
+            Ok(_) => self.host.dialog = Dialog(Some((asked, receive))),
             Err(error) => self.say_trouble(&error),
         }
     }
@@ -57,11 +57,11 @@ impl SauteApp {
 
     /// Opens the file that was chosen since the last frame, or writes it.
     pub(crate) fn take_chosen_file(&mut self) {
-        let Some((asked, answer)) = &self.here.dialog.0 else { return };
+        let Some((asked, answer)) = &self.host.dialog.0 else { return };
         let asked = *asked;
         match answer.try_recv() {
             Ok(answer) => {
-                self.here.dialog = Dialog::default();
+                self.host.dialog = Dialog::default();
                 match (answer, asked) {
                     (DialogAnswer::Chosen(path), Asked::Open) => self.open_file(&path),
                     (DialogAnswer::Chosen(path), Asked::Save(what)) => self.save_export(what, &path),
@@ -73,7 +73,7 @@ impl SauteApp {
                 }
             }
             Err(std::sync::mpsc::TryRecvError::Empty) => {}
-            Err(std::sync::mpsc::TryRecvError::Disconnected) => self.here.dialog = Dialog::default(),
+            Err(std::sync::mpsc::TryRecvError::Disconnected) => self.host.dialog = Dialog::default(),
         }
     }
 
@@ -116,12 +116,12 @@ impl SauteApp {
 
     /// A free place in the folder of pictures; states why there is none.
     fn place_without_dialog(&self, name: &str) -> Option<PathBuf> {
-        free_path(&self.here.pictures_folder(), name).map_err(|error| self.say_trouble(&error)).ok()
+        free_path(&self.host.pictures_folder(), name).map_err(|error| self.say_trouble(&error)).ok()
     }
 
     /// Says how a file is opened where no dialog can be shown.
     fn say_how_to_open(&self) {
-        let folder = self.here.pictures_folder();
+        let folder = self.host.pictures_folder();
         self.desk.notice.say(self.settings.language.fill("notice.no_dialog_open", &[("folder", &folder.display())]));
     }
 

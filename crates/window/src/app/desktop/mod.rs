@@ -17,7 +17,7 @@ use saute_words::language::Language;
 
 use super::SauteApp;
 use super::on_host::OnHost;
-use crate::act::HereAct;
+use crate::act::HostAct;
 use crate::desktop::files::Asked;
 use crate::desktop::gamepad_device::GamepadDevice;
 use crate::desktop::hand;
@@ -25,27 +25,27 @@ use crate::desktop::photo::PhotoMode;
 use crate::desktop::system::NAME;
 use crate::host::HostStart;
 use crate::plan::PlanFile;
-use crate::start::Helps;
+use crate::start::DesktopOptions;
 use crate::ui::layout::{Layout, Pane};
 
 impl SauteApp {
     /// The photo mode.
     pub fn photo_mode(&self) -> &PhotoMode {
-        &self.here.photo
+        &self.host.photo
     }
 }
 
 impl OnHost for SauteApp {
-    fn take_help(&mut self, helps: Helps, ctx: &Context) {
-        (self.here.pictures, self.here.may_sound) = (helps.pictures, helps.speaker);
-        if helps.threads {
+    fn take_options(&mut self, options: DesktopOptions, ctx: &Context) {
+        (self.host.pictures, self.host.may_sound) = (options.pictures, options.speaker);
+        if options.threads {
             let ctx = ctx.clone();
             self.employ(Box::new(Threads::new(Arc::new(move || ctx.request_repaint()), yield_to_others)));
         }
     }
 
     fn settle_in(&mut self, start: HostStart, keeps: bool, _: &Context) {
-        self.here.pad = GamepadDevice::connect();
+        self.host.pad = GamepadDevice::connect();
         let folder = eframe::storage_dir(NAME);
         self.session.hands.folder = folder.as_ref().map(|folder| folder.join("calibrations"));
         self.begin_hands(start);
@@ -73,18 +73,18 @@ impl OnHost for SauteApp {
         self.take_photo_made();
     }
 
-    /// A window tells nobody.
-    fn tell_shown(&mut self) {}
+    /// Nothing reads a window on a desktop.
+    fn publish_frame(&mut self) {}
 
-    fn act_here(&mut self, act: HereAct, ctx: &Context) {
+    fn act_on_host(&mut self, act: HostAct, ctx: &Context) {
         match act {
-            HereAct::OpenFile(path) => self.open_file(&path),
-            HereAct::ShowFile(path) => self.show_file(&path),
-            HereAct::ResumeHands => self.resume_hands(),
-            HereAct::Connect { role, device, pairing } => self.connect_hand(role, &device, pairing),
-            HereAct::Disconnect(role) => self.session.hands.disconnect(role),
-            HereAct::SetPhoto(choice) => self.here.photo.choice = choice,
-            HereAct::TimeLapse => self.make_time_lapse(ctx),
+            HostAct::OpenFile(path) => self.open_file(&path),
+            HostAct::ShowFile(path) => self.show_file(&path),
+            HostAct::ResumeHands => self.resume_hands(),
+            HostAct::Connect { role, device, pairing } => self.connect_hand(role, &device, pairing),
+            HostAct::Disconnect(role) => self.session.hands.disconnect(role),
+            HostAct::SetPhoto(choice) => self.host.photo.choice = choice,
+            HostAct::TimeLapse => self.make_time_lapse(ctx),
         }
     }
 
@@ -101,18 +101,14 @@ impl OnHost for SauteApp {
     }
 
     fn take_picture(&mut self, ctx: &Context) {
-        match self.here.photo.open {
+        match self.host.photo.open {
             true => self.take_photo(ctx),
             false => self.save_picture(ctx),
         }
     }
 
     fn turn_photo_mode(&mut self, _: &Context) {
-        self.here.photo.open = !self.here.photo.open;
-    }
-
-    fn turn_mirror(&mut self) {
-        self.toggle_mirror();
+        self.host.photo.open = !self.host.photo.open;
     }
 
     fn stop_hands(&mut self) {

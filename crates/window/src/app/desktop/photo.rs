@@ -10,7 +10,7 @@ impl SauteApp {
     /// Draws the scene once more, at the best quality and in the chosen size, and saves it.
     pub(crate) fn take_photo(&mut self, ctx: &egui::Context) {
         let Some(scene) = self.sights.scene.shown.clone() else { return };
-        let size = self.here.photo.choice.size;
+        let size = self.host.photo.choice.size;
         self.begin_making(ctx, |making| making.photo(scene, size));
     }
 
@@ -22,7 +22,7 @@ impl SauteApp {
             slice: self.sights.slice.is_some(),
             white_balance: self.settings.white_balance,
             light: self.settings.light,
-            photo: self.here.photo.choice.photo,
+            photo: self.host.photo.choice.photo,
             quality: Quality::Smooth,
             flat: false,
             scales: self.session.scales(&self.settings.scale),
@@ -39,19 +39,19 @@ impl SauteApp {
         ctx: &egui::Context,
         make: impl FnOnce(crate::desktop::photo::making::Maker) -> std::io::Result<Making>,
     ) {
-        if self.here.photo.making.is_some() {
+        if self.host.photo.making.is_some() {
             return self.say("notice.photo_is_made");
         }
-        match make(crate::desktop::photo::making::Maker { ctx: ctx.clone(), folder: self.here.pictures_folder() }) {
-            Ok(making) => self.here.photo.making = Some(making),
+        match make(crate::desktop::photo::making::Maker { ctx: ctx.clone(), folder: self.host.pictures_folder() }) {
+            Ok(making) => self.host.photo.making = Some(making),
             Err(error) => self.say_trouble(&error),
         }
     }
 
     /// Says what was made since the last frame.
     pub(crate) fn take_photo_made(&mut self) {
-        let Some(made) = self.here.photo.making.as_ref().and_then(Making::made) else { return };
-        self.here.photo.making = None;
+        let Some(made) = self.host.photo.making.as_ref().and_then(Making::made) else { return };
+        self.host.photo.making = None;
         let l = self.settings.language;
         match made {
             Ok(path) => self.desk.notice.say_of(l.fill("notice.saved", &[("path", &path.display())]), path),

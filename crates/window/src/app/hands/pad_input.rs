@@ -17,7 +17,7 @@ impl SauteApp {
         let pulse = self.inputs.pad.pulse.step(wall);
         if self.inputs.pad.plugged {
             let rumble = self.session.hands.rumble(wall).or(pulse);
-            self.here.turn_motors(&rumble);
+            self.host.turn_motors(&rumble);
         }
         if self.inputs.pad.pulse.is_on() {
             ctx.request_repaint();
@@ -38,7 +38,7 @@ impl SauteApp {
     }
 
     fn listen(&mut self) {
-        let said = self.here.read_pad();
+        let said = self.host.read_pad();
         if said.is_some() || self.inputs.pad.plugged {
             self.inputs.pad.now = said.unwrap_or_default();
         }

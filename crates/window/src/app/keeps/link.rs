@@ -15,7 +15,7 @@ impl SauteApp {
         if length > LONGEST {
             return self.desk.notice.say(l.fill("link.too_long", &[("length", &length), ("most", &LONGEST)]));
         }
-        self.here.copy_text(&link);
+        self.host.copy_text(&link);
         self.desk.notice.say(l.fill("link.copied", &[("length", &length)]));
     }
 

@@ -207,7 +207,7 @@ impl SauteApp {
             && desk.cook_on(&mut self.session, COOKING_ON)
             && let Some((row, _)) = desk.result()
         {
-            self.here.report(row);
+            self.host.report(row);
         }
     }
 
@@ -253,7 +253,7 @@ impl SauteApp {
 
     /// Saves a table, and says where it is if it has a path.
     fn save_table(&self, name: &str, csv: &str) {
-        match self.here.save_table(name, csv) {
+        match self.host.save_table(name, csv) {
             Ok(None) => {}
             Ok(Some(path)) => {
                 let said = self.settings.language.fill("notice.cook_saved", &[("path", &path.display())]);

@@ -87,7 +87,7 @@ impl SauteApp {
         let Some(((words, _), piece)) = self.result().zip(self.session.steak()) else { return };
         let drawn = on_its_own::picture(&words, piece, l);
         let bytes = saute_picture::still::png_file::png_bytes(&drawn).map_err(|error| error.to_string());
-        match bytes.and_then(|bytes| self.here.picture_keeper()(&bytes)) {
+        match bytes.and_then(|bytes| self.host.picture_keeper()(&bytes)) {
             Ok(path) => self.desk.notice.say_of(l.fill("notice.saved", &[("path", &path.display())]), path),
             Err(error) => self.desk.notice.say(l.fill("notice.not_saved", &[("error", &error)])),
         }

@@ -7,7 +7,7 @@ use saute_haptics::remote::phone::held_phone::HeldPhone;
 impl SauteApp {
     /// Takes how the phone is held, or that it was refused.
     pub(super) fn take_tilt(&mut self) {
-        let (Some(host), Some(phone)) = (&self.here.script, &mut self.session.hands.phone) else { return };
+        let (Some(host), Some(phone)) = (&self.host.script, &mut self.session.hands.phone) else { return };
         let Some(said) = host.read_tilt() else { return };
         match reading(&said) {
             // What is out of range is left out; a silent phone lets go.
@@ -23,7 +23,7 @@ impl SauteApp {
 
     /// Lets the phone hold the pan, at the pace of the clock; or no longer.
     pub(super) fn tilt_phone(&mut self) {
-        let Some(host) = &self.here.script else { return };
+        let Some(host) = &self.host.script else { return };
         let holds = self.session.hands.phone.is_none();
         self.session.hands.phone = holds.then(HeldPhone::default);
         host.tilt(holds);

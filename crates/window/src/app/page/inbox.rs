@@ -21,7 +21,7 @@ const FONT_WANTED: &str = "saute-font";
 impl SauteApp {
     /// Takes a font with the characters of Japanese; the window then speaks it.
     pub fn offer_font(&self, bytes: Vec<u8>) {
-        if let Ok(mut font) = self.here.inbox.font.lock() {
+        if let Ok(mut font) = self.host.inbox.font.lock() {
             *font = Some(bytes);
         }
     }
@@ -31,9 +31,9 @@ impl SauteApp {
     }
 
     pub(super) fn take_inbox(&mut self, ctx: &egui::Context) {
-        let (files, font) = self.here.inbox.take();
+        let (files, font) = self.host.inbox.take();
         if let Some(bytes) = font {
-            self.here.inbox.taken_font = Some(Arc::new(egui::FontData::from_owned(bytes)));
+            self.host.inbox.taken_font = Some(Arc::new(egui::FontData::from_owned(bytes)));
             self.graphics.japanese_font = self.install_taken_font(ctx);
             if let Some(language) = Language::all().find(|language| language.font() == Font::Japanese) {
                 self.set_language(language);
@@ -46,7 +46,7 @@ impl SauteApp {
 
     /// Installs the font that the page handed in; returns false if there is none.
     pub(super) fn install_taken_font(&self, ctx: &egui::Context) -> bool {
-        let Some(font) = &self.here.inbox.taken_font else { return false };
+        let Some(font) = &self.host.inbox.taken_font else { return false };
         japanese_font::install_font(ctx, Arc::clone(font));
         true
     }
@@ -70,7 +70,7 @@ impl SauteApp {
         if !self.install_taken_font(&cc.egui_ctx) {
             cc.egui_ctx.set_fonts(crate::system::latin());
         }
-        self.here.mirrored.listen(&cc.egui_ctx);
+        self.host.mirrored.listen(&cc.egui_ctx);
         self.draw_on(&cc.egui_ctx, cc.wgpu_render_state.as_ref());
         // Pictures of panels, and what was drawn before, belonged to the lost graphics.
         self.desk.memory = Default::default();
@@ -81,7 +81,7 @@ impl SauteApp {
     /// Reads dropped files; they arrive in a later frame.
     pub(super) fn read_dropped_files(&mut self, ctx: &egui::Context) {
         for file in ctx.input(|i| i.raw.dropped_files.clone()) {
-            let (inbox, ctx) = (self.here.inbox.clone(), ctx.clone());
+            let (inbox, ctx) = (self.host.inbox.clone(), ctx.clone());
             spawn_local(async move {
                 let name = file.path().display().to_string();
                 inbox.put((name, file.bytes_async().await));
@@ -92,7 +92,7 @@ impl SauteApp {
 
     /// Opens the browser's file dialog for a recipe or a session.
     pub(super) fn open_dialog(&mut self, ctx: &egui::Context) {
-        if let Err(error) = choose(self.here.inbox.clone(), ctx.clone()) {
+        if let Err(error) = choose(self.host.inbox.clone(), ctx.clone()) {
             self.say_trouble(&shown(&error));
         }
     }

@@ -12,23 +12,23 @@ const TELL_EVERY: Duration = Duration::from_secs(5);
 impl SauteApp {
     /// Shows the page what the panels show, if that is new, announces what happens, and describes now and then how the cook stands.
     pub(super) fn show_mirrored(&mut self) {
-        let Some(host) = &self.here.script else { return };
-        if let Some(text) = self.here.mirrored.news(self.card_is_open()) {
+        let Some(host) = &self.host.script else { return };
+        if let Some(text) = self.host.mirrored.news(self.card_is_open()) {
             host.show_controls(&text);
         }
         let (order, l) = (self.desk.memory.now.order.as_ref(), self.settings.language);
-        for sentence in self.here.mirrored.announcer.news(&self.session, order, &self.desk.notice, l) {
+        for sentence in self.host.mirrored.announcer.news(&self.session, order, &self.desk.notice, l) {
             host.announce(&sentence);
         }
-        if self.here.mirrored.told.is_none_or(|at| at.elapsed() >= TELL_EVERY) {
-            self.here.mirrored.told = Some(Instant::now());
+        if self.host.mirrored.told.is_none_or(|at| at.elapsed() >= TELL_EVERY) {
+            self.host.mirrored.told = Some(Instant::now());
             host.describe(&told(&self.session, &self.settings));
         }
     }
 
     /// Draws a frame soon: something has come for the window.
     pub fn wake(&self) {
-        self.here.mirrored.wake();
+        self.host.mirrored.wake();
     }
 
     /// Presses a control of the page.
@@ -44,6 +44,6 @@ impl SauteApp {
     }
 
     fn ask_control(&self, id: &str, action: Action, data: Option<ActionData>) {
-        self.here.mirrored.ask(id, action, data);
+        self.host.mirrored.ask(id, action, data);
     }
 }

@@ -12,15 +12,15 @@ use saute_words::language::{Font, Language};
 
 use super::SauteApp;
 use super::on_host::OnHost;
-use crate::act::HereAct;
+use crate::act::HostAct;
 use crate::host::HostStart;
 use crate::plan::PlanFile;
-use crate::start::Helps;
+use crate::start::DesktopOptions;
 use crate::ui::layout::{Layout, Pane};
 
 impl OnHost for SauteApp {
     /// A page has workers, sound and downloads of its own.
-    fn take_help(&mut self, _: Helps, _: &Context) {}
+    fn take_options(&mut self, _: DesktopOptions, _: &Context) {}
 
     fn settle_in(&mut self, start: HostStart, _: bool, ctx: &Context) {
         self.begin_page(start, ctx);
@@ -38,14 +38,14 @@ impl OnHost for SauteApp {
         self.take_inbox(ctx);
     }
 
-    fn tell_shown(&mut self) {
+    fn publish_frame(&mut self) {
         self.show_mirrored();
     }
 
-    fn act_here(&mut self, act: HereAct, _: &Context) {
+    fn act_on_host(&mut self, act: HostAct, _: &Context) {
         match act {
-            HereAct::TiltPhone => self.tilt_phone(),
-            HereAct::Report => self.report_problem(),
+            HostAct::TiltPhone => self.tilt_phone(),
+            HostAct::Report => self.report_problem(),
         }
     }
 
@@ -67,11 +67,6 @@ impl OnHost for SauteApp {
 
     fn turn_photo_mode(&mut self, ctx: &Context) {
         self.save_picture(ctx);
-    }
-
-    /// A page has one canvas.
-    fn turn_mirror(&mut self) {
-        self.say("settings.native_only");
     }
 
     /// A page reaches no device with a motor.

@@ -8,9 +8,9 @@ use saute_session::SteakChoice;
 impl SauteApp {
     /// Opens the cook of the address, and keeps the cook in the browser's storage.
     pub(super) fn begin_page(&mut self, start: PageStart, ctx: &egui::Context) {
-        self.here.mirrored.listen(ctx);
+        self.host.mirrored.listen(ctx);
         let PageStart { host, kept, link, is_embedded, opening, version } = start;
-        (self.here.script, self.here.version) = (host.clone(), version);
+        (self.host.script, self.host.version) = (host.clone(), version);
         if let Some(host) = host.clone() {
             self.let_listen(Box::new(HostPlays::new(host.clone())));
             self.employ(Box::new(host));
@@ -45,7 +45,7 @@ impl SauteApp {
 
     /// Copies what a report of a problem needs, and says so.
     pub(super) fn report_problem(&self) {
-        if let Some(host) = &self.here.script {
+        if let Some(host) = &self.host.script {
             host.copy_report(&self.said().join("\n"));
             self.say("page.report_copied");
         }

@@ -10,7 +10,7 @@ impl SauteApp {
     /// browser.
     pub(crate) fn save_picture(&self, ctx: &egui::Context) {
         let (notice, repaint, l) = (self.desk.notice.clone(), ctx.clone(), self.settings.language);
-        let keep = self.here.picture_keeper();
+        let keep = self.host.picture_keeper();
         ctx.request_screenshot(move |image| {
             let picture = Picture {
                 width: image.width(),

@@ -77,7 +77,7 @@ impl SauteApp {
             cut: self.session.steak().map(|p| p.id.clone()),
             white_balance: self.settings.white_balance,
             light: self.settings.light,
-            photo: self.here.photo().unwrap_or_default(),
+            photo: self.host.photo().unwrap_or_default(),
             flat: false,
         };
         self.sights.stage.look_every(self.look_ticks());

@@ -5,7 +5,7 @@ use egui::{RichText, TextEdit, Ui, WidgetInfo};
 use saute_haptics::open::{self, Access, Reach};
 
 use super::hands::Role;
-use crate::act::{Act, Acts, AppAct, HereAct};
+use crate::act::{Act, Acts, AppAct, HostAct};
 use crate::panels::cards::setting_row::{explained, named, row};
 use crate::panels::context::PanelContext;
 use crate::ui::theme;
@@ -78,13 +78,13 @@ fn buttons(state: &PanelContext, choice: &Choice, ui: &mut Ui, acts: &mut Acts) 
     if ui.add(theme::of(ui).button(l.text("hand.connect"), false)).clicked() {
         let code = choice.code.trim();
         acts.push(match if code.is_empty() { Ok(0) } else { code.parse() } {
-            Ok(pairing) => Act::App(AppAct::Here(HereAct::Connect { role, device: choice.text(), pairing })),
+            Ok(pairing) => Act::App(AppAct::Host(HostAct::Connect { role, device: choice.text(), pairing })),
             Err(_) => Act::App(AppAct::Say(l.fill("hand.no_code", &[("code", &code)]))),
         });
     }
     let connected = state.session.hands.device(role).is_some();
     if ui.add_enabled(connected, theme::of(ui).button(l.text("hand.disconnect"), false)).clicked() {
-        acts.push(Act::App(AppAct::Here(HereAct::Disconnect(role))));
+        acts.push(Act::App(AppAct::Host(HostAct::Disconnect(role))));
     }
 }
 

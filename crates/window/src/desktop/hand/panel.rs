@@ -6,7 +6,7 @@ use saute_haptics::{Health, Rendering};
 use super::choice::role_word;
 use super::connected::Connected;
 use super::hands::{Hands, Role};
-use crate::act::{Act, Acts, AppAct, HereAct, ViewAct, hint, key_of};
+use crate::act::{Act, Acts, AppAct, HostAct, ViewAct, hint, key_of};
 use crate::panels::context::PanelContext;
 use crate::ui::layout::{GAP, Layout};
 use crate::ui::theme;
@@ -91,7 +91,7 @@ fn buttons(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
             acts.push(Act::View(ViewAct::Strings));
         }
         if ui.add(theme::of(ui).button(l.text("hand.disconnect"), false)).clicked() {
-            acts.extend([Role::Pan, Role::Turner].map(|role| Act::App(AppAct::Here(HereAct::Disconnect(role)))));
+            acts.extend([Role::Pan, Role::Turner].map(|role| Act::App(AppAct::Host(HostAct::Disconnect(role)))));
         }
     });
     if shown {
@@ -117,7 +117,7 @@ fn stop_button(stopped: bool, ui: &mut Ui, acts: &mut Acts, l: Language) {
     if stopped {
         let go_on = egui::Button::new(RichText::new(l.text("hand.go_on")).size(18.0).strong());
         if ui.add_sized([WIDTH, GO_ON], go_on).on_hover_text(l.text("hand.go_on_hint")).clicked() {
-            acts.push(Act::App(AppAct::Here(HereAct::ResumeHands)));
+            acts.push(Act::App(AppAct::Host(HostAct::ResumeHands)));
         }
     }
 }

@@ -3,11 +3,11 @@
 use egui::{Id, Modal, Rect, RichText, TextEdit, Ui, vec2};
 
 use crate::act::{Act, Acts, AppAct, BINDINGS, CHORDS, Card, Subject, ViewAct};
-use crate::host::Here;
+use crate::host::CurrentHost;
 use crate::input::gamepad::PAD;
 use crate::input::pan_keys::HELD;
 use crate::panels::context::PanelContext;
-use crate::panels::here;
+use crate::panels::host_panels;
 use crate::system::IS_PAGE;
 use crate::ui::aloud::heading;
 use crate::ui::theme;
@@ -67,13 +67,13 @@ fn groups(search: &str, l: Language) -> Vec<Group> {
 }
 
 /// Shows the list over everything; Esc, F1, the button or a click beside it closes it.
-pub fn show(state: &PanelContext, here: &Here, search: &mut String, ui: &Ui, acts: &mut Acts, whole: Rect) {
+pub fn show(state: &PanelContext, host: &CurrentHost, search: &mut String, ui: &Ui, acts: &mut Acts, whole: Rect) {
     let mut done = false;
     let modal =
         Modal::new(Id::unique("help")).frame(theme::of(ui).panel().fill(theme::of(ui).solid)).show(ui.ctx(), |ui| {
             ui.set_width((whole.width() - 60.0).min(960.0));
             done = head(state, search, ui, acts, whole.width() > 700.0);
-            let height = whole.height() - 140.0 - here::FOOT;
+            let height = whole.height() - 140.0 - host_panels::FOOT;
             egui::ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, |ui| {
                 let columns = if whole.width() > 700.0 { 3 } else { 1 };
                 list(ui, &groups(search, state.settings.language), columns, state.settings.language);
@@ -81,7 +81,7 @@ pub fn show(state: &PanelContext, here: &Here, search: &mut String, ui: &Ui, act
                 ui.label(state.settings.language.text("help.mouse"));
                 ui.label(state.settings.language.text("help.touch"));
             });
-            here::foot(state, here, ui, acts);
+            host_panels::foot(state, host, ui, acts);
         });
     if done || modal.should_close() {
         search.clear();

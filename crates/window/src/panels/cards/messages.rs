@@ -5,7 +5,7 @@ use egui::{Rect, RichText, ScrollArea, Ui};
 use crate::act::{Acts, Card};
 use crate::panels::cards::frame::Framed;
 use crate::panels::context::PanelContext;
-use crate::panels::here::file_button;
+use crate::panels::host_panels::file_button;
 use crate::ui::notice::Notice;
 use crate::ui::theme;
 use saute_words::clock::clock;

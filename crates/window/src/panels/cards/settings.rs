@@ -11,7 +11,7 @@ use crate::panels::cards::language;
 use crate::panels::cards::setting_row::{explained, named, row};
 use crate::panels::context::{PanelContext, reads_context};
 use crate::panels::cook::speaker_switch;
-use crate::panels::here::{self, HereMemory};
+use crate::panels::host_panels::{self, HostMemory};
 use crate::system::IS_PAGE;
 use crate::ui::interface_size::InterfaceSize;
 use crate::ui::quality_choice::QualityChoice;
@@ -36,7 +36,7 @@ pub struct SettingsState<'a> {
 reads_context!(SettingsState);
 
 /// Shows the card over everything; Esc, F2, the button or a click beside it closes it.
-pub(crate) fn show(state: &SettingsState, memory: &mut HereMemory, ui: &Ui, acts: &mut Acts, whole: egui::Rect) {
+pub(crate) fn show(state: &SettingsState, memory: &mut HostMemory, ui: &Ui, acts: &mut Acts, whole: egui::Rect) {
     let framed = Framed { card: Card::Settings, id: "settings", title: "settings.title", width: WIDTH };
     let to_mirror = |ui: &mut Ui, acts: &mut Acts| {
         let words = state.settings.language.text("half_mirror.more");
@@ -51,7 +51,7 @@ pub(crate) fn show(state: &SettingsState, memory: &mut HereMemory, ui: &Ui, acts
     });
 }
 
-fn choices(state: &SettingsState, memory: &mut HereMemory, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
+fn choices(state: &SettingsState, memory: &mut HostMemory, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
     let (l, now) = (state.settings.language, state.settings);
     let mut set = |setting| acts.push(Act::App(AppAct::Set(setting)));
     if let Some(theme) =
@@ -121,7 +121,7 @@ fn choices(state: &SettingsState, memory: &mut HereMemory, ui: &mut Ui, acts: &m
     if !state.forbids(&Act::App(AppAct::Set(Setting::Sound(true)))) {
         volume(state, ui, acts, narrow);
     }
-    here::device_settings(state, memory, ui, acts, narrow);
+    host_panels::device_settings(state, memory, ui, acts, narrow);
 }
 
 /// The volume; its slider is short enough for one line with its name.

@@ -3,7 +3,7 @@
 use saute_kitchen::advice::coaching::Coaching;
 use saute_kitchen::dynamics::Tool;
 
-use crate::host::Here;
+use crate::host::CurrentHost;
 use crate::input::pouring::Portion;
 use crate::panels::context::{PanelContext, reads_context};
 
@@ -12,7 +12,7 @@ pub struct CookState<'a> {
     /// What every panel reads.
     pub context: PanelContext<'a>,
     /// What the window has of the desktop, or of its page.
-    pub here: &'a Here,
+    pub host: &'a CurrentHost,
     /// The tool that mouse and right stick lead.
     pub tool: Tool,
     /// True while a turner is in the hand.

@@ -9,7 +9,7 @@ use crate::input::pouring::Pourable;
 use crate::panels::context::PanelContext;
 use crate::panels::cook::act_button::button;
 use crate::panels::cook::cook_state::CookState;
-use crate::panels::here;
+use crate::panels::host_panels;
 
 /// Shows the controls.
 pub fn show(state: &CookState, ui: &mut Ui, acts: &mut Acts) {
@@ -30,7 +30,7 @@ pub fn show(state: &CookState, ui: &mut Ui, acts: &mut Acts) {
         Tool::Turner => "pour.turner",
     };
     button(state, ui, acts, l.text(tool), state.turner_in_hand, true, Act::Cook(CookAct::Tool));
-    here::tilt_button(state, state.here, ui, acts);
+    host_panels::tilt_button(state, state.host, ui, acts);
 }
 
 /// What moves the turner in the hand: fingers have no wheel and no right button.

@@ -18,7 +18,7 @@ use saute_session::kept::link;
 use saute_session::work::executor::Executor;
 use saute_session::work::{Agency, Helper, WorkKind};
 use saute_window::SauteApp;
-use saute_window::act::{Act, AppAct, Card, HereAct, LearnAct, Setting, ViewAct};
+use saute_window::act::{Act, AppAct, Card, HostAct, LearnAct, Setting, ViewAct};
 use saute_window::at_home::AtHomeAct;
 use saute_window::session::Session;
 use saute_words::language::Language;
@@ -100,9 +100,9 @@ fn file(name: &str, text: &str) -> PathBuf {
 fn entered(size: egui::Vec2, library: &Library) -> Harness<'static, SauteApp> {
     let mut harness = window(size);
     harness.state_mut().employ(Box::new(Patient));
-    act(&mut harness, Act::App(AppAct::Here(HereAct::OpenFile(file("log.csv", &log(library))))));
+    act(&mut harness, Act::App(AppAct::Host(HostAct::OpenFile(file("log.csv", &log(library))))));
     harness.get_by_label("My kitchen");
-    act(&mut harness, Act::App(AppAct::Here(HereAct::OpenFile(file("my-steak.toml", RECIPE)))));
+    act(&mut harness, Act::App(AppAct::Host(HostAct::OpenFile(file("my-steak.toml", RECIPE)))));
     harness
 }
 
@@ -191,7 +191,7 @@ fn my_kitchen_reads_in_japanese_and_asks_about_a_log_that_can_be_read_in_two_way
     save(&mut harness, "athome-japanese");
     act(&mut harness, Act::App(AppAct::Set(Setting::Language(Language::ENGLISH))));
     let text = "Time,Core\n1:00,6\n2:30,20\n4:00,40\n";
-    act(&mut harness, Act::App(AppAct::Here(HereAct::OpenFile(file("two-ways.csv", text)))));
+    act(&mut harness, Act::App(AppAct::Host(HostAct::OpenFile(file("two-ways.csv", text)))));
     harness.get_by_label("The times can be read in two ways: which are they?");
     save(&mut harness, "athome-question");
     harness.get_by_label("hours and minutes").click();
@@ -199,13 +199,13 @@ fn my_kitchen_reads_in_japanese_and_asks_about_a_log_that_can_be_read_in_two_way
     harness.get_by_label_contains("Read as hours and minutes: 180:00 from 1:00.");
     act(
         &mut harness,
-        Act::App(AppAct::Here(HereAct::OpenFile(file("unit.csv", "Time,Core\n0:00,43\n5:00,70\n14:00,115\n")))),
+        Act::App(AppAct::Host(HostAct::OpenFile(file("unit.csv", "Time,Core\n0:00,43\n5:00,70\n14:00,115\n")))),
     );
     harness.get_by_label_contains("Nothing states the unit");
     harness.get_by_label("°F").click();
     steps(&mut harness, 3);
     harness.get_by_label_contains("3 values in °F");
-    act(&mut harness, Act::App(AppAct::Here(HereAct::OpenFile(file("log.xlsx", "PK\u{3}\u{4}")))));
+    act(&mut harness, Act::App(AppAct::Host(HostAct::OpenFile(file("log.xlsx", "PK\u{3}\u{4}")))));
     harness.get_by_label_contains("is a spreadsheet");
 }
 

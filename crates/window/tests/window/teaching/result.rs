@@ -8,7 +8,7 @@ use saute_kitchen::{Command, Place, RestOn};
 use saute_plan::goal::{Better, Goal, GoalVerdict, Judgement, Shortfall};
 use saute_window::act::{Act, AppAct, Card, CookAct, Setting};
 use saute_window::learn::goal_choice::goal_of;
-use saute_window::{Helps, SauteApp, Start};
+use saute_window::{DesktopOptions, SauteApp, Start};
 use saute_words::judgement_words::ResultWords;
 use saute_words::language::Language;
 
@@ -84,7 +84,10 @@ fn the_result_is_shared_as_a_picture_of_its_own_and_fits_a_phone_and_japanese() 
     std::fs::create_dir_all(&folder).expect("folder");
     let mut harness = window_with(
         PHONE,
-        Start { helps: Helps { pictures: Some(folder.clone()), ..Helps::default() }, ..Start::default() },
+        Start {
+            desktop: DesktopOptions { pictures: Some(folder.clone()), ..DesktopOptions::default() },
+            ..Start::default()
+        },
     );
     act(&mut harness, Act::Cook(CookAct::SetOut));
     let mut small = small_steak(PHONE);
