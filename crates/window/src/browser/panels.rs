@@ -44,7 +44,7 @@ pub(crate) fn device_settings(state: &PanelContext, _: &mut HostMemory, ui: &mut
     explained(ui, is_narrow, state.settings.language.text("settings.native_only"));
 }
 
-/// What a page says has no button.
+/// Notices of a page have no button.
 pub(crate) fn has_button(_: &Said) -> bool {
     false
 }

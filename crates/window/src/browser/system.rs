@@ -1,4 +1,4 @@
-//! What the browser says about itself and about the person at it.
+//! What is known of the browser and of the person at it.
 
 use saute_words::language::Language;
 

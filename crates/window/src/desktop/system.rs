@@ -1,4 +1,4 @@
-//! What the system says about itself and about the person at it.
+//! What is known of the system and of the person at it.
 
 use saute_words::language::Language;
 

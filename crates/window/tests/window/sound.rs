@@ -115,7 +115,7 @@ fn it_is_silent_while_time_stands(harness: &mut Harness<'static, SauteApp>, witn
     let turned = harness.state().session().kitchen.time_s() - 30.0;
     harness.state_mut().session_mut().scrub(turned);
     witness.heard(EventKind::Put);
-    // A busy machine takes more frames to get there; until then time stands.
+    // A busy machine takes more frames to get there; until then no time passes.
     while harness.state().session().is_travelling() {
         steps(harness, 1);
     }
