@@ -172,7 +172,7 @@ pub const TARGETS: &[Target] = &[
     Target {
         name: "settings",
         work: Work::Reads,
-        sources: &["crates/window/src/remembered.rs", "crates/window/src/desktop/stored_zoom.rs"],
+        sources: &["crates/controls/src/settings/remembered.rs", "crates/controls/src/settings/stored_zoom.rs"],
         run: machine_files::settings,
     },
     Target {

@@ -3,11 +3,12 @@
 use std::io;
 
 use glam::{DVec2, DVec3};
+use saute_controls::settings::Settings;
+use saute_controls::settings::stored_zoom;
 use saute_haptics::strings::wire::{Frame, FrameError, Link};
 use saute_haptics::{Geometry, HapticCommand, HapticDevice, KeptCalibration, Spidar};
 use saute_mirror::rig_file;
-use saute_window::desktop::stored_zoom;
-use saute_window::settings::Settings;
+use saute_words::language::Language;
 
 use crate::text;
 
@@ -59,7 +60,7 @@ pub fn settings(bytes: &[u8]) {
     if let Some(mended) = stored_zoom::mended(text) {
         assert_eq!(stored_zoom::mended(&mended), None, "a mended text needs no mending");
     }
-    let (settings, _) = Settings::remembered(text);
+    let (settings, _) = Settings::remembered(text, Language::ENGLISH);
     let written = serde_json::to_string(&settings).expect("settings can be written");
-    assert_eq!(Settings::remembered(&written), (settings, false));
+    assert_eq!(Settings::remembered(&written, Language::ENGLISH), (settings, false));
 }

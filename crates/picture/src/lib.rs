@@ -1,4 +1,5 @@
-//! Pictures of a kitchen: its state as the renderer's input, colour maps, cuts, sections and stills.
+//! Pictures of a kitchen: its state as the renderer's input, colour maps, cuts, sections and stills,
+//! also through a half mirror, and the quality that a machine holds.
 //!
 //! [`stage::Stage`] turns a kitchen into a [`saute_scene::input::SceneInput`]. The crate computes no physics and opens
 //! no window.
@@ -24,6 +25,10 @@
 
 pub mod colour;
 pub mod cut;
+pub mod frame_meter;
+pub mod governor;
+pub mod mirrored;
+pub mod motion;
 mod pace;
 pub mod painted;
 mod pan;

@@ -4,9 +4,9 @@ use std::cell::Cell;
 use std::rc::Rc;
 
 use eframe::{CreationContext, WebOptions, WebRunner};
+use saute_controls::pose::Pose;
 use saute_recipe::Recipe;
 use saute_window::browser::host::PageStart;
-use saute_window::pose::Pose;
 use saute_window::{DesktopOptions, SauteApp, Start};
 use wasm_bindgen::prelude::wasm_bindgen;
 use wasm_bindgen::{JsCast, JsValue};

@@ -1,9 +1,7 @@
 //! The window as a page: what the browser does for it. Events to the page, files, downloads.
 
-pub(crate) mod act;
 pub(crate) mod fonts;
 pub(crate) mod gamepad;
-pub(crate) mod hands;
 mod helper;
 pub mod host;
 mod mirrored;

@@ -9,9 +9,11 @@ use saute_study::class::ResultRow;
 #[cfg(target_arch = "wasm32")]
 pub use crate::browser::{host::PageStart as HostStart, page::Page as CurrentHost};
 #[cfg(not(target_arch = "wasm32"))]
-pub use crate::desktop::{hand::HandsStart as HostStart, host::Desktop as CurrentHost};
-use crate::input::gamepad::PadState;
+pub use crate::desktop::host::Desktop as CurrentHost;
 use crate::listener::Listener;
+#[cfg(not(target_arch = "wasm32"))]
+pub use saute_controls::hands::HandsStart as HostStart;
+use saute_controls::input::gamepad::PadState;
 
 /// What writes a picture, on any thread; returns where it is then, or what it is called.
 pub type PictureKeeper = Box<dyn Fn(&[u8]) -> Result<PathBuf, String> + Send>;

@@ -37,3 +37,9 @@ impl Speech {
         if self.fahrenheit { "°F" } else { "°C" }
     }
 }
+
+/// Returns a text that begins with a capital letter.
+pub fn capitalised(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+}

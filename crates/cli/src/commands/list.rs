@@ -3,6 +3,7 @@
 use std::process::ExitCode;
 use std::sync::Arc;
 
+use saute_controls::spoken::view_words::ViewWords;
 use saute_kitchen::Library;
 use saute_kitchen::data::goals::GoalDescription;
 use saute_kitchen::data::library::DEFAULT_SCALE;
@@ -11,7 +12,6 @@ use saute_picture::View;
 use saute_recipe::Recipe;
 use saute_study::Protocol;
 use saute_study::class::Scenario;
-use saute_window::spoken::view_words::ViewWords;
 use saute_words::speech::Speech;
 use serde::Serialize;
 

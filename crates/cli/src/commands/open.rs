@@ -4,11 +4,11 @@ use std::path::Path;
 use std::process::ExitCode;
 use std::sync::Arc;
 
+use saute_controls::hands::HandsStart;
 use saute_kitchen::data::library::DEFAULT_SCALE;
 use saute_session::guided::{LessonStart, StudyStart};
 use saute_study::class::{Scenario, shipped};
 use saute_study::{NoCode, Participant};
-use saute_window::desktop::hand::HandsStart;
 use saute_window::{DesktopOptions, Start};
 
 use crate::args::{HandArgs, OpenArgs};

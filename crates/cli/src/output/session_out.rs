@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
+use saute_controls::kept::session_file::SessionFile;
 use saute_kitchen::{Kitchen, Library};
 use saute_recipe::{Recipe, Recording};
-use saute_window::desktop::session_file::SessionFile;
 
 use crate::error::CliError;
 use crate::output::out_file::OutPlace;

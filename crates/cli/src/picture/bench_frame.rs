@@ -5,10 +5,10 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use clap::ValueEnum;
+use saute_controls::settings::quality_choice::QualityChoice;
 use saute_recipe::Recipe;
 use saute_recipe::full_pan::{SHRIMPS, SHRIMPS_LIE_S};
 use saute_window::desktop::bench_frame::{DISH, DISH_FROM_S, FROM_S, FrameCase, bench_frame};
-use saute_window::ui::quality_choice::QualityChoice;
 use saute_window::{DesktopOptions, Start};
 
 use super::choices::QualityName;

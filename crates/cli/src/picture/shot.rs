@@ -12,6 +12,7 @@ use saute_mirror::rig_file;
 use saute_mirror::stereo::Stereo;
 use saute_picture::View;
 use saute_picture::cut::section::Picture;
+use saute_picture::mirrored::still::mirror_shot_of;
 use saute_picture::still::animation::Format;
 use saute_picture::still::png_file::png_bytes;
 use saute_picture::still::series::Series;
@@ -19,7 +20,6 @@ use saute_picture::still::shot::{Eye, ShotOptions, cook_to_end, shot_of};
 use saute_recipe::Cook;
 use saute_scene::camera::FIELD_OF_VIEW;
 use saute_scene::light::photo::Photo;
-use saute_window::desktop::mirror_still::mirror_shot_of;
 
 use super::choices::{LightName, QualityName, StereoName, ViewName, WhiteName};
 use super::contact_sheet::{check_sheet, contact_sheet};

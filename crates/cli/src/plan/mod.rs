@@ -9,9 +9,9 @@ use std::process::ExitCode;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
+use saute_controls::plan::kitchen_card;
 use saute_kitchen::Library;
 use saute_plan::schedule::{Cooking, Job, JobError, JobResult, Order, Plan, Planner};
-use saute_window::plan::kitchen_card;
 use saute_words::speech::Speech;
 
 use crate::error::CliError;

@@ -11,8 +11,8 @@ use std::process::ExitCode;
 use std::sync::Arc;
 
 use clap::Subcommand;
+use saute_controls::kept::log_file::study_in_folder;
 use saute_study::{Protocol, shipped};
-use saute_window::desktop::log_file::study_in_folder;
 
 use crate::args::HandArgs;
 use crate::commands::open;

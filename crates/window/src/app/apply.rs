@@ -10,11 +10,11 @@ pub(crate) mod waiting;
 
 use saute_kitchen::Command;
 
-use crate::act::{Act, AppAct, Card, CookAct, LearnAct, Setting, TimeAct, ViewAct};
 use crate::app::SauteApp;
 use crate::app::on_host::OnHost;
-use crate::input::tool_hand::TurnerPose;
 use crate::system::IS_PAGE;
+use saute_controls::act::{Act, AppAct, Card, CookAct, LearnAct, Setting, TimeAct, ViewAct};
+use saute_controls::input::tool_hand::TurnerPose;
 
 /// Height of a toss by key [m] (chosen: over the rim, within reach).
 const TOSS_M: f64 = 0.12;

@@ -1,8 +1,8 @@
 //! What is over the scene.
 
-use crate::act::Card;
 use crate::panels::memory::PanelMemory;
-use crate::ui::notice::Notice;
+use saute_controls::act::Card;
+use saute_controls::spoken::notice::Notice;
 
 /// What is over the scene: a card, what was said, and what panels keep.
 #[derive(Default)]

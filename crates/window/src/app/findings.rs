@@ -11,7 +11,7 @@ use saute_sound::Snapshot;
 use saute_words::judgement_words::ResultWords;
 
 use super::SauteApp;
-use crate::act::Card;
+use saute_controls::act::Card;
 
 /// What a frame finds out once, before panels show it.
 pub(crate) struct Findings {

@@ -6,11 +6,11 @@ use web_time::{Duration, Instant};
 
 use super::SauteApp;
 use super::on_host::OnHost;
-use crate::act::{Act, Acts, AppAct, Card};
 use crate::panels;
 use crate::system::IS_PAGE;
 use crate::ui::fingers;
 use crate::ui::layout::Layout;
+use saute_controls::act::{Act, Acts, AppAct, Card};
 use saute_session::MOST_OWED_S;
 use saute_session::forecasts::Shown;
 use saute_session::guided::Guided;
@@ -29,7 +29,7 @@ impl SauteApp {
     pub fn frame(&mut self, ui: &mut Ui) {
         let ctx = ui.ctx().clone();
         self.sights.scene.rests = self.sights.scene.rest.is_final() && !ctx.requested_repaint_last_pass();
-        self.settings.display(&ctx);
+        crate::ui::display::display(&self.settings, &ctx);
         fingers::note(&ctx, false);
         self.shake_pad(&ctx);
         self.take_devices(&ctx);
@@ -138,7 +138,7 @@ impl SauteApp {
         if let Err(error) = passed {
             self.say_trouble(&error);
         }
-        self.sights.motions.jumps = self.settings.moves_less();
+        self.sights.motions.jumps = crate::ui::display::moves_less(&self.settings);
         self.sights.motions.advance(&self.session.kitchen, self.session.generation, wall as f32);
         self.move_eye(wall as f32);
         if !(self.session.paused || waits)

@@ -2,7 +2,7 @@
 
 use saute_scene::quality::Quality;
 
-use crate::governor::Governor;
+use saute_picture::governor::Governor;
 
 /// What the window draws with.
 pub(crate) struct Graphics {

@@ -3,13 +3,14 @@
 use egui::{Context, Event, Key};
 
 use super::SauteApp;
-use crate::act::{Act, BINDINGS, TimeAct};
+use crate::bindings::BINDINGS;
+use saute_controls::act::{Act, TimeAct};
 
 impl SauteApp {
     /// Carries out what was pressed since the last frame. A text field takes all keys, a widget with the focus only those
     /// by which it is used.
     pub(super) fn take_keys(&mut self, ctx: &Context) {
-        self.settings.size = self.settings.size.by_keys(ctx);
+        self.settings.size = crate::ui::display::by_keys(self.settings.size, ctx);
         if ctx.text_edit_focused() {
             return;
         }

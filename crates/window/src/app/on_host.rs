@@ -5,11 +5,11 @@ use saute_scene::mesh::strings::StringLook;
 use saute_session::export::Export;
 use saute_words::language::Language;
 
-use crate::act::HostAct;
 use crate::host::HostStart;
-use crate::plan::PlanFile;
 use crate::start::DesktopOptions;
 use crate::ui::layout::{Layout, Pane};
+use saute_controls::act::HostAct;
+use saute_controls::plan::PlanFile;
 
 /// What the app does differently on a desktop and in a page; [`super::SauteApp`] does it once for each, and only one of both is compiled.
 pub(crate) trait OnHost {

@@ -2,10 +2,10 @@
 
 use super::SauteApp;
 use super::on_host::OnHost;
-use crate::act::Card;
-use crate::frame_meter::FrameMeter;
-use crate::session::Session;
-use crate::settings::Settings;
+use saute_controls::act::Card;
+use saute_controls::session::Session;
+use saute_controls::settings::Settings;
+use saute_picture::frame_meter::FrameMeter;
 use saute_session::work::{Agency, Helper, WorkKind};
 use saute_words::language::Language;
 

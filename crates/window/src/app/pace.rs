@@ -2,8 +2,8 @@
 
 use super::SauteApp;
 use crate::app::apply::waiting::Waiting;
-use crate::frame_meter::FrameMeter;
 use saute_kitchen::advice::Advice;
+use saute_picture::frame_meter::FrameMeter;
 use saute_session::SPEEDS;
 use saute_session::easing::Easing;
 use saute_session::guided::Guided;

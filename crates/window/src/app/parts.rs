@@ -13,15 +13,15 @@ use crate::panels::Parts;
 use crate::panels::at_home::at_home_state::AtHomeState;
 use crate::panels::cards::mirror::MirrorState;
 use crate::panels::cards::settings::SettingsState;
-use crate::panels::context::PanelContext;
 use crate::panels::cook::cook_state::CookState;
 use crate::panels::inside::InsideState;
 use crate::panels::memory::PanelMemory;
-use crate::panels::now::now_state::NowState;
 use crate::panels::plan::plan_state::PlanState;
 use crate::panels::top::TopState;
 use crate::panels::ways::way_words;
 use crate::panels::ways::ways_state::WaysState;
+use saute_controls::context::PanelContext;
+use saute_controls::now::now_state::NowState;
 
 impl SauteApp {
     /// What each panel reads in a frame, and what panels keep.

@@ -3,7 +3,7 @@
 use saute_haptics::Rumble;
 
 use super::host::Host;
-use crate::input::gamepad::{PadButton, PadState};
+use saute_controls::input::gamepad::{PadButton, PadState};
 
 /// Numbers before the buttons: both sticks to the right and up, both triggers.
 const AXES: usize = 6;

@@ -1,10 +1,10 @@
 //! The panels a second time, as HTML beside the canvas: what egui tells screen readers goes to the page's script, and what is done
 //! there comes back.
 
-use crate::controls::{Control, Identity, controls, under_card};
-use crate::spoken::announcer::Announcer;
 use egui::accesskit::{Action, ActionData, ActionRequest, NodeId, TreeId};
 use egui::{Context, Event, FullOutput, RawInput};
+use saute_controls::control_list::{Control, Identity, controls, under_card};
+use saute_controls::spoken::announcer::Announcer;
 use std::sync::{Arc, Mutex};
 use web_time::{Duration, Instant};
 

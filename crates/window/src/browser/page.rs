@@ -9,8 +9,8 @@ use saute_study::class::ResultRow;
 use super::host::Host as Script;
 use super::{Inbox, Mirrored, download, gamepad};
 use crate::host::{Host, PictureKeeper};
-use crate::input::gamepad::PadState;
 use crate::listener::Listener;
+use saute_controls::input::gamepad::PadState;
 
 /// Name of a downloaded picture; browsers number further ones.
 const PICTURE: &str = "saute.png";

@@ -2,13 +2,13 @@
 
 use egui::{RichText, Ui};
 
-use crate::act::{Act, Acts, AppAct, HostAct};
 use crate::host::CurrentHost;
 use crate::panels::cards::setting_row::explained;
-use crate::panels::context::PanelContext;
 use crate::ui::layout::Layout;
-use crate::ui::notice::Said;
 use crate::ui::theme;
+use saute_controls::act::{Act, Acts, AppAct, HostAct};
+use saute_controls::context::PanelContext;
+use saute_controls::spoken::notice::Said;
 
 /// A page keeps nothing about devices.
 pub(crate) type HostMemory = ();

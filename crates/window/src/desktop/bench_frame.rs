@@ -9,7 +9,7 @@ use serde::Serialize;
 
 use crate::desktop::offscreen::{Offscreen, OffscreenError};
 use crate::start::Start;
-use crate::ui::quality_choice::QualityChoice;
+use saute_controls::settings::quality_choice::QualityChoice;
 
 /// Simulated time from which frames are measured, as a rule [s].
 pub const FROM_S: f64 = 60.0;

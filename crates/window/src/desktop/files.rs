@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::Receiver;
 
-use crate::plan::PlanFile;
+use saute_controls::plan::PlanFile;
 use saute_files::regular_file;
 use saute_session::export::Export;
 

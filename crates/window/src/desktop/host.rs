@@ -7,11 +7,11 @@ use saute_scene::light::photo::Photo;
 use saute_study::class::ResultRow;
 
 use super::files::{Dialog, pictures_folder, write_picture};
-use super::gamepad_device::GamepadDevice;
 use super::photo::PhotoMode;
 use crate::host::{Host, PictureKeeper};
-use crate::input::gamepad::PadState;
 use crate::listener::Listener;
+use saute_controls::hands::GamepadDevice;
+use saute_controls::input::gamepad::PadState;
 
 /// What the window has of the desktop.
 #[derive(Default)]

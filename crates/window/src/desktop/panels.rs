@@ -4,11 +4,11 @@ use egui::{Ui, vec2};
 
 use super::hand::{self, Choice};
 use super::photo_bar;
-use crate::act::{Act, Acts, AppAct, HostAct};
 use crate::host::CurrentHost;
-use crate::panels::context::PanelContext;
 use crate::ui::layout::Layout;
-use crate::ui::notice::Said;
+use saute_controls::act::{Act, Acts, AppAct, HostAct};
+use saute_controls::context::PanelContext;
+use saute_controls::spoken::notice::Said;
 
 /// What was typed and chosen about a device.
 pub(crate) type HostMemory = Choice;

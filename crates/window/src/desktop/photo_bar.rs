@@ -3,11 +3,12 @@
 use egui::{Align2, Area, Id, ProgressBar, Rect, RichText, Slider, Ui, vec2};
 use saute_scene::light::photo::Photo;
 
-use crate::act::{Act, Acts, AppAct, HostAct, hint};
-use crate::desktop::photo::{PhotoMode, SIZES};
-use crate::panels::context::PanelContext;
+use crate::bindings::hint;
+use crate::desktop::photo::PhotoMode;
 use crate::ui::layout::GAP;
 use crate::ui::theme;
+use saute_controls::act::{Act, Acts, AppAct, HostAct, SIZES};
+use saute_controls::context::PanelContext;
 
 /// Width of a slider [points].
 const SLIDER: f32 = 110.0;

@@ -1,9 +1,9 @@
 //! The native window.
 
 use crate::app::SauteApp;
-use crate::desktop::stored_zoom;
 use crate::desktop::system::NAME;
 use crate::start::Start;
+use saute_controls::settings::stored_zoom;
 
 /// Opens the window and stays until it is closed.
 pub fn run(start: Start) -> eframe::Result {

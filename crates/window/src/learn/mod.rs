@@ -1,11 +1,9 @@
 //! What the window teaches: goals, the result of a cook, skill mode, and the tutorial.
 
-pub mod goal_choice;
 pub mod on_its_own;
 pub mod raster;
-pub mod tutorial;
 
-use self::tutorial::Tutorial;
+use saute_controls::tutorial::Tutorial;
 
 /// What the window keeps of what it teaches.
 #[derive(Debug, Default)]

@@ -1,15 +1,15 @@
 //! The window of the half mirror: the picture for the device, or the calibration pattern.
 
 use super::aim::Aim;
+use super::callback::MirrorCallback;
 use super::pattern::Pattern;
-use super::presenter::MirrorCallback;
-use crate::mirror::frame::MirrorFrame;
 use egui::{Color32, Key, Sense, Ui};
 use glam::DVec2;
 use saute_files::regular_file;
 use saute_mirror::rig::Rig;
 use saute_mirror::rig_file;
 use saute_mirror::settings::MirrorSettings;
+use saute_picture::mirrored::frame::MirrorFrame;
 use saute_scene::input::SceneInput;
 use saute_scene::quality::Quality;
 use saute_words::language::Language;

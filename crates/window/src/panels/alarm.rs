@@ -2,9 +2,9 @@
 
 use egui::{Align2, Area, Color32, Id, Order, Rect, RichText, Ui, vec2};
 
-use crate::act::{Act, Acts, CookAct};
-use crate::panels::context::PanelContext;
 use crate::ui::theme;
+use saute_controls::act::{Act, Acts, CookAct};
+use saute_controls::context::PanelContext;
 
 /// Ground of the alarm: red, white on which has a contrast of 6.5 [-] (chosen, as the stop of the hands).
 const RED: Color32 = Color32::from_rgb(178, 24, 24);

@@ -4,13 +4,13 @@ use egui::{Align2, Area, FontId, Id, RichText, Ui};
 use saute_kitchen::food::Rules;
 use saute_picture::view::View;
 
-use crate::act::Acts;
-use crate::panels::context::PanelContext;
 use crate::panels::host_panels;
 use crate::panels::legend;
 use crate::ui::layout::{GAP, Layout};
-use crate::ui::notice::Said;
 use crate::ui::theme;
+use saute_controls::act::Acts;
+use saute_controls::context::PanelContext;
+use saute_controls::spoken::notice::Said;
 use saute_words::clock::clock;
 
 /// Height of the ribbon with its space [points].

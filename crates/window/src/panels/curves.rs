@@ -8,10 +8,10 @@ use saute_kitchen::food::Scale;
 use saute_kitchen::food::change::doneness::Measure;
 
 use crate::panels::ahead::future_curves::futures;
-use crate::panels::context::PanelContext;
 use crate::panels::curve::Curve;
 use crate::ui::palette::Palette;
 use crate::ui::theme;
+use saute_controls::context::PanelContext;
 use saute_session::Mark;
 use saute_words::clock::clock;
 use saute_words::language::Language;

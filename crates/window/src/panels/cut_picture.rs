@@ -7,7 +7,7 @@ use saute_picture::colour::map::TemperatureMap;
 use saute_picture::cut::section::section_picture;
 use saute_picture::view::View;
 
-use crate::panels::context::PanelContext;
+use saute_controls::context::PanelContext;
 
 /// Pictures of the cut of a steak are painted at this scale [pixels/mm] (chosen: sharp in the panel, 4 ms a picture).
 const PER_MM: f64 = 3.2;

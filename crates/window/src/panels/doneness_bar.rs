@@ -5,11 +5,11 @@ use saute_kitchen::food::Scale;
 use saute_kitchen::food::change::doneness::Measure;
 use saute_picture::colour::map::Tone;
 
-use crate::act::{Act, Acts, AppAct, Setting};
-use crate::panels::context::PanelContext;
 use crate::panels::section_read::Inside;
-use crate::settings::Settings;
 use crate::ui::{fingers, theme};
+use saute_controls::act::{Act, Acts, AppAct, Setting};
+use saute_controls::context::PanelContext;
+use saute_controls::settings::Settings;
 use saute_words::doneness_words;
 use saute_words::piece_words::change;
 

@@ -2,11 +2,12 @@
 
 use egui::{Rect, RichText, Ui, UiBuilder, vec2};
 
-use crate::act::{Act, Acts, AppAct, ViewAct, hint};
-use crate::panels::context::PanelContext;
+use crate::bindings::hint;
 use crate::system::IS_PAGE;
-use crate::ui::glance::EyeView;
 use crate::ui::theme;
+use saute_controls::act::{Act, Acts, AppAct, ViewAct};
+use saute_controls::context::PanelContext;
+use saute_controls::eye::EyeView;
 
 /// Shows a button for each view.
 pub fn show(state: &PanelContext, ui: &mut Ui, acts: &mut Acts, rect: Rect) {

@@ -7,17 +7,18 @@ use saute_kitchen::food::Scale;
 use saute_kitchen::food::change::doneness::Measure;
 use saute_kitchen::{Piece, Place, celsius};
 
-use crate::act::{Act, Acts, AppAct, Card, Setting, ViewAct};
-use crate::learn::goal_choice::named_goal;
-use crate::panels::context::{PanelContext, reads_context};
 use crate::panels::cook::heard;
 use crate::panels::learn::coach;
 use crate::panels::now::control_place;
 use crate::panels::section_read::Inside;
 use crate::panels::{ahead, curves, doneness_bar, probes};
-use crate::settings::Settings;
 use crate::ui::aloud::spoken_value;
 use crate::ui::{fingers, theme};
+use saute_controls::act::{Act, Acts, AppAct, Card, Setting, ViewAct};
+use saute_controls::context::PanelContext;
+use saute_controls::goal_choice::named_goal;
+use saute_controls::reads_context;
+use saute_controls::settings::Settings;
 use saute_sound::Snapshot;
 use saute_words::clock::clock;
 use saute_words::doneness_words;
@@ -89,7 +90,7 @@ fn more(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
         let text = RichText::new(l.text(if open { "inside.less" } else { "inside.more" })).size(13.0);
         let size = vec2(ui.available_width(), fingers::height(ui, 24.0));
         let button = egui::Button::new(text).min_size(size).truncate();
-        if ui.add(button).on_hover_text(crate::act::hint(&Act::View(ViewAct::Curves), l)).clicked() {
+        if ui.add(button).on_hover_text(crate::bindings::hint(&Act::View(ViewAct::Curves), l)).clicked() {
             acts.push(Act::View(ViewAct::Curves));
         }
     });

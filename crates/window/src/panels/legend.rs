@@ -4,10 +4,10 @@ use egui::{Align2, Color32, FontId, Painter, Rect, RichText, Sense, Stroke, Ui, 
 use saute_kitchen::food::Scale;
 use saute_picture::colour::map::{ColourMap, Tone};
 
-use crate::act::{Act, Acts, ViewAct};
-use crate::panels::context::PanelContext;
-use crate::spoken::view_words::ViewWords;
 use crate::ui::{fingers, theme};
+use saute_controls::act::{Act, Acts, ViewAct};
+use saute_controls::context::PanelContext;
+use saute_controls::spoken::view_words::ViewWords;
 use saute_words::doneness_words;
 use saute_words::language::Language;
 

@@ -2,15 +2,15 @@
 
 use std::collections::BTreeSet;
 
-use crate::act::{Act, ViewAct};
 use crate::panels::cards::result::CutOfResult;
-use crate::panels::context::PanelContext;
 use crate::panels::guided::Entries;
 use crate::panels::host_panels::HostMemory;
-use crate::panels::now::now_memory::NowMemory;
 use crate::panels::pantry::PantryMemory;
 use crate::panels::section_read::Inside;
 use crate::panels::ways::memory::WaysMemory;
+use saute_controls::act::{Act, ViewAct};
+use saute_controls::context::PanelContext;
+use saute_controls::now::now_memory::NowMemory;
 
 /// Which part of the drawer is open on a narrow window.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

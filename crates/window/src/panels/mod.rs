@@ -5,7 +5,6 @@ pub mod alarm;
 pub mod at_home;
 pub mod badge;
 pub mod cards;
-pub mod context;
 pub mod cook;
 pub mod curve;
 pub mod curves;
@@ -31,28 +30,28 @@ pub mod ways;
 
 use egui::{Rect, ScrollArea, Ui, UiBuilder};
 
-use crate::act::{Acts, Card};
 use crate::host::CurrentHost;
 use crate::paint::ground::GroundCallback;
 use crate::panels::at_home::at_home_state::AtHomeState;
 use crate::panels::cards::mirror::MirrorState;
 use crate::panels::cards::settings::SettingsState;
 use crate::panels::cards::{first_steps, goals, help, learn as learn_card, lessons, messages, result, unfinished};
-use crate::panels::context::PanelContext;
 use crate::panels::cook::cook_state::CookState;
 use crate::panels::cook::{few_controls, hob_bar, pour, time_strip};
 use crate::panels::inside::InsideState;
 use crate::panels::memory::{Drawer, PanelMemory};
-use crate::panels::now::now_state::NowState;
 use crate::panels::plan::plan_state::PlanState;
 use crate::panels::top::TopState;
 use crate::panels::ways::ways_state::WaysState;
 use crate::system::IS_PAGE;
 use crate::ui::aloud::name_panel;
 use crate::ui::layout::{GAP, Layout};
-use crate::ui::notice::{Notice, Said};
 use crate::ui::scene_view::SceneView;
 use crate::ui::{fingers, theme};
+use saute_controls::act::{Acts, Card};
+use saute_controls::context::PanelContext;
+use saute_controls::now::now_state::NowState;
+use saute_controls::spoken::notice::{Notice, Said};
 use saute_words::judgement_words::ResultWords;
 
 /// Space within a panel of controls for a mouse, and within one for fingers [points].

@@ -4,13 +4,13 @@ use egui::{RichText, Ui, vec2};
 use saute_kitchen::food::{FoodDescription, Rules};
 use saute_kitchen::{Library, PieceOrder};
 
-use crate::act::{Act, Acts, AppAct, Card, CookAct, Setting};
-use crate::panels::context::PanelContext;
 use crate::panels::host_panels;
 use crate::panels::still::Stills;
 use crate::ui::aloud::heading;
 use crate::ui::aloud::spoken_value;
 use crate::ui::theme;
+use saute_controls::act::{Act, Acts, AppAct, Card, CookAct, Setting};
+use saute_controls::context::PanelContext;
 use saute_session::export::Export;
 use saute_session::{SteakChoice, noun};
 use saute_words::language::Language;

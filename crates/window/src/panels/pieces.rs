@@ -5,10 +5,10 @@ use std::collections::{BTreeMap, BTreeSet};
 use egui::{RichText, Sense, Ui, vec2};
 use saute_kitchen::{Piece, celsius};
 
-use crate::act::{Act, Acts, CookAct, ViewAct};
-use crate::panels::context::PanelContext;
 use crate::ui::aloud::heading;
 use crate::ui::{fingers, theme};
+use saute_controls::act::{Act, Acts, CookAct, ViewAct};
+use saute_controls::context::PanelContext;
 use saute_words::language::Language;
 use saute_words::piece_words::group_of;
 use saute_words::piece_words::{doneness, grams, place};

@@ -2,9 +2,10 @@
 
 use egui::{RichText, Ui, vec2};
 
-use crate::act::{Act, Acts, ViewAct, key_of};
-use crate::panels::context::PanelContext;
+use crate::bindings::key_of;
 use crate::ui::{fingers, theme};
+use saute_controls::act::{Act, Acts, ViewAct};
+use saute_controls::context::PanelContext;
 
 /// A button after which the next click on the food puts a probe in; `placing` is true until then.
 pub fn add_button(state: &PanelContext, placing: bool, ui: &mut Ui, acts: &mut Acts) {

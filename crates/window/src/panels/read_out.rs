@@ -4,10 +4,10 @@ use egui::{Align2, Area, Id, Order, Rect, RichText, Ui, Vec2, vec2};
 use saute_kitchen::food::change::doneness::Measure;
 use saute_kitchen::{Piece, celsius};
 
-use crate::panels::context::PanelContext;
-use crate::spoken::view_words::ViewWords;
 use crate::ui::scene_view::SceneView;
 use crate::ui::theme;
+use saute_controls::context::PanelContext;
+use saute_controls::spoken::view_words::ViewWords;
 use saute_words::piece_words::{doneness, grams, place};
 
 /// How far it is below a mouse, and above a finger [points].

@@ -1,8 +1,8 @@
 //! The section of the piece that the panels show, and what was read with it.
 
-use crate::panels::context::PanelContext;
 use crate::panels::cut_picture::CutPicture;
 use egui::Ui;
+use saute_controls::context::PanelContext;
 use saute_kitchen::Piece;
 use saute_kitchen::food::{Scale, Shares};
 

@@ -3,12 +3,14 @@
 use egui::Ui;
 use saute_picture::view::View;
 
-use crate::act::{Act, Acts, AppAct, Card, ViewAct, hint};
-use crate::panels::context::{PanelContext, reads_context};
+use crate::bindings::hint;
 use crate::panels::cook::speaker_switch;
 use crate::panels::now::control_place;
-use crate::spoken::view_words::ViewWords;
 use crate::ui::{fingers, theme};
+use saute_controls::act::{Act, Acts, AppAct, Card, ViewAct};
+use saute_controls::context::PanelContext;
+use saute_controls::reads_context;
+use saute_controls::spoken::view_words::ViewWords;
 use saute_session::permits::Permit;
 
 /// Height of a chip [points]: two rows of them fit above a narrow scene.

@@ -2,9 +2,9 @@
 
 use egui::{Pos2, Rect, Vec2, pos2, vec2};
 
-use crate::settings::Settings;
 use crate::ui::theme::TOUCH;
 use crate::ui::ways_layout::WaysLayout;
+use saute_controls::settings::Settings;
 
 /// Below this width the panels gather in one drawer [points] (chosen: hob and clock still stand in one row).
 const NARROW: f32 = 1080.0;

@@ -2,15 +2,12 @@
 
 pub(crate) mod aloud;
 pub mod bell;
+pub mod display;
 pub mod fingers;
-pub mod glance;
-pub mod interface_size;
 pub(crate) mod japanese_font;
 pub mod layout;
-pub mod motion;
-pub mod notice;
 pub mod palette;
-pub mod quality_choice;
+pub(crate) mod picking;
 pub mod scene_view;
 pub(crate) mod tab_end;
 pub mod theme;

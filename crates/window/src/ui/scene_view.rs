@@ -1,10 +1,10 @@
 //! The scene in the window: drawing, and the handle of the cut.
 
-use crate::input::grab::Hold;
 use crate::paint::scene::SceneRest;
 use crate::ui::layout::Pane;
 use egui::{Pos2, Rect, pos2};
 use glam::Vec3;
+use saute_controls::input::grab::Hold;
 use saute_picture::stage::Pose;
 use saute_recipe::probe::SeenPoint;
 use saute_scene::input::SceneInput;

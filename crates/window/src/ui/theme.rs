@@ -4,7 +4,6 @@ use egui::{
     CornerRadius, FontFamily, FontId, Frame, Margin, Response, Stroke, StrokeKind, Style, TextEdit, TextStyle, Ui,
     Visuals,
 };
-use serde::{Deserialize, Serialize};
 
 use crate::ui::palette::Palette;
 
@@ -14,33 +13,6 @@ pub const CORNER: u8 = 12;
 pub const CONTROL_CORNER: u8 = 8;
 /// Height of a control that a finger can hit [points].
 pub const TOUCH: f32 = 44.0;
-
-/// Dark or light panels.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Theme {
-    /// Light text on a dark ground.
-    #[default]
-    Dark,
-    /// Dark text on paper.
-    Light,
-    /// As the system says; dark where it says nothing.
-    System,
-}
-
-impl Theme {
-    /// All of them.
-    pub const ALL: [Self; 3] = [Self::Dark, Self::Light, Self::System];
-
-    /// The preference that is passed to egui.
-    pub fn preference(self) -> egui::ThemePreference {
-        match self {
-            Self::Dark => egui::ThemePreference::Dark,
-            Self::Light => egui::ThemePreference::Light,
-            Self::System => egui::ThemePreference::System,
-        }
-    }
-}
 
 /// The colours that hold here.
 pub fn of(ui: &Ui) -> &'static Palette {
@@ -61,7 +33,7 @@ pub fn field(ui: &mut Ui, edit: TextEdit) -> Response {
     response
 }
 
-/// Sets up both themes; [`Theme::preference`] then chooses.
+/// Sets up both themes; the settings choose one.
 pub fn install(ctx: &egui::Context) {
     // The size of the interface is a setting, which has those keys.
     ctx.options_mut(|options| options.zoom_with_keyboard = false);

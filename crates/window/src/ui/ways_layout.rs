@@ -97,8 +97,8 @@ mod tests {
     use egui::Pos2;
 
     use super::*;
-    use crate::settings::Settings;
     use crate::ui::layout::Layout;
+    use saute_controls::settings::Settings;
 
     #[test]
     fn every_way_has_a_pan_that_can_be_seen() {

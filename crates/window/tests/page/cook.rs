@@ -3,9 +3,9 @@
 use std::path::Path;
 use std::sync::Arc;
 
+use saute_controls::session::Session;
 use saute_kitchen::{Command, Library};
 use saute_recipe::{Recipe, Replay};
-use saute_window::session::Session;
 
 /// A dish with everything that a hand does: rigid bodies, liquids, a lid.
 const DISH: &str = r#"

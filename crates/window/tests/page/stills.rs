@@ -3,11 +3,11 @@
 
 use std::path::Path;
 
+use saute_controls::pose::Pose;
 use saute_picture::cut::section::Picture;
 use saute_picture::still::png_file::png_bytes;
 use saute_window::Start;
 use saute_window::desktop::offscreen::Offscreen;
-use saute_window::pose::Pose;
 use serde_json::Value;
 
 /// Size of the window [points].

@@ -5,8 +5,8 @@ use egui_kittest::{
     Harness,
     kittest::{NodeT, Queryable},
 };
+use saute_controls::act::{Act, TimeAct};
 use saute_window::SauteApp;
-use saute_window::act::{Act, TimeAct};
 use saute_window::ui::layout::Layout;
 
 use crate::harness::{WINDOW, cook, drag, press, save, steps, window};

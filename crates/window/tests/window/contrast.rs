@@ -6,12 +6,12 @@ use std::collections::BTreeSet;
 use egui::epaint::{CircleShape, RectShape, TextShape};
 use egui::{Color32, Key, Pos2, Rect, Shape, accesskit::Role, pos2, vec2};
 use egui_kittest::{Harness, kittest::NodeT};
+use saute_controls::act::{Act, AppAct, Setting};
+use saute_controls::settings::theme::Theme;
 use saute_kitchen::Command;
 use saute_kitchen::food::change::colour::decoded;
 use saute_window::SauteApp;
-use saute_window::act::{Act, AppAct, Setting};
 use saute_window::ui::palette::Palette;
-use saute_window::ui::theme::Theme;
 
 use crate::harness::{cook, press, steps, window};
 

@@ -7,12 +7,12 @@ use egui::accesskit::Role;
 use egui::{Key, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
+use saute_controls::kept::log_file::study_in_folder;
 use saute_kitchen::Library;
 use saute_picture::View;
 use saute_session::guided::{Guided, LessonStart};
 use saute_study::class::{Scenario, shipped};
 use saute_study::{LogRow, Pace, Protocol, RowKind, Stage, from_csv};
-use saute_window::desktop::log_file::study_in_folder;
 use saute_window::{DesktopOptions, SauteApp, Start};
 
 use crate::harness::{cook, press, save, steps, window_with};

@@ -6,10 +6,10 @@ use std::time::{Duration, Instant};
 use egui::{Key, vec2};
 use egui_kittest::{Harness, kittest::Queryable};
 use glam::DVec3;
+use saute_controls::hands::Role;
 use saute_haptics::device::{HapticCommand, HapticDevice, HapticSample, Sensed};
 use saute_haptics::{Capabilities, Geometry, Health, Pose, StringRig, TensionSolver, library};
 use saute_window::SauteApp;
-use saute_window::desktop::hand::Role;
 
 use crate::harness::{press, save, steps, window};
 

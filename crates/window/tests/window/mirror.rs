@@ -10,7 +10,7 @@ use saute_mirror::stereo::Stereo;
 use saute_scene::input::SceneInput;
 use saute_scene::quality::Quality;
 use saute_scene::sample::{Doneness, steak_in_pan};
-use saute_window::mirror::presenter::MirrorCallback;
+use saute_window::mirror::callback::MirrorCallback;
 use saute_window::mirror::view::MirrorView;
 use saute_words::language::Language;
 

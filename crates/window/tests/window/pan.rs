@@ -327,7 +327,7 @@ fn the_mouse_leads_the_turner_under_the_steak_lifts_it_and_the_pan_moves_meanwhi
 
 #[test]
 fn a_gamepad_moves_pan_and_tool_together_and_its_buttons_act() {
-    use saute_window::input::gamepad::{PadButton, PadState};
+    use saute_controls::input::gamepad::{PadButton, PadState};
     let mut harness = window(WIDE);
     press(&mut harness, Key::A);
     cook(&mut harness, 1.0);

@@ -6,8 +6,7 @@ use std::path::PathBuf;
 use egui::{Key, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
-use saute_window::act::{Act, AppAct, HostAct};
-use saute_window::desktop::photo::PhotoChoice;
+use saute_controls::act::{Act, AppAct, HostAct, PhotoChoice};
 use saute_window::{DesktopOptions, SauteApp, Start};
 
 use crate::harness::{cook, press, save, steps, window_with};

@@ -5,15 +5,15 @@ use egui_kittest::{
     Harness,
     kittest::{NodeT, Queryable},
 };
+use saute_controls::settings::Settings;
+use saute_controls::settings::interface_size::InterfaceSize;
+use saute_controls::settings::quality_choice::QualityChoice;
+use saute_controls::settings::theme::Theme;
 use saute_scene::light::room_light::RoomLight;
 use saute_scene::light::white_balance::WhiteBalance;
 use saute_scene::quality::Quality;
 use saute_window::SauteApp;
-use saute_window::settings::Settings;
-use saute_window::ui::interface_size::InterfaceSize;
 use saute_window::ui::layout::Layout;
-use saute_window::ui::quality_choice::QualityChoice;
-use saute_window::ui::theme::Theme;
 use saute_words::language::Language;
 
 use crate::harness::{cook, press, save, steps, window};
@@ -68,7 +68,7 @@ fn every_setting_is_chosen_on_the_card() {
         }
         for (choice, less) in [("Reduced", true), ("Gliding", false)] {
             choose(&mut harness, &format!("Movement: {choice}"));
-            assert_eq!(settings(&harness).moves_less(), less);
+            assert_eq!(saute_window::ui::display::moves_less(&settings(&harness)), less);
         }
         choose(&mut harness, "Language: 日本語");
         assert_eq!(settings(&harness).language, crate::harness::japanese());

@@ -6,10 +6,11 @@ use egui::accesskit::Role;
 use egui::{Key, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
+use saute_controls::settings::Settings;
 use saute_sound::{Event, EventKind, Steam, Told};
 use saute_window::SauteApp;
 use saute_window::listener::Listener;
-use saute_window::settings::Settings;
+use saute_words::language::Language;
 
 use crate::harness::{cook, press, save, steps, window};
 
@@ -132,7 +133,7 @@ fn one_switch_and_a_volume_are_kept(harness: &mut Harness<'static, SauteApp>, wi
     assert!(witness.told().is_paused && !harness.state().settings().sound);
     save(harness, "sound-off");
     let kept = serde_json::to_string(harness.state().settings()).expect("is written");
-    assert!(!Settings::remembered(&kept).0.sound);
+    assert!(!Settings::remembered(&kept, Language::ENGLISH).0.sound);
     click(harness);
     assert!(!witness.told().is_paused && harness.state().settings().sound);
     press(harness, Key::F2);

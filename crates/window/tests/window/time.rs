@@ -3,8 +3,8 @@
 use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers, Pos2, pos2};
 use egui_kittest::{Harness, kittest::Queryable};
-use saute_window::act::{Act, AppAct, CookAct, TimeAct};
-use saute_window::ui::theme::Theme;
+use saute_controls::act::{Act, AppAct, CookAct, TimeAct};
+use saute_controls::settings::theme::Theme;
 use saute_window::{DesktopOptions, SauteApp, Start};
 use saute_words::act_words::act_words;
 use saute_words::language::Language;
@@ -160,7 +160,7 @@ fn the_strip_is_at_hand_on_a_phone_and_on_paper() {
     assert!((time_s(&harness) - 100.0).abs() < 1.0);
     let rect = harness.get_by_role_and_label(Role::Slider, "Time of the cook").rect();
     assert!(rect.width() > 150.0 && rect.height() >= 28.0, "{rect}");
-    let set = saute_window::act::Setting::Theme(Theme::Light);
+    let set = saute_controls::act::Setting::Theme(Theme::Light);
     let ctx = harness.ctx.clone();
     harness.state_mut().act(Act::App(AppAct::Set(set)), &ctx);
     steps(&mut harness, 4);

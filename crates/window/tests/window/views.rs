@@ -5,9 +5,9 @@ use egui_kittest::{
     Harness,
     kittest::{NodeT, Queryable},
 };
+use saute_controls::spoken::view_words::ViewWords;
 use saute_picture::View;
 use saute_window::SauteApp;
-use saute_window::spoken::view_words::ViewWords;
 use saute_window::ui::layout::Layout;
 
 use crate::harness::{WINDOW, click, cook, drag, press, save, steps, window};

@@ -3,11 +3,12 @@
 use egui::Key;
 use egui::accesskit::Role;
 use egui_kittest::{Harness, kittest::Queryable};
+use saute_controls::act::{Act, AppAct, CookAct, Setting, TimeAct, ViewAct};
+use saute_controls::settings::theme::Theme;
 use saute_kitchen::Command;
 use saute_session::timeline::Stand;
 use saute_window::SauteApp;
-use saute_window::act::{Act, AppAct, CookAct, Setting, TimeAct, ViewAct};
-use saute_window::ui::theme::{TOUCH, Theme};
+use saute_window::ui::theme::TOUCH;
 use saute_words::language::Language;
 
 use crate::harness::{cook, press, save, steps, window};

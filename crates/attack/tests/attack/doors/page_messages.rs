@@ -2,9 +2,9 @@
 
 use saute_attack::doors::Range;
 use saute_attack::kitchen_files::LIBRARY;
+use saute_controls::pose::Pose;
 use saute_kitchen::hands::ranges::MAX_S;
 use saute_recipe::Recipe;
-use saute_window::pose::Pose;
 
 use super::{hostile, is_taken, names};
 

@@ -1,9 +1,9 @@
 //! Cards and panels: opened and closed by acts.
 
-use crate::act::Card;
 use crate::app::SauteApp;
 use crate::host::Host;
 use crate::panels::memory::Drawer;
+use saute_controls::act::Card;
 
 impl SauteApp {
     /// Opens a card in place of the one that is open.

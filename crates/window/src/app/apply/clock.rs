@@ -1,7 +1,7 @@
 //! Pause, step and speed by acts.
 
 use crate::app::SauteApp;
-use crate::settings::EASED;
+use saute_controls::settings::EASED;
 use saute_session::SPEEDS;
 
 impl SauteApp {

@@ -2,8 +2,8 @@
 
 use saute_picture::View;
 
-use crate::act::Act;
 use crate::app::SauteApp;
+use saute_controls::act::Act;
 
 impl SauteApp {
     /// Hides all read-outs, or shows them again.

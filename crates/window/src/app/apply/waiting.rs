@@ -1,6 +1,6 @@
 //! Acts that are given while time is turned: they are done as soon as the instant is reached.
 
-use crate::act::{Act, CookAct};
+use saute_controls::act::{Act, CookAct};
 use saute_kitchen::{Command, kelvin};
 use saute_words::act_words::command_words;
 use saute_words::language::Language;

@@ -1,8 +1,8 @@
 //! Haptic devices in the window: connecting, going on after a stop, and notices about them.
 
 use crate::app::SauteApp;
-use crate::desktop::hand::hands::{HandsStart, Role};
 use egui::{Context, Key, Modifiers};
+use saute_controls::hands::{HandsStart, Role};
 
 /// Interval at which the panel is redrawn while time stands still [s] (chosen: numbers that can be read).
 const ANEW_S: f64 = 0.1;

@@ -4,7 +4,7 @@ use crate::app::SauteApp;
 use crate::app::export::COOK_SAID;
 use crate::desktop::dialog_errors;
 use crate::desktop::files::{Asked, Dialog, DialogAnswer, free_path, read};
-use crate::plan::PlanFile;
+use saute_controls::plan::PlanFile;
 use saute_files::write_whole;
 use saute_session::export::Export;
 use std::path::{Path, PathBuf};

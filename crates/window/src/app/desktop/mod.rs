@@ -17,16 +17,16 @@ use saute_words::language::Language;
 
 use super::SauteApp;
 use super::on_host::OnHost;
-use crate::act::HostAct;
 use crate::desktop::files::Asked;
-use crate::desktop::gamepad_device::GamepadDevice;
 use crate::desktop::hand;
 use crate::desktop::photo::PhotoMode;
 use crate::desktop::system::NAME;
 use crate::host::HostStart;
-use crate::plan::PlanFile;
 use crate::start::DesktopOptions;
 use crate::ui::layout::{Layout, Pane};
+use saute_controls::act::HostAct;
+use saute_controls::hands::GamepadDevice;
+use saute_controls::plan::PlanFile;
 
 impl SauteApp {
     /// The photo mode.

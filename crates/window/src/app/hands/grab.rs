@@ -1,11 +1,11 @@
 //! The mouse in the scene: it turns the eye, grabs pieces and the pan, and leads them by force.
 
 use crate::app::SauteApp;
-use crate::input::grab::{Hold, ORBIT_PER_POINT};
-use crate::input::picking::{GRAB, TOUCH};
+use crate::ui::picking::{GRAB, TOUCH};
 use crate::ui::scene_view::{meet_height, ndc};
 use egui::{Pos2, Rect, Ui};
 use glam::{DVec3, Quat, Vec3};
+use saute_controls::input::grab::{Hold, ORBIT_PER_POINT};
 use saute_kitchen::dynamics::{Pose as BodyPose, Tool};
 use saute_kitchen::{Command, Piece, Place};
 use saute_picture::stage::Pose;
@@ -250,7 +250,7 @@ impl SauteApp {
 
     fn settle_turner(&mut self) {
         if self.inputs.tool_hand.turner.is_some() && !self.session.paused {
-            self.with_turner(crate::input::tool_hand::TurnerPose::settle);
+            self.with_turner(saute_controls::input::tool_hand::TurnerPose::settle);
         }
     }
 

@@ -10,11 +10,11 @@ mod put_in;
 mod scale_choice;
 mod tool_hand;
 
-use crate::input::pad_input::Pad;
-use crate::input::pan_keys::PanKeys;
-use crate::input::pouring::Portion;
-use crate::input::tool_hand::ToolHand;
 use crate::ui::tab_end::TabEnd;
+use saute_controls::input::pad_input::Pad;
+use saute_controls::input::pan_keys::PanKeys;
+use saute_controls::input::pouring::Portion;
+use saute_controls::input::tool_hand::ToolHand;
 
 /// What keys, mouse and gamepad hold from frame to frame.
 #[derive(Default)]

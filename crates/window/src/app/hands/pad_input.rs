@@ -2,8 +2,8 @@
 
 use crate::app::SauteApp;
 use crate::host::Host;
-use crate::input::gamepad::{PadMotion, PadState, acts, motion};
 use egui::Context;
+use saute_controls::input::gamepad::{PadMotion, PadState, acts, motion};
 
 impl SauteApp {
     /// Sets the gamepad's state, until one that is plugged in reports another.

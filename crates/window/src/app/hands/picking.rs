@@ -1,7 +1,7 @@
 //! Picking: what is under the pointer, with tolerance for small pieces and a thin rim.
 
 use crate::app::SauteApp;
-use crate::input::picking::{cross, distance, to_segment};
+use crate::ui::picking::{cross, distance, to_segment};
 use egui::{Pos2, Rect, pos2};
 use glam::{Mat4, Vec3};
 use saute_kitchen::Piece;

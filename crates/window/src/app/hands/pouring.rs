@@ -1,7 +1,7 @@
 //! Oil, butter, water and the lid: what a cook adds at once, and what is in the pan.
 
 use crate::app::SauteApp;
-use crate::input::pouring::Pourable;
+use saute_controls::input::pouring::Pourable;
 use saute_kitchen::Command;
 
 impl SauteApp {

@@ -1,8 +1,8 @@
 //! The tool in the cook's hand: tongs that grip what is dragged, or a turner that stays where it was put.
 
 use crate::app::SauteApp;
-use crate::input::tool_hand::{HIGHEST, REACH, TurnerPose};
 use glam::{DQuat, DVec2, DVec3};
+use saute_controls::input::tool_hand::{HIGHEST, REACH, TurnerPose};
 use saute_kitchen::dynamics::{BLADE_HALF, Pose, Tool};
 use saute_kitchen::{Command, Piece};
 use std::f64::consts::FRAC_PI_2;

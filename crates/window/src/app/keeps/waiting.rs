@@ -1,8 +1,8 @@
 //! Acts that are given while time is turned: they are done as soon as the instant is reached.
 
-use crate::act::{Act, TimeAct};
 use crate::app::SauteApp;
 use crate::app::apply::waiting::Waiting;
+use saute_controls::act::{Act, TimeAct};
 use saute_kitchen::Command;
 
 impl SauteApp {

@@ -7,7 +7,7 @@ use saute_session::guided::permits::{of_lesson, of_study};
 use saute_session::permits::Permits;
 use saute_study::class::Locked;
 
-use crate::act::{Act, AppAct, Card, CookAct, Setting, TimeAct, ViewAct};
+use saute_controls::act::{Act, AppAct, Card, CookAct, Setting, TimeAct, ViewAct};
 
 fn allow(permits: Permits, act: &Act) -> bool {
     permits.allow(act.traits().needs)

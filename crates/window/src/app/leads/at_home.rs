@@ -1,9 +1,9 @@
 //! Carries out what is done about the kitchen at home.
 
-use crate::act::Card;
 use crate::app::SauteApp;
-use crate::at_home::AtHomeAct;
-use crate::at_home::acts::SCALE;
+use saute_controls::act::Card;
+use saute_controls::at_home::AtHomeAct;
+use saute_controls::at_home::SCALE;
 use saute_session::at_home::kept::KeptKitchen;
 use saute_session::at_home::why_not::WhyNoFit;
 use saute_session::export::Export;

@@ -1,10 +1,10 @@
 //! Studies and lessons by acts, and what leads them in each frame.
 
-use crate::act::Act;
-use crate::act::GuidedAct;
 use crate::app::SauteApp;
 use crate::host::Host;
 use crate::system::time_of_day;
+use saute_controls::act::Act;
+use saute_controls::act::GuidedAct;
 use saute_picture::View;
 use saute_session::guided::{Guided, LessonDesk, LessonStart, StudyDesk, StudyStart};
 use saute_session::permits::{Permit, Permits};

@@ -1,10 +1,10 @@
 //! Carries out what is done about a plan.
 
-use crate::act::Card;
 use crate::app::SauteApp;
 use crate::app::on_host::OnHost;
-use crate::plan::PlanFile;
-use crate::plan::{PlanAct, kitchen_card};
+use saute_controls::act::Card;
+use saute_controls::plan::PlanFile;
+use saute_controls::plan::{PlanAct, kitchen_card};
 use saute_kitchen::Command;
 use saute_plan::schedule::Plan;
 use saute_plan::schedule::voice::Keeping;
@@ -141,7 +141,7 @@ impl SauteApp {
     pub(crate) fn plan_file(&self, file: PlanFile) -> Option<Vec<u8>> {
         let plan = self.leads.planning.plan().or_else(|| self.leads.live.as_ref().map(Live::plan))?;
         let text = match file {
-            PlanFile::Recipe => crate::plan::recipe_file(plan, &self.session.library, &self.settings),
+            PlanFile::Recipe => saute_controls::plan::recipe_file(plan, &self.session.library, &self.settings),
             PlanFile::Card => kitchen_card::page(plan, &self.session.library, self.settings.speech()),
         };
         Some(text.into_bytes())

@@ -1,10 +1,10 @@
 //! The result of a cook: when it is shown by itself, and its picture that is shared.
 
-use crate::act::Card;
 use crate::app::SauteApp;
 use crate::host::Host;
-use crate::learn::goal_choice::goal_of;
 use crate::learn::on_its_own;
+use saute_controls::act::Card;
+use saute_controls::goal_choice::goal_of;
 use saute_kitchen::advice::Advice;
 use saute_plan::goal::{Goal, Judgement};
 use saute_words::judgement_words::ResultWords;

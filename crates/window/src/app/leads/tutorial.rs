@@ -2,9 +2,9 @@
 //!
 //! Where one waits, time runs fast until something is to be done; then it runs as it is, so that nothing burns while one reads.
 
-use crate::act::Card;
 use crate::app::SauteApp;
-use crate::learn::tutorial::{FAST, SLOW, Step, Tutorial};
+use saute_controls::act::Card;
+use saute_controls::tutorial::{FAST, SLOW, Step, Tutorial};
 use saute_kitchen::Place;
 use saute_kitchen::advice::Advice;
 use saute_session::SteakChoice;

@@ -6,11 +6,11 @@ use saute_kitchen::Library;
 use saute_study::Protocol;
 use saute_study::class::{Scenario, shipped};
 
-use crate::act::GuidedAct;
-use crate::act::samples::samples;
-use crate::act::{Act, LearnAct};
 use crate::app::SauteApp;
 use crate::start::Start;
+use saute_controls::act::GuidedAct;
+use saute_controls::act::samples::samples;
+use saute_controls::act::{Act, LearnAct};
 use saute_session::guided::{LessonStart, StudyStart};
 use saute_session::permits::Permit;
 

@@ -1,7 +1,7 @@
 //! Hands in a page: the pan that the phone holds, and what a gamepad feels. A page reaches no other device.
 
 use crate::app::SauteApp;
-use crate::browser::hands::reading;
+use saute_controls::hands::reading;
 use saute_haptics::remote::phone::held_phone::HeldPhone;
 
 impl SauteApp {

@@ -3,9 +3,9 @@
 use crate::app::SauteApp;
 use crate::app::export::COOK_SAID;
 use crate::browser::{Inbox, announce, download, element, shown};
-use crate::plan::PlanFile;
 use crate::ui::japanese_font;
 use js_sys::Uint8Array;
+use saute_controls::plan::PlanFile;
 use saute_session::export::Export;
 use saute_words::language::{Font, Language};
 use std::path::Path;

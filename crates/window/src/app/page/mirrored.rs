@@ -2,8 +2,8 @@
 //! there comes back.
 
 use crate::app::SauteApp;
-use crate::spoken::told::told;
 use egui::accesskit::{Action, ActionData};
+use saute_controls::spoken::told::told;
 use web_time::{Duration, Instant};
 
 /// Time between two descriptions of the cook (chosen: whoever asks for one hears how it stands now).

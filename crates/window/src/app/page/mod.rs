@@ -12,11 +12,11 @@ use saute_words::language::{Font, Language};
 
 use super::SauteApp;
 use super::on_host::OnHost;
-use crate::act::HostAct;
 use crate::host::HostStart;
-use crate::plan::PlanFile;
 use crate::start::DesktopOptions;
 use crate::ui::layout::{Layout, Pane};
+use saute_controls::act::HostAct;
+use saute_controls::plan::PlanFile;
 
 impl OnHost for SauteApp {
     /// A page has workers, sound and downloads of its own.

@@ -1,8 +1,8 @@
 //! The page's script, as the window calls it.
 
-use crate::act::Card;
 use crate::app::SauteApp;
 use crate::browser::host::{HostPlays, Opening, PageStart};
+use saute_controls::act::Card;
 use saute_session::SteakChoice;
 
 impl SauteApp {

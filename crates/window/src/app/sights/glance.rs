@@ -1,8 +1,8 @@
 //! The eye on its way to what matters: food that was taken out, a cut face, a chosen view.
 
 use crate::app::SauteApp;
-use crate::ui::glance::{EyeView, Glance};
 use glam::Vec3;
+use saute_controls::eye::{EyeView, Glance};
 use saute_kitchen::{Piece, Place};
 use saute_picture::stage::{Places, following, nearness};
 use saute_scene::camera::Camera;
@@ -54,7 +54,7 @@ impl SauteApp {
             }
         }
         let Some(glance) = &mut self.sights.glance else { return };
-        glance.progress += if self.settings.moves_less() { 1.0 } else { wall / GLANCE_S };
+        glance.progress += if crate::ui::display::moves_less(&self.settings) { 1.0 } else { wall / GLANCE_S };
         self.sights.camera = glance.at();
         if glance.progress >= 1.0 {
             self.sights.glance = None;

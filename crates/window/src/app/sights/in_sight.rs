@@ -7,9 +7,9 @@ use saute_picture::stage::{Places, half_length};
 use saute_scene::camera::Camera;
 
 use crate::app::SauteApp;
-use crate::ui::glance::{EyeView, Glance};
 use crate::ui::layout::Pane;
 use crate::ui::scene_view::on_screen;
+use saute_controls::eye::{EyeView, Glance};
 
 /// Distance of what matters from the edges of the free part [points] (chosen: it does not touch a panel).
 const CLEAR: f32 = 8.0;

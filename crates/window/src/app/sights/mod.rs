@@ -13,10 +13,10 @@ use saute_picture::stage::Stage;
 use saute_scene::camera::Camera;
 
 use crate::mirror::view::MirrorView;
-use crate::ui::glance::Glance;
-use crate::ui::motion::Motions;
 use crate::ui::scene_view::SceneView;
 use crate::ui::ways_view::WaysView;
+use saute_controls::eye::Glance;
+use saute_picture::motion::Motions;
 
 /// What is seen, and from where.
 pub(crate) struct Sights {

@@ -1,8 +1,8 @@
 //! The window in a stated condition: a recipe at an instant, with view, cut and camera. Pictures of it can be compared.
 
 use crate::app::SauteApp;
-use crate::pose::Pose;
-use crate::ui::quality_choice::QualityChoice;
+use saute_controls::pose::Pose;
+use saute_controls::settings::quality_choice::QualityChoice;
 use saute_kitchen::TICK_S;
 use saute_recipe::Recipe;
 

@@ -1,7 +1,7 @@
 //! The chosen rendering quality: a level, or automatic.
 
 use crate::app::SauteApp;
-use crate::ui::quality_choice::QualityChoice;
+use saute_controls::settings::quality_choice::QualityChoice;
 use saute_scene::quality::Quality;
 
 impl SauteApp {

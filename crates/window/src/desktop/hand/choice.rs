@@ -4,11 +4,11 @@ use egui::accesskit;
 use egui::{RichText, TextEdit, Ui, WidgetInfo};
 use saute_haptics::open::{self, Access, Reach};
 
-use super::hands::Role;
-use crate::act::{Act, Acts, AppAct, HostAct};
 use crate::panels::cards::setting_row::{explained, named, row};
-use crate::panels::context::PanelContext;
 use crate::ui::theme;
+use saute_controls::act::{Act, Acts, AppAct, HostAct};
+use saute_controls::context::PanelContext;
+use saute_controls::hands::Role;
 use saute_words::language::Language;
 
 /// Width of a line to type into at most [points] (chosen: an address and a port).

@@ -4,12 +4,13 @@ use egui::{Align2, Area, Color32, Id, RichText, Ui, vec2};
 use saute_haptics::{Health, Rendering};
 
 use super::choice::role_word;
-use super::connected::Connected;
-use super::hands::{Hands, Role};
-use crate::act::{Act, Acts, AppAct, HostAct, ViewAct, hint, key_of};
-use crate::panels::context::PanelContext;
+use crate::bindings::{hint, key_of};
 use crate::ui::layout::{GAP, Layout};
 use crate::ui::theme;
+use saute_controls::act::{Act, Acts, AppAct, HostAct, ViewAct};
+use saute_controls::context::PanelContext;
+use saute_controls::hands::Connected;
+use saute_controls::hands::{Hands, Role};
 use saute_words::language::Language;
 
 /// Width of the panel, and height of the stop [points] (chosen: hit without looking).

@@ -6,9 +6,9 @@ use saute_kitchen::{FRAME_S, celsius};
 use saute_plan::forecast::Question;
 
 use super::are_shown;
-use crate::panels::context::PanelContext;
 use crate::panels::curve::Curve;
 use crate::ui::palette::Palette;
+use saute_controls::context::PanelContext;
 use saute_session::forecasts::Standing;
 
 /// How strongly a band is drawn, and what holds no more [-] (chosen: behind the curves).

@@ -9,8 +9,8 @@ use saute_kitchen::food::change::doneness::Measure;
 use saute_kitchen::{celsius, kelvin};
 use saute_plan::forecast::{Outlook, Question};
 
-use crate::panels::context::PanelContext;
-use crate::settings::Settings;
+use saute_controls::context::PanelContext;
+use saute_controls::settings::Settings;
 use saute_session::forecasts::Standing;
 use saute_words::doneness_words;
 

@@ -5,10 +5,10 @@ use saute_kitchen::Command;
 use saute_plan::forecast::{Outlook, Question, SPANS_S, Sample};
 
 use super::{age_words, class, half_band, number, question_words};
-use crate::act::{Act, Acts, CookAct};
-use crate::panels::context::PanelContext;
-use crate::settings::Settings;
 use crate::ui::{fingers, theme};
+use saute_controls::act::{Act, Acts, CookAct};
+use saute_controls::context::PanelContext;
+use saute_controls::settings::Settings;
 use saute_session::forecasts::Standing;
 use saute_words::act_words::command_words;
 

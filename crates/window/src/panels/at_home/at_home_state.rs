@@ -1,6 +1,7 @@
 //! What the card of the kitchen at home reads.
 
-use crate::panels::context::{PanelContext, reads_context};
+use saute_controls::context::PanelContext;
+use saute_controls::reads_context;
 use saute_session::at_home::fitting::AtHome;
 
 /// What the card of the kitchen at home reads.

@@ -4,10 +4,10 @@ use egui::{Rect, RichText, ScrollArea, Ui};
 
 use super::at_home_state::AtHomeState;
 use super::{entry, found};
-use crate::act::{Acts, Card};
 use crate::panels::cards::frame::{Framed, part};
-use crate::panels::context::PanelContext;
 use crate::ui::theme;
+use saute_controls::act::{Acts, Card};
+use saute_controls::context::PanelContext;
 
 /// Width of the card at most, and of what is entered where the answer is beside it [points].
 const WIDTH: f32 = 1040.0;

@@ -2,10 +2,10 @@
 
 use egui::{RichText, Ui};
 
-use crate::act::{Act, Acts, AppAct, Card, LearnAct};
-use crate::at_home::AtHomeAct;
-use crate::panels::context::PanelContext;
 use crate::ui::theme;
+use saute_controls::act::{Act, Acts, AppAct, Card, LearnAct};
+use saute_controls::at_home::AtHomeAct;
+use saute_controls::context::PanelContext;
 
 /// Shows the kitchen, and the ways to another one.
 pub fn show(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {

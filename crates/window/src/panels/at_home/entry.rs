@@ -3,11 +3,11 @@
 use egui::{RichText, TextEdit, Ui, vec2};
 
 use super::at_home_state::AtHomeState;
-use crate::act::{Act, Acts, LearnAct};
-use crate::at_home::AtHomeAct;
-use crate::at_home::acts::SCALE;
-use crate::panels::context::PanelContext;
 use crate::ui::theme;
+use saute_controls::act::{Act, Acts, LearnAct};
+use saute_controls::at_home::AtHomeAct;
+use saute_controls::at_home::SCALE;
+use saute_controls::context::PanelContext;
 use saute_session::at_home::entered::{Cooked, Row, Seen};
 use saute_words::doneness_words;
 

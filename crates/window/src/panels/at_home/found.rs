@@ -9,10 +9,10 @@ use saute_plan::fit::run::Fitted;
 use saute_words::clock::clock;
 
 use super::at_home_state::AtHomeState;
-use crate::act::{Act, Acts, LearnAct};
-use crate::at_home::AtHomeAct;
-use crate::panels::context::PanelContext;
 use crate::ui::theme;
+use saute_controls::act::{Act, Acts, LearnAct};
+use saute_controls::at_home::AtHomeAct;
+use saute_controls::context::PanelContext;
 use saute_session::at_home::fitting::Standing;
 use saute_session::at_home::kept::KeptKitchen;
 

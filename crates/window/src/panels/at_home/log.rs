@@ -12,10 +12,10 @@ use saute_words::clock::clock;
 
 use super::at_home_state::AtHomeState;
 use super::entry::file_name;
-use crate::act::{Act, Acts, AppAct, LearnAct};
-use crate::at_home::AtHomeAct;
-use crate::panels::context::PanelContext;
 use crate::ui::theme;
+use saute_controls::act::{Act, Acts, AppAct, LearnAct};
+use saute_controls::at_home::AtHomeAct;
+use saute_controls::context::PanelContext;
 
 /// Shows the log with its columns, or the way to one.
 pub fn show(state: &AtHomeState, ui: &mut Ui, acts: &mut Acts) {

@@ -2,11 +2,11 @@
 
 use egui::{Align, Color32, Id, Layout, Modal, Pos2, Rect, RichText, Sense, Shape, Stroke, Ui, Vec2, pos2, vec2};
 
-use crate::act::{Act, Acts, AppAct, Card, LearnAct};
 use crate::panels::cards::language;
-use crate::panels::context::PanelContext;
 use crate::ui::aloud::heading;
 use crate::ui::theme;
+use saute_controls::act::{Act, Acts, AppAct, Card, LearnAct};
+use saute_controls::context::PanelContext;
 use saute_words::clock::whole_minutes;
 use saute_words::doneness_words;
 

@@ -2,10 +2,10 @@
 
 use egui::{Id, Modal, Rect, Ui};
 
-use crate::act::{Act, Acts, AppAct, Card};
-use crate::panels::context::PanelContext;
 use crate::ui::aloud::heading;
 use crate::ui::theme;
+use saute_controls::act::{Act, Acts, AppAct, Card};
+use saute_controls::context::PanelContext;
 
 /// A card with a heading.
 pub struct Framed {

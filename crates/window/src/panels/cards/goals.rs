@@ -3,12 +3,12 @@
 use egui::{Rect, RichText, ScrollArea, Ui, vec2};
 use saute_kitchen::data::goals::{Counted, GoalDescription};
 
-use crate::act::{Act, Acts, AppAct, Card, Setting};
-use crate::learn::goal_choice::{goals_for, named_goal};
 use crate::panels::cards::frame::Framed;
 use crate::panels::cards::setting_row::{explained, row};
-use crate::panels::context::PanelContext;
 use crate::ui::{fingers, theme};
+use saute_controls::act::{Act, Acts, AppAct, Card, Setting};
+use saute_controls::context::PanelContext;
+use saute_controls::goal_choice::{goals_for, named_goal};
 use saute_words::doneness_words;
 
 /// Width of the card at most, and below which its names stand above their choices [points].

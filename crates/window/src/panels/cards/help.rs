@@ -2,15 +2,16 @@
 
 use egui::{Id, Modal, Rect, RichText, TextEdit, Ui, vec2};
 
-use crate::act::{Act, Acts, AppAct, BINDINGS, CHORDS, Card, Subject, ViewAct};
+use crate::bindings::{BINDINGS, CHORDS};
 use crate::host::CurrentHost;
-use crate::input::gamepad::PAD;
-use crate::input::pan_keys::HELD;
-use crate::panels::context::PanelContext;
 use crate::panels::host_panels;
 use crate::system::IS_PAGE;
 use crate::ui::aloud::heading;
 use crate::ui::theme;
+use saute_controls::act::{Act, Acts, AppAct, Card, Subject, ViewAct};
+use saute_controls::context::PanelContext;
+use saute_controls::input::gamepad::PAD;
+use saute_controls::input::pan_keys::HELD;
 use saute_words::language::Language;
 
 /// Room for a key as it is written [points].
@@ -27,7 +28,7 @@ fn keys(subject: Subject) -> impl Iterator<Item = (&'static str, &'static str)> 
     let native = |act: &Act| {
         matches!(act, Act::App(AppAct::StopHands | AppAct::Mirror | AppAct::Photo) | Act::View(ViewAct::Strings))
     };
-    let here = move |b: &&crate::act::Binding| !IS_PAGE || !native(&b.act);
+    let here = move |b: &&crate::bindings::Binding| !IS_PAGE || !native(&b.act);
     BINDINGS
         .iter()
         .filter(here)

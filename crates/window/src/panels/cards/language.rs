@@ -2,9 +2,9 @@
 
 use egui::Ui;
 
-use crate::act::{Act, Acts, AppAct, Setting};
-use crate::panels::context::PanelContext;
 use crate::ui::theme;
+use saute_controls::act::{Act, Acts, AppAct, Setting};
+use saute_controls::context::PanelContext;
 use saute_words::language::{Font, Language};
 
 /// Shows a chip that bears the next language's own name; where its letters cannot be drawn, its code.

@@ -2,10 +2,10 @@
 
 use egui::{Rect, RichText, ScrollArea, Ui, vec2};
 
-use crate::act::{Act, Acts, AppAct, Card, LearnAct};
 use crate::panels::cards::frame::Framed;
-use crate::panels::context::PanelContext;
 use crate::ui::{fingers, theme};
+use saute_controls::act::{Act, Acts, AppAct, Card, LearnAct};
+use saute_controls::context::PanelContext;
 
 /// Width of the card at most [points].
 const WIDTH: f32 = 520.0;

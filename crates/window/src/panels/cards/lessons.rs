@@ -3,11 +3,11 @@
 use egui::{Rect, RichText, ScrollArea, Ui, vec2};
 use saute_study::class::{Scenario, shipped};
 
-use crate::act::GuidedAct;
-use crate::act::{Act, Acts, Card, LearnAct};
 use crate::panels::cards::frame::Framed;
-use crate::panels::context::PanelContext;
 use crate::ui::{fingers, theme};
+use saute_controls::act::GuidedAct;
+use saute_controls::act::{Act, Acts, Card, LearnAct};
+use saute_controls::context::PanelContext;
 
 /// Width of the card at most [points].
 const WIDTH: f32 = 520.0;

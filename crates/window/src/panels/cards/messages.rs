@@ -2,12 +2,12 @@
 
 use egui::{Rect, RichText, ScrollArea, Ui};
 
-use crate::act::{Acts, Card};
 use crate::panels::cards::frame::Framed;
-use crate::panels::context::PanelContext;
 use crate::panels::host_panels::file_button;
-use crate::ui::notice::Notice;
 use crate::ui::theme;
+use saute_controls::act::{Acts, Card};
+use saute_controls::context::PanelContext;
+use saute_controls::spoken::notice::Notice;
 use saute_words::clock::clock;
 
 /// Width of the card at most [points].

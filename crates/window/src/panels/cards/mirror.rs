@@ -4,11 +4,12 @@ use egui::{Align, DragValue, Layout, Response, RichText, ScrollArea, TextEdit, U
 
 use super::setting_row::{NAMES, explained, row};
 use super::settings::{NARROW, WIDTH};
-use crate::act::{Act, Acts, AppAct, Card, Setting};
 use crate::mirror::view::{MirrorView, stereo_word};
 use crate::panels::cards::frame::Framed;
-use crate::panels::context::{PanelContext, reads_context};
 use crate::ui::theme;
+use saute_controls::act::{Act, Acts, AppAct, Card, Setting};
+use saute_controls::context::PanelContext;
+use saute_controls::reads_context;
 use saute_mirror::calibration::Calibration;
 use saute_mirror::rig::Rig;
 use saute_mirror::rig_file::SHIPPED;

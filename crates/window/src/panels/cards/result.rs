@@ -9,10 +9,10 @@ use saute_kitchen::heat::BodyMesh;
 use saute_picture::View;
 use saute_picture::cut::section::section_picture;
 
-use crate::act::{Act, Acts, AppAct, Card, CookAct, TimeAct};
 use crate::panels::cards::frame::Framed;
-use crate::panels::context::PanelContext;
 use crate::ui::theme;
+use saute_controls::act::{Act, Acts, AppAct, Card, CookAct, TimeAct};
+use saute_controls::context::PanelContext;
 use saute_words::clock::clock;
 use saute_words::judgement_words::ResultWords;
 

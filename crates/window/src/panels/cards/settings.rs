@@ -5,17 +5,19 @@ use saute_scene::light::room_light::RoomLight;
 use saute_scene::light::white_balance::WhiteBalance;
 use saute_scene::quality::Quality;
 
-use crate::act::{Act, Acts, AppAct, Card, Setting, ViewAct};
 use crate::panels::cards::frame::Framed;
 use crate::panels::cards::language;
 use crate::panels::cards::setting_row::{explained, named, row};
-use crate::panels::context::{PanelContext, reads_context};
 use crate::panels::cook::speaker_switch;
 use crate::panels::host_panels::{self, HostMemory};
 use crate::system::IS_PAGE;
-use crate::ui::interface_size::InterfaceSize;
-use crate::ui::quality_choice::QualityChoice;
-use crate::ui::theme::{self, Theme};
+use crate::ui::theme;
+use saute_controls::act::{Act, Acts, AppAct, Card, Setting, ViewAct};
+use saute_controls::context::PanelContext;
+use saute_controls::reads_context;
+use saute_controls::settings::interface_size::InterfaceSize;
+use saute_controls::settings::quality_choice::QualityChoice;
+use saute_controls::settings::theme::Theme;
 use saute_words::language::Language;
 
 /// Below this width names stand above their choices [points].
@@ -100,7 +102,7 @@ fn choices(state: &SettingsState, memory: &mut HostMemory, ui: &mut Ui, acts: &m
     }
     let sizes = InterfaceSize::ALL.map(|s| (format!("{:.0} %", 100.0 * s.factor()), s == now.size));
     let sizes = sizes.each_ref().map(|(text, on)| (text.as_str(), *on));
-    let less = now.moves_less();
+    let less = crate::ui::display::moves_less(now);
     let motions = [(l.text("settings.motion_full"), !less), (l.text("settings.motion_less"), less)];
     let mut size_and_motion = |ui: &mut Ui| {
         if let Some(size) = row(ui, narrow, l.text("settings.size"), &sizes) {

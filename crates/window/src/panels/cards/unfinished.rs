@@ -2,10 +2,10 @@
 
 use egui::{Id, Modal, Rect, Ui};
 
-use crate::act::{Act, Acts, TimeAct};
-use crate::panels::context::PanelContext;
 use crate::ui::aloud::heading;
 use crate::ui::theme;
+use saute_controls::act::{Act, Acts, TimeAct};
+use saute_controls::context::PanelContext;
 use saute_words::clock::clock;
 
 /// Width of the card at most [points].

@@ -1,10 +1,11 @@
 //! Buttons that do an act.
 
-use crate::act::{Act, Acts, hint};
-use crate::panels::context::PanelContext;
+use crate::bindings::hint;
 use crate::panels::now::control_place;
 use crate::ui::theme;
 use egui::Ui;
+use saute_controls::act::{Act, Acts};
+use saute_controls::context::PanelContext;
 
 pub(crate) fn button(
     state: &PanelContext,

@@ -4,8 +4,9 @@ use saute_kitchen::advice::coaching::Coaching;
 use saute_kitchen::dynamics::Tool;
 
 use crate::host::CurrentHost;
-use crate::input::pouring::Portion;
-use crate::panels::context::{PanelContext, reads_context};
+use saute_controls::context::PanelContext;
+use saute_controls::input::pouring::Portion;
+use saute_controls::reads_context;
 
 /// What the controls of the cook read.
 pub struct CookState<'a> {

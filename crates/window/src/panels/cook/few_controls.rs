@@ -3,12 +3,12 @@
 use egui::{Align, Layout, RichText, Ui};
 use saute_kitchen::Place;
 
-use crate::act::{Act, Acts, CookAct};
-use crate::panels::context::PanelContext;
 use crate::panels::cook::act_button::button;
 use crate::panels::cook::cook_state::CookState;
 use crate::panels::cook::{hob_bar, hob_slider, time_strip};
 use crate::ui::theme::{self, TOUCH};
+use saute_controls::act::{Act, Acts, CookAct};
+use saute_controls::context::PanelContext;
 
 /// Shows them in one row.
 pub fn row(state: &CookState, ui: &mut Ui, acts: &mut Acts) {

@@ -5,8 +5,8 @@ use egui::{Rect, RichText, Ui, WidgetInfo, vec2};
 use saute_session::hearing::caption::{caption, meter};
 use saute_sound::Snapshot;
 
-use crate::panels::context::PanelContext;
 use crate::ui::theme;
+use saute_controls::context::PanelContext;
 
 /// Size of the meter [points].
 const METER: egui::Vec2 = vec2(84.0, 8.0);

@@ -4,15 +4,15 @@ use egui::{RichText, Ui};
 use saute_kitchen::doneness::core_class;
 use saute_kitchen::{EventKind, Holding, Piece, Place, celsius};
 
-use crate::act::{Act, Acts, CookAct, TimeAct};
-use crate::panels::context::PanelContext;
 use crate::panels::cook::act_button::{button, pressed, why_off};
 use crate::panels::cook::cook_state::CookState;
 use crate::panels::cook::{hob_slider, pour, status, time_strip};
 use crate::panels::learn::coach;
-use crate::settings::EASED;
 use crate::ui::bell::{self, Bell};
 use crate::ui::theme;
+use saute_controls::act::{Act, Acts, CookAct, TimeAct};
+use saute_controls::context::PanelContext;
+use saute_controls::settings::EASED;
 use saute_session::SPEEDS;
 use saute_words::clock::clock;
 use saute_words::doneness_words;
@@ -126,7 +126,7 @@ fn hold(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
     shown.response.on_hover_text(hint);
     if kitchen.holding() == Some(Holding::Reached) {
         let since = kitchen.time_s() - kitchen.events().tally(EventKind::DialReached).last_s;
-        let moves = !state.settings.moves_less() && !state.session.paused;
+        let moves = !crate::ui::display::moves_less(state.settings) && !state.session.paused;
         bell::show(ui, &Bell { size: BELL, spoken: l.text("hob.hold_reached"), rings: since < RINGS_S, moves });
     }
 }
@@ -152,11 +152,6 @@ pub(crate) fn put_button(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
     let some_outside = state.session.its_group().iter().any(outside);
     let words = state.settings.language.text("hob.food_in");
     button(state, ui, acts, words, false, some_outside, Act::Cook(CookAct::Put));
-}
-
-pub(crate) fn capitalised(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
 /// The clock, pause and speeds, in a row that fingers use.

@@ -2,12 +2,12 @@
 
 use egui::{Align2, FontId, Rect, Response, Sense, Ui, pos2, vec2};
 
-use crate::act::{Act, Acts, CookAct};
-use crate::panels::context::PanelContext;
 use crate::panels::cook::cook_state::CookState;
 use crate::panels::now::control_place;
 use crate::ui::aloud::{spoken_range, spoken_value};
 use crate::ui::{fingers, theme};
+use saute_controls::act::{Act, Acts, CookAct};
+use saute_controls::context::PanelContext;
 
 /// Width of the slider, and the least at which no two words meet [points].
 const WIDTH: f32 = 262.0;

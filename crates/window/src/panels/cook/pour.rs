@@ -4,12 +4,13 @@ use egui::Ui;
 use saute_kitchen::Piece;
 use saute_kitchen::dynamics::Tool;
 
-use crate::act::{Act, Acts, CookAct, ROLL_STEP, TOOL_STEP};
-use crate::input::pouring::Pourable;
-use crate::panels::context::PanelContext;
+use crate::bindings::{ROLL_STEP, TOOL_STEP};
 use crate::panels::cook::act_button::button;
 use crate::panels::cook::cook_state::CookState;
 use crate::panels::host_panels;
+use saute_controls::act::{Act, Acts, CookAct};
+use saute_controls::context::PanelContext;
+use saute_controls::input::pouring::Pourable;
 
 /// Shows the controls.
 pub fn show(state: &CookState, ui: &mut Ui, acts: &mut Acts) {

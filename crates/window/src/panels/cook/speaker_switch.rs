@@ -3,10 +3,10 @@
 use egui::accesskit::Role;
 use egui::{Color32, Painter, Pos2, Shape, Stroke, Ui, WidgetInfo, vec2};
 
-use crate::act::{Act, Acts, AppAct, Setting};
-use crate::panels::context::PanelContext;
 use crate::ui::aloud::spoken_value;
 use crate::ui::{fingers, theme};
+use saute_controls::act::{Act, Acts, AppAct, Setting};
+use saute_controls::context::PanelContext;
 
 /// Width of the switch [points].
 pub const WIDTH: f32 = 36.0;

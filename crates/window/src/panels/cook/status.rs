@@ -4,10 +4,10 @@ use egui::{Label, RichText, Ui, vec2};
 use saute_kitchen::advice::NoPower;
 use saute_kitchen::{EventKind, Holding, Kitchen};
 
-use crate::act::{Act, Acts, CookAct};
-use crate::input::pouring::{danger, in_the_pan};
-use crate::panels::context::PanelContext;
 use crate::ui::{fingers, theme};
+use saute_controls::act::{Act, Acts, CookAct};
+use saute_controls::context::PanelContext;
+use saute_controls::input::pouring::{danger, in_the_pan};
 
 /// Size of the bar of a recipe's progress [points].
 const BAR: egui::Vec2 = vec2(90.0, 8.0);

@@ -2,11 +2,11 @@
 
 use egui::{Color32, EventFilter, FontId, Key, Pos2, Rect, Response, Sense, Stroke, Ui, pos2, vec2};
 
-use crate::act::{Act, Acts, TimeAct, ViewAct};
-use crate::panels::context::PanelContext;
 use crate::panels::ways::way_words;
 use crate::ui::aloud::{spoken_range, spoken_value};
 use crate::ui::theme;
+use saute_controls::act::{Act, Acts, TimeAct, ViewAct};
+use saute_controls::context::PanelContext;
 use saute_session::Mark;
 use saute_words::act_words::act_words;
 use saute_words::clock::clock;

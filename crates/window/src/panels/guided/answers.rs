@@ -4,8 +4,8 @@ use egui::{RichText, TextEdit, Ui, vec2};
 use saute_study::{Answer, Answering, LIKERT_STEPS};
 
 use super::Entries;
-use crate::panels::context::PanelContext;
 use crate::ui::theme;
+use saute_controls::context::PanelContext;
 
 /// Width of a field for a number, and of one for text [points].
 const NUMBER: f32 = 110.0;

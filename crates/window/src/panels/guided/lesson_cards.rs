@@ -6,11 +6,11 @@ use saute_study::class::rest::Rest;
 use saute_study::class::{Ask, Lesson, ResultRow};
 
 use super::{Entries, button, card};
-use crate::act::GuidedAct;
-use crate::act::{Act, Acts, LearnAct};
-use crate::panels::context::PanelContext;
 use crate::ui::aloud::spoken_value;
 use crate::ui::theme;
+use saute_controls::act::GuidedAct;
+use saute_controls::act::{Act, Acts, LearnAct};
+use saute_controls::context::PanelContext;
 use saute_session::guided::LessonDesk;
 use saute_words::doneness_words;
 use saute_words::guided_words;

@@ -9,10 +9,10 @@ use std::collections::BTreeMap;
 
 use egui::{Id, Modal, Rect, ScrollArea, Ui};
 
-use crate::act::Acts;
-use crate::panels::context::PanelContext;
 use crate::ui::layout::Layout;
 use crate::ui::theme;
+use saute_controls::act::Acts;
+use saute_controls::context::PanelContext;
 use saute_session::guided::Guided;
 
 /// What was entered on a card so far, by the ids of its items.

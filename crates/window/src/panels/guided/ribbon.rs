@@ -3,11 +3,11 @@
 use egui::{Align2, Area, Id, RichText, Ui, vec2};
 use saute_study::Stage;
 
-use crate::act::GuidedAct;
-use crate::act::{Act, Acts, LearnAct};
-use crate::panels::context::PanelContext;
 use crate::ui::layout::{GAP, Layout};
 use crate::ui::{fingers, theme};
+use saute_controls::act::GuidedAct;
+use saute_controls::act::{Act, Acts, LearnAct};
+use saute_controls::context::PanelContext;
 use saute_session::guided::{LessonDesk, StudyDesk};
 
 /// Names phase and trial, and ends the trial; it never states which condition holds.

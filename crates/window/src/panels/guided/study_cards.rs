@@ -5,11 +5,11 @@ use saute_study::protocol_file::Entered;
 use saute_study::{Answering, Answers, CookForReal, Measures, Pace, Questionnaire, Simulate, Stage};
 
 use super::{Entries, answers, button, card};
-use crate::act::GuidedAct;
-use crate::act::{Act, Acts, LearnAct};
-use crate::panels::context::PanelContext;
 use crate::system::IS_PAGE;
 use crate::ui::theme;
+use saute_controls::act::GuidedAct;
+use saute_controls::act::{Act, Acts, LearnAct};
+use saute_controls::context::PanelContext;
 use saute_session::guided::{Readiness, StudyDesk, TrialRun};
 use saute_words::guided_words;
 

@@ -3,8 +3,8 @@
 use egui::{Label, RichText, Ui};
 use saute_kitchen::advice::coaching::Coaching;
 
-use crate::panels::context::PanelContext;
 use crate::ui::theme;
+use saute_controls::context::PanelContext;
 use saute_words::coach_words;
 
 /// Height of two lines of the sentence [points].

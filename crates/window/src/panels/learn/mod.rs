@@ -1,4 +1,3 @@
 //! What is taught while one cooks: the coach's sentences, the alarm at the goal.
 
-pub mod advice_words;
 pub mod coach;

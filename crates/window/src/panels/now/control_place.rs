@@ -2,8 +2,8 @@
 
 use egui::{Id, LayerId, Order, Rect, Stroke, StrokeKind, Ui};
 
-use crate::act::Act;
 use crate::ui::theme;
+use saute_controls::act::Act;
 
 /// Notes where the control of an act is.
 pub fn note(ui: &Ui, act: &Act, rect: Rect) {

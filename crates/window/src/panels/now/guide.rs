@@ -7,16 +7,16 @@ use saute_plan::schedule::Deed as Task;
 use saute_plan::schedule::follow::{Followed, LATE_S, Left};
 use saute_plan::schedule::voice::Keeping;
 
-use super::now_words::{Deed, NowWords};
-use crate::act::{Act, Acts, AppAct, Card, LearnAct, TimeAct};
-use crate::panels::context::PanelContext;
-use crate::panels::cook::hob_bar::capitalised;
-use crate::plan::PlanAct;
 use crate::ui::bell::{self, Bell};
 use crate::ui::{fingers, theme};
+use saute_controls::act::{Act, Acts, AppAct, Card, LearnAct, TimeAct};
+use saute_controls::context::PanelContext;
+use saute_controls::now::now_words::{Deed, NowWords};
+use saute_controls::plan::PlanAct;
 use saute_session::plan::live::{Guidance, Live, READY_S};
 use saute_words::clock::clock;
 use saute_words::language::Language;
+use saute_words::speech::capitalised;
 use saute_words::{cue_words, plan_words};
 
 /// Height of the cue, which has the buttons beside it [points]: always the same, so that nothing moves when the words change.
@@ -171,7 +171,7 @@ impl<'a> Guide<'a> {
         if !self.is_over() {
             let (l, rings) = (state.settings.language, self.is_due());
             let spoken = l.text(if rings { "plan.bell_rings" } else { "plan.bell_waits" });
-            bell::show(ui, &Bell { size: BELL, spoken, rings, moves: !state.settings.moves_less() });
+            bell::show(ui, &Bell { size: BELL, spoken, rings, moves: !crate::ui::display::moves_less(state.settings) });
         }
     }
 

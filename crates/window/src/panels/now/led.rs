@@ -5,12 +5,12 @@ use egui::Ui;
 use saute_kitchen::advice::Advice;
 
 use super::guide::Guide;
-use super::now_state::NowState;
-use super::now_words::NowWords;
 use super::taught;
-use crate::act::{Act, Acts};
-use crate::learn::tutorial::{Step, Tutorial};
-use crate::panels::context::PanelContext;
+use saute_controls::act::{Act, Acts};
+use saute_controls::context::PanelContext;
+use saute_controls::now::now_state::NowState;
+use saute_controls::now::now_words::NowWords;
+use saute_controls::tutorial::{Step, Tutorial};
 
 /// Who leads besides the advice.
 pub(super) enum Lead<'a> {

@@ -4,11 +4,7 @@
 pub mod control_place;
 mod guide;
 mod led;
-pub mod now_memory;
-pub mod now_state;
-mod now_words;
 mod taught;
-pub mod time_left;
 
 use std::sync::Arc;
 
@@ -17,14 +13,14 @@ use saute_kitchen::celsius;
 use saute_kitchen::food::change::doneness::Measure;
 
 use self::led::Lead;
-use self::now_memory::NowMemory;
-use self::now_state::NowState;
-use self::now_words::{Deed, NowWords};
-use self::time_left::TimeLeft;
-use crate::act::{Act, Acts, CookAct};
-use crate::panels::context::PanelContext;
 use crate::ui::layout::{GAP, Layout};
 use crate::ui::theme::{self, TOUCH};
+use saute_controls::act::{Act, Acts, CookAct};
+use saute_controls::context::PanelContext;
+use saute_controls::now::now_memory::NowMemory;
+use saute_controls::now::now_state::NowState;
+use saute_controls::now::now_words::{Deed, NowWords};
+use saute_controls::now::time_left::TimeLeft;
 use saute_session::guided::Guided;
 
 /// Its size over the scene [points].

@@ -3,12 +3,12 @@
 use egui::{RichText, Sense, Stroke, Ui, vec2};
 use saute_kitchen::advice::Advice;
 
-use super::now_state::NowState;
-use super::now_words::NowWords;
-use crate::act::{Act, Acts, CookAct, LearnAct};
-use crate::learn::tutorial::{self, Step, Tutorial};
-use crate::panels::context::PanelContext;
 use crate::ui::{fingers, theme};
+use saute_controls::act::{Act, Acts, CookAct, LearnAct};
+use saute_controls::context::PanelContext;
+use saute_controls::now::now_state::NowState;
+use saute_controls::now::now_words::NowWords;
+use saute_controls::tutorial::{self, Step, Tutorial};
 use saute_words::clock::clock;
 
 /// Size and distance of the dots [points].

@@ -5,10 +5,10 @@ use saute_plan::schedule::{Plan, Step};
 
 use super::plan_state::PlanState;
 use super::time_line;
-use crate::act::{Act, Acts, LearnAct};
-use crate::panels::context::PanelContext;
-use crate::plan::{PlanAct, PlanFile};
 use crate::ui::theme;
+use saute_controls::act::{Act, Acts, LearnAct};
+use saute_controls::context::PanelContext;
+use saute_controls::plan::{PlanAct, PlanFile};
 use saute_words::clock::clock;
 use saute_words::{cue_words, plan_words};
 

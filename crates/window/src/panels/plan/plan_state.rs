@@ -1,6 +1,7 @@
 //! What the card of plans reads.
 
-use crate::panels::context::{PanelContext, reads_context};
+use saute_controls::context::PanelContext;
+use saute_controls::reads_context;
 use saute_session::plan::planning::Planning;
 
 /// What the card of plans reads.

@@ -3,9 +3,9 @@
 use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Sense, Stroke, Ui, pos2, vec2};
 use saute_plan::schedule::{Deed, Plan};
 
-use crate::panels::context::PanelContext;
 use crate::ui::palette::Palette;
 use crate::ui::theme;
+use saute_controls::context::PanelContext;
 use saute_words::clock::clock;
 use saute_words::cue_words;
 

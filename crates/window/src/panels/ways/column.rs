@@ -4,15 +4,15 @@ use egui::{Align2, Rect, RichText, Sense, Stroke, StrokeKind, Ui, UiBuilder, vec
 use saute_kitchen::celsius;
 
 use super::{WaysMemory, within};
-use crate::act::{Act, Acts, TimeAct, ViewAct};
-use crate::input::grab::ORBIT_PER_POINT;
-use crate::panels::context::PanelContext;
 use crate::panels::curves::sample;
 use crate::panels::ways::look::piece;
 use crate::panels::ways::look::style;
 use crate::panels::ways::ways_state::WaysState;
 use crate::ui::ways_layout::WayColumn;
 use crate::ui::{fingers, theme};
+use saute_controls::act::{Act, Acts, TimeAct, ViewAct};
+use saute_controls::context::PanelContext;
+use saute_controls::input::grab::ORBIT_PER_POINT;
 use saute_session::timeline::{Stand, WayBeside};
 use saute_words::clock::clock;
 use saute_words::piece_words::doneness;

@@ -1,7 +1,7 @@
 //! How a way is told from the others: its piece and the style of its lines.
 
-use crate::panels::context::PanelContext;
 use egui_plot::LineStyle;
+use saute_controls::context::PanelContext;
 use saute_kitchen::Piece;
 use saute_session::timeline::WayBeside;
 

@@ -8,10 +8,10 @@ pub mod ways_state;
 
 use egui::{Rect, Ui, pos2};
 
-use crate::act::Acts;
 use crate::panels::badge;
 use crate::ui::theme;
 use crate::ui::ways_layout::WaysLayout;
+use saute_controls::act::Acts;
 use saute_session::timeline::{BranchName, WayBeside};
 use saute_words::act_words::act_words;
 use saute_words::language::Language;

@@ -6,11 +6,11 @@ use egui_kittest::{
     Harness,
     kittest::{NodeT, Queryable},
 };
+use saute_controls::act::{Act, AppAct, CookAct, Setting};
 use saute_kitchen::doneness::core_class;
 use saute_kitchen::{Kitchen, kelvin};
 use saute_session::SteakChoice;
 use saute_window::SauteApp;
-use saute_window::act::{Act, AppAct, CookAct, Setting};
 
 use crate::harness::{WINDOW, cook, press, save, steps, window};
 

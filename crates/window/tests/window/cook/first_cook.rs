@@ -2,8 +2,8 @@
 //! asked for beyond the few controls opens all of them.
 
 use egui::{Context, RawInput};
+use saute_controls::act::{Act, AppAct, Card, CookAct, TimeAct, ViewAct};
 use saute_picture::view::View;
-use saute_window::act::{Act, AppAct, Card, CookAct, TimeAct, ViewAct};
 use saute_window::{SauteApp, Start};
 
 /// A window without a picture that remembers nothing yet.

@@ -6,12 +6,12 @@
 
 use egui::accesskit::{Action, ActionRequest, NodeId, Role, TreeId, TreeUpdate};
 use egui::{Context, Event, RawInput};
+use saute_controls::act::{Act, AppAct, CookAct, Setting};
+use saute_controls::goal_choice::goal_of;
 use saute_kitchen::advice::class_goal;
 use saute_kitchen::{Place, TICK_S};
 use saute_plan::goal::GoalVerdict;
 use saute_session::SteakChoice;
-use saute_window::act::{Act, AppAct, CookAct, Setting};
-use saute_window::learn::goal_choice::goal_of;
 use saute_window::{SauteApp, Start};
 
 /// Time from look to look, at the speed of real time, and of a frame [wall s]: what is between is cooked without frames, so that

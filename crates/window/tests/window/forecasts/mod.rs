@@ -7,14 +7,14 @@ use std::sync::Arc;
 
 use egui::{Rect, vec2};
 use egui_kittest::{Harness, kittest::NodeT, kittest::Queryable};
+use saute_controls::act::{Act, AppAct, Card, Setting};
+use saute_controls::session::Session;
 use saute_kitchen::advice::FORECAST_HIGH_K;
 use saute_kitchen::{Command, Library, celsius};
 use saute_plan::forecast::{EXACT_S, Question, SPANS_S};
 use saute_session::work::executor::Executor;
 use saute_session::work::thread::Threads;
 use saute_session::work::{Agency, Helper, WorkKind};
-use saute_window::act::{Act, AppAct, Card, Setting};
-use saute_window::session::Session;
 use saute_window::ui::layout::Layout;
 use saute_window::{SauteApp, Start};
 use saute_words::language::Language;

@@ -7,6 +7,9 @@ use std::sync::Arc;
 
 use egui::vec2;
 use egui_kittest::{Harness, kittest::Queryable};
+use saute_controls::act::{Act, AppAct, Card, HostAct, LearnAct, Setting, ViewAct};
+use saute_controls::at_home::AtHomeAct;
+use saute_controls::session::Session;
 use saute_kitchen::{Command, Library, celsius};
 use saute_plan::fit::parameters::Parameters;
 use saute_recipe::{Cook, Recipe, Recording};
@@ -18,9 +21,6 @@ use saute_session::kept::link;
 use saute_session::work::executor::Executor;
 use saute_session::work::{Agency, Helper, WorkKind};
 use saute_window::SauteApp;
-use saute_window::act::{Act, AppAct, Card, HostAct, LearnAct, Setting, ViewAct};
-use saute_window::at_home::AtHomeAct;
-use saute_window::session::Session;
 use saute_words::language::Language;
 
 use crate::harness::{save, steps, window};
@@ -253,7 +253,7 @@ fn a_cook_of_one_kitchen_is_played_exactly_in_the_window_of_another() {
 
 #[test]
 fn the_kitchen_is_remembered_from_one_start_to_the_next() {
-    let settings = saute_window::settings::Settings { kitchen: Some(kept()), ..Default::default() };
+    let settings = saute_controls::settings::Settings { kitchen: Some(kept()), ..Default::default() };
     let text = serde_json::to_string(&settings).expect("JSON");
     let app = SauteApp::start(&egui::Context::default(), None, Some(text), Default::default()).expect("starts");
     let typical = Library::embedded().expect("embedded data");

@@ -3,12 +3,12 @@
 
 use egui::{Key, Modifiers};
 use egui_kittest::{Harness, kittest::Queryable};
+use saute_controls::act::{Act, AppAct, CookAct, Setting, TimeAct};
 use saute_kitchen::Library;
 use saute_kitchen::advice::Advice;
 use saute_plan::goal::mark::Mark;
 use saute_plan::schedule::Plan;
 use saute_window::SauteApp;
-use saute_window::act::{Act, AppAct, CookAct, Setting, TimeAct};
 
 use super::plan::{PHONE, WIDE, act, due, found, plan, plan_for};
 use crate::harness::{WINDOW, save, steps};

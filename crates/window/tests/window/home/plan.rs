@@ -5,6 +5,9 @@ use std::sync::{Arc, Mutex};
 
 use egui::{accesskit::Role, vec2};
 use egui_kittest::{Harness, kittest::Queryable};
+use saute_controls::act::{Act, AppAct, Card, LearnAct, Setting};
+use saute_controls::plan::{PlanAct, PlanFile};
+use saute_controls::settings::plan_choice::PlanChoice;
 use saute_kitchen::{Command, Library};
 use saute_plan::goal::{Goal, Outcome};
 use saute_plan::schedule::asked::Asked;
@@ -14,9 +17,6 @@ use saute_session::SteakChoice;
 use saute_session::plan::job::{PlanAnswer, PlanOrder, Reply};
 use saute_session::work::{Agency, Helper, WorkKind};
 use saute_window::SauteApp;
-use saute_window::act::{Act, AppAct, Card, LearnAct, Setting};
-use saute_window::plan::choice::PlanChoice;
-use saute_window::plan::{PlanAct, PlanFile};
 
 use crate::harness::{save, steps, window};
 

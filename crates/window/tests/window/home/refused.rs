@@ -1,10 +1,10 @@
 //! Promise: what cannot be planned or fitted is refused in the language of the window.
 
 use egui_kittest::kittest::Queryable;
+use saute_controls::act::{Act, AppAct, Card, LearnAct, Setting};
+use saute_controls::at_home::AtHomeAct;
+use saute_controls::plan::PlanAct;
 use saute_session::SteakChoice;
-use saute_window::act::{Act, AppAct, Card, LearnAct, Setting};
-use saute_window::at_home::AtHomeAct;
-use saute_window::plan::PlanAct;
 use saute_words::language::Language;
 
 use super::plan::{WIDE, act};

@@ -4,6 +4,8 @@
 use std::sync::Arc;
 
 use egui_kittest::kittest::Queryable;
+use saute_controls::act::{Act, AppAct, Card, LearnAct};
+use saute_controls::plan::PlanAct;
 use saute_kitchen::Library;
 use saute_plan::schedule::asked::Asked;
 use saute_plan::schedule::search::{PlanData, SearchProgress};
@@ -12,8 +14,6 @@ use saute_session::plan::job::{PlanAnswer, PlanOrder, PlanProgress, Reply};
 use saute_session::plan::planning::Planning;
 use saute_session::work::executor::Executor;
 use saute_session::work::{Agency, Helper, WorkKind};
-use saute_window::act::{Act, AppAct, Card, LearnAct};
-use saute_window::plan::PlanAct;
 
 use super::plan::{PHONE, WIDE, act, plan};
 use crate::harness::{save, steps, window};

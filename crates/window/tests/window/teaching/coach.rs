@@ -1,8 +1,8 @@
 //! The coach: what happens and why, the next cue, an alarm at the goal; all of it can be off.
 
 use egui_kittest::kittest::Queryable;
+use saute_controls::act::Setting;
 use saute_kitchen::{Command, Place, celsius};
-use saute_window::act::Setting;
 
 use super::{PHONE, WIDE, command, core_c, put_in, says, set, small_steak, until};
 use crate::harness::{save, steps};
@@ -42,7 +42,7 @@ fn the_line_at_the_goal_takes_the_food_out_by_one_click_and_is_gone_then() {
         harness.get_by_label("Take it out: the goal is reached").click();
         harness.state_mut().session_mut().set_paused(false);
         steps(&mut harness, 3);
-        let out = |session: &saute_window::session::Session| {
+        let out = |session: &saute_controls::session::Session| {
             session.steak().is_some_and(|steak| matches!(steak.place, Place::Rest(_)))
         };
         until(&mut harness, out);

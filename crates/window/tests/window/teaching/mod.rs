@@ -9,10 +9,10 @@ mod tutorial;
 use egui::vec2;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
+use saute_controls::act::{Act, AppAct, CookAct, Setting};
 use saute_kitchen::{Command, RestOn, celsius};
 use saute_session::SteakChoice;
 use saute_window::SauteApp;
-use saute_window::act::{Act, AppAct, CookAct, Setting};
 
 use crate::harness::{steps, window};
 
@@ -46,7 +46,7 @@ fn small_steak(size: egui::Vec2) -> Harness<'static, SauteApp> {
 }
 
 /// Lets ticks pass until something is true of the kitchen, an hour at most.
-fn until(harness: &mut Harness<'static, SauteApp>, is_true: impl Fn(&saute_window::session::Session) -> bool) {
+fn until(harness: &mut Harness<'static, SauteApp>, is_true: impl Fn(&saute_controls::session::Session) -> bool) {
     let session = harness.state_mut().session_mut();
     let begun = session.kitchen.time_s();
     while !is_true(session) {
@@ -59,7 +59,7 @@ fn command(harness: &mut Harness<'static, SauteApp>, command: &Command) {
     harness.state_mut().session_mut().command(command).expect("is done");
 }
 
-fn core_c(session: &saute_window::session::Session) -> f64 {
+fn core_c(session: &saute_controls::session::Session) -> f64 {
     session.steak().map_or(0.0, |steak| celsius(steak.core()))
 }
 

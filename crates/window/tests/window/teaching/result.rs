@@ -4,10 +4,10 @@ use std::path::PathBuf;
 
 use egui::Key;
 use egui_kittest::kittest::Queryable;
+use saute_controls::act::{Act, AppAct, Card, CookAct, Setting};
+use saute_controls::goal_choice::goal_of;
 use saute_kitchen::{Command, Place, RestOn};
 use saute_plan::goal::{Better, Goal, GoalVerdict, Judgement, Shortfall};
-use saute_window::act::{Act, AppAct, Card, CookAct, Setting};
-use saute_window::learn::goal_choice::goal_of;
 use saute_window::{DesktopOptions, SauteApp, Start};
 use saute_words::judgement_words::ResultWords;
 use saute_words::language::Language;

@@ -2,8 +2,8 @@
 
 use egui::Key;
 use egui_kittest::kittest::Queryable;
+use saute_controls::act::Setting;
 use saute_picture::View;
-use saute_window::act::Setting;
 
 use super::{PHONE, WIDE, rested, says, set};
 use crate::harness::{press, save, steps};

@@ -4,13 +4,13 @@
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use glam::{DQuat, DVec3};
+use saute_controls::act::{Act, CookAct, Setting};
+use saute_controls::goal_choice::goal_of;
 use saute_kitchen::Command;
 use saute_kitchen::dynamics::{Pose, Tool};
 use saute_session::SteakChoice;
 use saute_study::Times;
 use saute_window::SauteApp;
-use saute_window::act::{Act, CookAct, Setting};
-use saute_window::learn::goal_choice::goal_of;
 
 use super::{WIDE, act, set};
 use crate::harness::{cook, press, steps, window};

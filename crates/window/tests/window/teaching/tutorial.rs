@@ -2,10 +2,10 @@
 
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
+use saute_controls::act::{Act, LearnAct};
+use saute_controls::tutorial::{FAST, MOST_S, Step};
 use saute_kitchen::doneness::core_class;
 use saute_window::SauteApp;
-use saute_window::act::{Act, LearnAct};
-use saute_window::learn::tutorial::{FAST, MOST_S, Step};
 use saute_window::ui::layout::Layout;
 
 use super::{PHONE, WIDE, act, says};

@@ -1,0 +1,4 @@
+//! What is kept on the disk while a cook or a study goes on.
+
+pub mod log_file;
+pub mod session_file;
