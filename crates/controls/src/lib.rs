@@ -14,6 +14,7 @@
 //! ```
 
 pub mod act;
+pub mod ahead_words;
 pub mod at_home;
 pub mod context;
 pub mod control_list;
@@ -23,6 +24,7 @@ pub mod hands;
 pub mod input;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod kept;
+pub mod learning;
 pub mod now;
 pub mod plan;
 pub mod pose;

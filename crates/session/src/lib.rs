@@ -15,6 +15,7 @@ pub mod hearing;
 mod judging;
 pub mod kept;
 mod kept_order;
+pub mod lag;
 mod mark;
 mod noting;
 pub mod permits;

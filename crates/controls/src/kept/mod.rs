@@ -2,3 +2,4 @@
 
 pub mod log_file;
 pub mod session_file;
+pub mod time_of_day;

@@ -5,6 +5,7 @@
 
 pub mod caption;
 mod happenings;
+pub mod shown;
 mod steam_heard;
 
 use saute_kitchen::{Kitchen, TICKS_PER_S, celsius};

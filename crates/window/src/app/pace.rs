@@ -7,18 +7,7 @@ use saute_picture::frame_meter::FrameMeter;
 use saute_session::SPEEDS;
 use saute_session::easing::Easing;
 use saute_session::guided::Guided;
-
-/// How long the clock may lag before a lower speed is chosen [wall s] (chosen: one slow moment is no slow machine).
-const PATIENCE_S: f64 = 2.0;
-
-/// A lag of the clock: when it began, and for how long it has lasted.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Lag {
-    /// Simulated time at its beginning [s].
-    from_s: f64,
-    /// Wall time since [s].
-    wall_s: f64,
-}
+use saute_session::lag::Lag;
 
 /// How time goes in the window.
 #[derive(Default)]
@@ -57,36 +46,13 @@ impl SauteApp {
             self.pace.lag = None;
             return;
         }
-        let lag = self.pace.lag.get_or_insert(Lag { from_s: time_s, wall_s: 0.0 });
-        lag.wall_s += wall;
-        if lag.wall_s < PATIENCE_S {
-            return;
-        }
-        let holds = holdable(now, (time_s - lag.from_s) / lag.wall_s);
+        let lag = self.pace.lag.get_or_insert(Lag::begun(time_s));
+        let Some(holds) = lag.holdable(now, time_s, wall) else { return };
         self.pace.lag = None;
         self.session.set_speed(holds);
         self.settings.held_speed = Some(holds);
         let words = |speed: f64| format!("{speed:.0}");
         let said: [(&str, &dyn std::fmt::Display); 2] = [("wanted", &words(now)), ("speed", &words(holds))];
         self.desk.notice.say(self.settings.language.fill("notice.slowed", &said));
-    }
-}
-
-/// The highest speed below the present one that the machine holds, or the lowest.
-fn holdable(now: f64, held: f64) -> f64 {
-    let lower = SPEEDS.into_iter().rev().find(|s| *s < now && *s <= held);
-    lower.unwrap_or(SPEEDS[0])
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_highest_speed_that_holds_is_chosen() {
-        assert_eq!(holdable(20.0, 12.0), 5.0);
-        assert_eq!(holdable(20.0, 3.0), 3.0);
-        assert_eq!(holdable(5.0, 2.9), 2.0);
-        assert_eq!(holdable(5.0, 0.4), 1.0);
     }
 }

@@ -1,7 +1,6 @@
 //! The window on a system's desktop: devices, files, photos, and the system's window itself.
 
 pub mod bench_frame;
-mod clock;
 pub(crate) mod dialog_errors;
 pub(crate) mod files;
 pub(crate) mod fonts;

@@ -2,7 +2,7 @@
 
 use saute_words::language::Language;
 
-pub(crate) use super::clock::time_of_day;
+pub(crate) use saute_controls::kept::time_of_day::time_of_day;
 
 /// Name of the program, after which eframe names the folder of its settings.
 pub(crate) const NAME: &str = "saute";

@@ -63,7 +63,7 @@ pub fn show(state: &InsideState, inside: &mut Inside, ui: &mut Ui, acts: &mut Ac
     cut(state, inside, ui, acts);
     doneness_bar::show(state, inside, ui, acts);
     readings(state, inside, piece, ui);
-    let (open, ahead) = (state.settings.curves_open, ahead::are_shown(state));
+    let (open, ahead) = (state.settings.curves_open, saute_controls::ahead_words::are_shown(state));
     if ahead && !open {
         ahead::line::show(state, ui);
     }
@@ -178,7 +178,8 @@ fn readings(state: &PanelContext, inside: &Inside, piece: &Piece, ui: &mut Ui) {
     // The rest belongs to the curves.
     let shown = if state.settings.curves_open { rows.len() } else { 2 };
     // With the forecasts the curves are still in sight.
-    ui.spacing_mut().interact_size.y = if state.settings.curves_open && ahead::are_shown(state) { 18.0 } else { 21.0 };
+    ui.spacing_mut().interact_size.y =
+        if state.settings.curves_open && saute_controls::ahead_words::are_shown(state) { 18.0 } else { 21.0 };
     // The hottest place of an uneven pan is the widest value: it ends before the bar of the open panel.
     egui::Grid::new("readings").num_columns(4).min_col_width(52.0).spacing(vec2(5.0, 3.0)).show(ui, |ui| {
         for row in rows.into_iter().take(shown) {

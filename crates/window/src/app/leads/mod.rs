@@ -16,7 +16,7 @@ use saute_session::at_home::fitting::AtHome;
 use saute_session::plan::live::Live;
 use saute_session::plan::planning::Planning;
 
-use crate::learn::Learning;
+use saute_controls::learning::Learning;
 use saute_session::guided::Guided;
 
 /// What leads a person, and what is searched for.

@@ -5,9 +5,9 @@ use egui_plot::{FilledArea, LineStyle, PlotPoint, PlotTransform, PlotUi};
 use saute_kitchen::{FRAME_S, celsius};
 use saute_plan::forecast::Question;
 
-use super::are_shown;
 use crate::panels::curve::Curve;
 use crate::ui::palette::Palette;
+use saute_controls::ahead_words::are_shown;
 use saute_controls::context::PanelContext;
 use saute_session::forecasts::Standing;
 

@@ -3,8 +3,8 @@
 use egui::{Label, RichText, Sense, Ui, UiBuilder, vec2};
 use saute_plan::forecast::Question;
 
-use super::{age_words, class, class_of_peak};
 use crate::ui::theme;
+use saute_controls::ahead_words::{age_words, class, class_of_peak};
 use saute_controls::context::PanelContext;
 
 /// Its height, which it keeps while there is nothing to say [points].

@@ -4,9 +4,9 @@ use egui::{Align2, Color32, FontId, Pos2, Rect, RichText, Sense, Ui, UiBuilder, 
 use saute_kitchen::Command;
 use saute_plan::forecast::{Outlook, Question, SPANS_S, Sample};
 
-use super::{age_words, class, half_band, number, question_words};
 use crate::ui::{fingers, theme};
 use saute_controls::act::{Act, Acts, CookAct};
+use saute_controls::ahead_words::{age_words, class, half_band, number, question_words};
 use saute_controls::context::PanelContext;
 use saute_controls::settings::Settings;
 use saute_session::forecasts::Standing;

@@ -1,7 +1,7 @@
 //! The time of day as a date.
 
 /// The time of day [ISO 8601, UTC].
-pub(crate) fn time_of_day() -> String {
+pub fn time_of_day() -> String {
     let since = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH).unwrap_or_default().as_secs();
     let (day, second) = (since / 86_400, since % 86_400);
     let [year, month, date] = calendar(day);
