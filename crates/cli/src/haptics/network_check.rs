@@ -108,7 +108,7 @@ pub fn measure(args: &CheckArgs, named: &Named, library: &Library) -> Result<Net
     Ok(report)
 }
 
-/// What a device tells its user, shown as it comes.
+/// Notices of a device for its user, shown as it comes.
 struct Notices {
     coming: Option<Receiver<String>>,
     lines: Vec<String>,

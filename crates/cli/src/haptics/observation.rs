@@ -65,7 +65,7 @@ fn is_apart(a: &Pose, b: &Pose) -> bool {
 }
 
 impl Seen {
-    /// Returns what speaks against the device, in words; the pan may stand still for `most_s` [s].
+    /// Returns the faults of the device, in words; the pan may stand still for `most_s` [s].
     pub fn misses(&self, most_s: f64) -> Vec<String> {
         let unwell = self.unwell.map(|health| {
             let (message, remedy) = trouble(health);

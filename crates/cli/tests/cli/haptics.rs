@@ -12,7 +12,7 @@ use crate::running::{Ran, run};
 fn build_simulator() {
     let beside = Path::new(env!("CARGO_BIN_EXE_saute")).parent().unwrap();
     let mut cargo = Command::new(env!("CARGO"));
-    // With the features of the workspace, as the command was built: nothing is built anew.
+    // With the features of the workspace, as the command was built: nothing is built again.
     cargo.args(["build", "--offline", "--quiet", "--workspace", "--bin", "saute-spidar-sim", "--target-dir"]);
     cargo.arg(beside.parent().unwrap()).current_dir(env!("CARGO_MANIFEST_DIR"));
     if beside.ends_with("release") {
@@ -151,7 +151,7 @@ fn a_device_at_an_address_is_used_with_its_pairing_code_and_only_with_it() {
     child.wait().unwrap();
 }
 
-/// Starts a check of a device that is switched on and waits until it is measured. What it says after that is read and dropped.
+/// Starts a check of a device that is switched on and waits until it is measured. Its later output is read and dropped.
 fn measured(address: &str, args: &[&str]) -> Child {
     measured_by(Command::new(env!("CARGO_BIN_EXE_saute")), address, args)
 }
