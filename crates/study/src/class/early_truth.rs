@@ -24,7 +24,7 @@ impl ResultRow {
             let Some(truth) = self.questions()[*place][1] else { return false };
             match &asks {
                 Some(asks) => matches!(asks.get(*place), Some(AskKind::CorePeak | AskKind::ClassInTheEnd)),
-                // Of another scenario the row itself tells: its peak, or the place of a class.
+                // Of another scenario the row itself shows: its peak, or the place of a class.
                 None => truth == Measures::rounded(self.core_peak_c) || may_be_class(truth),
             }
         };
