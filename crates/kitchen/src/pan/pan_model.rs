@@ -126,7 +126,7 @@ pub struct PanLoad<'a> {
 /// Gravity in the frame of a level pan at rest [m/s²].
 pub const LEVEL: [f64; 3] = [0.0, 0.0, -saute_food::GRAVITY];
 
-/// Distance of a pan that stands elsewhere [m] (chosen: nothing of a stove reaches there).
+/// Distance of a pan that stands elsewhere [m] (chosen: no heat of a stove reaches there).
 const AWAY: f64 = 1e3;
 /// Upper bound of convection and radiation from both faces of a wall [W/(m²·K)] (chosen: a very hot wall); limits the
 /// stable step.

@@ -25,11 +25,11 @@ pub struct Load {
 /// More pieces than fit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TooMuch {
-    /// Number of pieces that were asked for [-].
+    /// Number of pieces that were requested [-].
     pub asked: usize,
     /// Number of them that fit [-].
     pub fit: usize,
-    /// Memory of those that were asked for [bytes].
+    /// Memory of those that were requested [bytes].
     pub bytes: f64,
     /// Number of pieces that are there or were ordered before [-].
     pub before: usize,
@@ -62,7 +62,7 @@ impl Load {
     ///
     /// # Errors
     ///
-    /// If they do not fit beside those before, or if the food has no piece of that size.
+    /// If they do not fit in addition to those before, or if the food has no piece of that size.
     pub fn add(&mut self, id: &str, spec: &PieceSpec, food: &FoodDescription, count: usize) -> Result<(), NoRoom> {
         let each = needed(Body::estimated_nodes(food, spec)?, food);
         let in_memory = (MOST_BYTES - self.bytes).max(0.0) / each;
