@@ -19,7 +19,7 @@ use crate::package::errors;
 use crate::package::own_data::Shelf;
 use crate::package::recipe::Source;
 
-/// How often Python is told how far it is, and may interrupt [s] (chosen: smooth to the eye, no cost in time).
+/// How often Python receives the progress, and may interrupt [s] (chosen: smooth to the eye, no cost in time).
 const EVERY: Duration = Duration::from_millis(200);
 
 /// Rows of a sweep, those that are in the folder, those of them that failed, and those that came since it was opened.
