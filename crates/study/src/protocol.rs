@@ -151,7 +151,7 @@ impl Protocol {
 }
 
 impl Entered {
-    /// All of them, in the order in which they are asked for.
+    /// All of them, in the order in which they are requested.
     pub const ALL: [Self; 8] = [
         Self::CoreC,
         Self::Class,

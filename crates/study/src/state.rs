@@ -119,7 +119,7 @@ impl Study {
         self
     }
 
-    /// Goes on after the rows of an earlier run. A questionnaire or a cook of which rows are missing is asked for again in full.
+    /// Goes on after the rows of an earlier run. A questionnaire or a cook of which rows are missing is requested again in full.
     ///
     /// # Errors
     ///

@@ -157,7 +157,7 @@ impl PySweepFolder {
         self.held().take();
     }
 
-    /// Cooks all that is missing on threads of this machine, tells `watch` how far it is, and closes the folder.
+    /// Cooks all that is missing on threads of this machine, calls `watch` with the progress, and closes the folder.
     #[pyo3(signature = (jobs, watch))]
     fn cook_all(&self, py: Python<'_>, jobs: Option<usize>, watch: &Bound<'_, PyAny>) -> PyResult<Counts> {
         let folder = self.held().take().ok_or_else(|| PyValueError::new_err("the folder is closed"))?;

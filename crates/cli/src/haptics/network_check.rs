@@ -39,7 +39,7 @@ pub struct NetworkReport {
     pub rejected: u32,
     /// Why messages were rejected since the start, once for each reason.
     pub rejections: Vec<String>,
-    /// Longest time for which the pan stood still during the measurement [s].
+    /// Longest time for which the pan was still during the measurement [s].
     pub still_s: f64,
     /// Allowed longest time of that [s].
     pub still_limit_s: f64,

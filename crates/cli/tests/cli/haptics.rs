@@ -204,7 +204,7 @@ fn a_device_that_dies_or_reports_a_fault_falls_short() {
 fn a_pan_that_stands_still_for_longer_than_stated_falls_short_and_its_passivity_is_not_judged() {
     let (mut still, address) = switched_on("424242", "1");
     let check = measured(&address, &["--for-s", "4", "--still-s", "1.5"]);
-    // A free pan would drift when a busy machine is late with its tensions: a device that measures nothing stands still on any machine.
+    // A free pan would drift when a busy machine is late with its tensions: a device that measures nothing is still on any machine.
     std::io::Write::write_all(still.stdin.as_mut().unwrap(), b"encoders stuck\n").unwrap();
     let (code, health, missed) = verdict(check);
     assert_eq!((code, health.as_str()), (Some(1), "running"));

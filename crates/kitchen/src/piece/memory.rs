@@ -10,7 +10,7 @@ pub const MOST_BYTES: f64 = if cfg!(target_arch = "wasm32") { 128e6 } else { 352
 /// Memory of a node of food that fries [bytes] (measured with `saute cook`, peaks: 735 in 100 shrimps, 675 in 14 steaks of 60 mm; half
 /// as much before they are in the pan).
 const PER_NODE: f64 = 700.0;
-/// Memory of a piece beside its nodes: collision shape, descriptions [bytes] (measured with `saute cook` on 200 small coins of carrot).
+/// Memory of a piece without its nodes: collision shape, descriptions [bytes] (measured with `saute cook` on 200 small coins of carrot).
 const PER_PIECE: f64 = 0.1e6;
 /// Memory of a triangle of a food's own surface, of which each piece has a copy [bytes] (chosen: corners, indices, skin).
 const PER_TRIANGLE: f64 = 200.0;

@@ -16,7 +16,7 @@ pub const CLOTH_THICKNESS: f32 = 0.008;
 pub const CLOTH_PLACE: Vec3 = Vec3::new(-0.345, -0.02, COUNTER_Z + CLOTH_THICKNESS);
 
 const CLOTH_SIZE: Vec2 = Vec2::new(0.215, 0.235);
-/// Counter and wall: what everything stands on and before; casts no shadow, because the window is in the wall.
+/// Counter and wall: below and behind everything; casts no shadow, because the window is in the wall.
 ///
 /// The counter has a hole for a stove that is let into it.
 pub(crate) fn room(hole: Option<[Vec2; 2]>) -> Mesh {

@@ -12,7 +12,7 @@ use crate::measures::Measures;
 const BELIEVED_AFTER_S: f64 = 600.0;
 
 impl ResultRow {
-    /// The places of questions about the end whose truth may have been noted before the end; none in results of today, which say whether the
+    /// The places of questions about the end whose truth may have been noted before the end; none in results of today, which state whether the
     /// food had rested.
     pub fn early_truths(&self) -> Vec<usize> {
         let rested_s = self.out_s.map_or(0.0, |out_s| self.end_s - out_s);
