@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Everything that must hold: format, lints, tests (window and pictures on software Vulkan), instruction counts, docs,
-# and the web page in Chromium. Steps run side by side; the first failure ends the run and says how to run that step alone.
+# and the web page in Chromium. Steps run side by side; the first failure ends the run and prints how to run that step alone.
 #
 #   ./test.sh                  all of it
 #   ./test.sh step NAME        one step, with what was built before: step tests saute-heat, step browser web/test/link.test.mjs

@@ -1,10 +1,10 @@
-# Builds the program and says how far it is. Sourced, not run.
+# Builds the program and reports the progress. Sourced, not run.
 
 RELEASE_DIR="${CARGO_TARGET_DIR:-target}/release"
-# Asked for together with the features of the workspace, as the tests and the scripts do: nothing is built anew between them.
+# Requested together with the features of the workspace, as the tests and the scripts do: nothing is built again between them.
 PROGRAMS=(--workspace --bin saute --bin saute-spidar-sim)
 
-# build_programs: saute and the simulated device that `saute haptics check` looks for beside it.
+# build_programs: saute and the simulated device that `saute haptics check` looks for next to it.
 build_programs() {
     say_that_another_builds
     if [ ! -x "$RELEASE_DIR/saute" ]; then
@@ -27,7 +27,7 @@ first_build() {
     fi
 }
 
-# tenths: cargo's bar as a line for each tenth; what else cargo says as it is, but for the names of the parts.
+# tenths: cargo's bar as a line for each tenth; cargo's other output as it is, but for the names of the parts.
 tenths() {
     tr '\r' '\n' | awk '
         { gsub(/\033\[K/, "") }

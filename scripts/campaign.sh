@@ -12,7 +12,7 @@
 #   the page as people get it, with its size limit, and its tests with every pose in WebGPU too;
 #   the Python package as pip builds it, and a short training of its example;
 #   ten faults that are put in by hand, each of which a test must see;
-#   a sweep of 10,000 rows that is killed ten times, its memory, and its throughput beside bare cooks;
+#   a sweep of 10,000 rows that is killed ten times, its memory, and its throughput against bare cooks;
 #   the haptic loop against a simulated device for a minute, and every fault;
 #   the speed tables of the 2013 paper with their goals, and the speed of the heat solver.
 #

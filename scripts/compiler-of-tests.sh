@@ -1,17 +1,17 @@
 #!/usr/bin/env bash
 # rustc with less work, for the tests: cargo calls it with the compiler and its arguments (RUSTC_WRAPPER, which is no part of what
-# cargo compares, so that nothing is built anew with or without it).
+# cargo compares, so that nothing is built again with or without it).
 #
-# A test program is compiled with less effort. It holds the code of the tests, and for unit tests the library once more; what all other
+# A test program is compiled with less effort. It contains the code of the tests, and for unit tests the library once more; what all other
 # tests test is the library as everybody gets it, and is compiled as ever.
 #
 # A crate from a registry is read once. Lints and documentation need of it what is written of its types and functions, its metadata, and
 # the build wrote that already: where all arguments are those of the build, and all that the crate needs is what the build gave it, the
-# file is copied. Otherwise the compiler makes it. For documentation the same holds for our own crates in a run that has built them
+# file is copied. Otherwise the compiler makes it. For documentation the same applies to our own crates in a run that has built them
 # (SAUTE_BUILT).
 set -euo pipefail
 
-# arguments_that_count: those that decide what the metadata holds, one a line. A crate that it needs is told by the file of the build.
+# arguments_that_count: those that decide the content of the metadata, one a line. A crate that it needs is stated by the file of the build.
 arguments_that_count() {
     local argument before="" file
     for argument in "$@"; do

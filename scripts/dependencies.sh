@@ -1,6 +1,6 @@
 # Licences, versions and sources of all dependencies, on all platforms, judged by deny.toml. Sourced, not run.
 
-# can_deny: whether the tool is there; else says what is missing. The tests judge this platform's crates without it.
+# can_deny: whether the tool is there; else prints what is missing. The tests judge this platform's crates without it.
 can_deny() {
     command -v cargo-deny >/dev/null || { say "skipped: no cargo-deny (cargo install cargo-deny)"; return 1; }
 }

@@ -29,7 +29,7 @@ if text.count(old) != 1:
 open(name, "w", encoding="utf-8").write(text.replace(old, new))' "$@"
 }
 
-# is_chosen: whether the present number was asked for.
+# is_chosen: whether the present number was requested.
 is_chosen() { [ ${#CHOSEN[@]} = 0 ] || [[ " ${CHOSEN[*]} " == *" $NUMBER "* ]]; }
 
 # integration NAME FILTER: the tests of one program of tests.

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes the pictures of the foods in the window's pantry again, beside the files of the foods: one for each food with a look, raw in
+# Makes the pictures of the foods in the window's pantry again, next to the files of the foods: one for each food with a look, raw in
 # the pan. Run it after the look of a food has changed.
 set -euo pipefail
 cd "$(dirname "$0")/.."

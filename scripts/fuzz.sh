@@ -10,7 +10,7 @@ FUZZ_TIMEOUT_S=10
 # The sanitizer keeps freed memory for a while; with 16 MB the memory of the reader is what is limited.
 FUZZ_SANITIZER="quarantine_size_mb=16:detect_leaks=0"
 
-# can_fuzz: whether the tools are there; else says what is missing.
+# can_fuzz: whether the tools are there; else prints what is missing.
 can_fuzz() {
     if ! rustup run nightly rustc --version >/dev/null 2>&1; then say "skipped: no nightly compiler"; return 1; fi
     if ! command -v cargo-fuzz >/dev/null; then say "skipped: no cargo-fuzz (cargo install cargo-fuzz)"; return 1; fi

@@ -32,7 +32,7 @@ note_times() {
     } >"$STEPS_FOLDER/$STEP_NAME.times"
 }
 
-# launch NAME: begins a step in the background, in a process group of its own.
+# launch NAME: begins a step in the background, in its own process group.
 launch() {
     local label
     label="$(printf '%-8s' "$1")"
@@ -79,7 +79,7 @@ side_by_side() {
     local step status=0
     rm -rf "$STEPS_FOLDER"
     mkdir -p "$STEPS_FOLDER"
-    # Each step gets a process group of its own, which can be ended as a whole.
+    # Each step gets its own process group, which can be ended as a whole.
     set -m
     trap end_steps EXIT
     trap 'exit 130' INT TERM

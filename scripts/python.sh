@@ -11,7 +11,7 @@ need_python() {
     return 1
 }
 
-# python_environment FOLDER REQUIREMENTS: a virtual environment with pinned packages, made anew where their list changed.
+# python_environment FOLDER REQUIREMENTS: a virtual environment with pinned packages, made again where their list changed.
 python_environment() {
     local stamp="$1/.saute-stamp"
     cmp -s "$2" "$stamp" && return 0
@@ -26,7 +26,7 @@ python_environment() {
 python_with_package() {
     local folder="${CARGO_TARGET_DIR:-target}/python-venv"
     python_environment "$folder" python/requirements-build.txt || return 1
-    # The pinned maturin builds it; cargo knows what is up to date.
+    # The pinned maturin builds it; cargo detects what is up to date.
     PATH="$(realpath "$folder")/bin:$PATH" "$folder/bin/python" -m pip install --quiet --disable-pip-version-check \
         --no-build-isolation --no-deps ./python >&2
     realpath "$folder"

@@ -57,7 +57,7 @@ need_packages() {
     fi
 }
 
-# need_test_packages: as need_packages, for what only the tests need; without it they fail and say so.
+# need_test_packages: as need_packages, for what only the tests need; without it they fail with a message.
 need_test_packages() {
     if [ "$(uname -s)" != Linux ] || ! command -v apt-get >/dev/null; then return 0; fi
     install "${TEST_PACKAGES[@]}" || say "could not install ${TEST_PACKAGES[*]}: the tests with a real browser will fail, and no instructions are counted"

@@ -124,7 +124,7 @@ make_results() {
     say "$RUNS runs in $((SECONDS - begun)) s"
 }
 
-# build_revision REVISION: builds it in a worktree of its own and prints where the program lies.
+# build_revision REVISION: builds it in a separate worktree and prints where the program is.
 build_revision() {
     local sha tree program
     sha="$(git -C "$here" rev-parse --verify --quiet "$1^{commit}")" || {

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Sweeps at full size: memory of many rows beside few, random kills, and throughput beside bare cooks.
+# Sweeps at full size: memory of many rows against few, random kills, and throughput against bare cooks.
 #
 #   scripts/sweeps.sh [ROWS] [KILLS]    10000 rows and 10 kills unless they are given
 set -euo pipefail
@@ -17,7 +17,7 @@ spec() {
     printf '"pan.initial_c" = { from = 220, to = 240 }\n[design]\nkind = "latin-hypercube"\nn = %s\n' "$1"
 }
 
-# watched COMMAND...: runs it; says its highest resident memory [MB].
+# watched COMMAND...: runs it; prints its highest resident memory [MB].
 watched() {
     local process peak=0 now
     "$@" >/dev/null &

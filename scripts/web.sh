@@ -4,13 +4,13 @@ PAGE_DIR="${CARGO_TARGET_DIR:-target}/web/site"
 # What saute-site allows the page [bytes with brotli].
 PAGE_BYTES=4000000
 # The page for tests is the same program, made sooner: less optimised, without wasm-opt, compressed by a fraction. It has a
-# size limit of its own [bytes with brotli] (chosen: a tenth above what it had with optimising across units; without it has 5,050,000); that of the real page is in saute-site.
+# separate size limit [bytes with brotli] (chosen: a tenth above what it had with optimising across units; without it has 5,050,000); that of the real page is in saute-site.
 TEST_PAGE_DIR="${CARGO_TARGET_DIR:-target}/web/test-site"
 TEST_PAGE_BYTES=5100000
 # The oldest Node that the tools in web/package.json run on.
 OLDEST_NODE=18
 
-# node_is_there: whether Node and npm are there and new enough; says what is missing.
+# node_is_there: whether Node and npm are there and new enough; prints what is missing.
 node_is_there() {
     local version
     if ! command -v node >/dev/null || ! command -v npm >/dev/null; then
@@ -25,7 +25,7 @@ node_is_there() {
     fi
 }
 
-# need_web_tools: installs the packages of web/package-lock.json once; no package runs a script of its own.
+# need_web_tools: installs the packages of web/package-lock.json once; no package runs its scripts.
 need_web_tools() {
     local stamp=web/node_modules/.saute-stamp
     node_is_there || return 1

@@ -1,4 +1,4 @@
-// The panels a second time, as HTML controls for screen readers and switches. They lie beside the canvas; the one that has the
+// The panels a second time, as HTML controls for screen readers and switches. They are next to the canvas; the one that has the
 // focus is seen. What is done to them is done to the panels.
 
 /** Makes the element of a control. */

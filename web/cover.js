@@ -3,7 +3,7 @@
 const part = (id) => document.getElementById(id);
 const megabytes = (bytes) => (bytes / 1e6).toFixed(1);
 
-/** After so long without a byte the page says that something holds it up [ms] (chosen: a slow line sends some in this time). */
+/** After so long without a byte the page reports that something holds it up [ms] (chosen: a slow line sends some in this time). */
 const SILENT_MS = 20_000;
 /** Texts of the page by the ids of their elements. */
 const TEXTS = ["about", "guides", "teach", "report", "private", "again", "tilt", "describe", "choose"];
@@ -29,7 +29,7 @@ export class Cover {
     if (part("status").textContent !== text) part("status").textContent = text;
   }
 
-  /** Says after a while without a byte that something holds them up. */
+  /** Reports after a while without a byte that something holds them up. */
   awaitBytes() {
     clearTimeout(this.waiting);
     this.waiting = setTimeout(() => {
@@ -61,7 +61,7 @@ export class Cover {
     await new Promise((resolve) => setTimeout(resolve, 50));
   }
 
-  /** Copies what a report of a problem needs: version, browser, and what was said. */
+  /** Copies what a report of a problem needs: version, browser, and past messages. */
   report(said) {
     const report = `saute ${this.version}\n${navigator.userAgent}\n${location.href}\n${said}`;
     this.say(this.words.report_copied);
@@ -79,7 +79,7 @@ export class Cover {
     return document.documentElement.dataset.state === "failed";
   }
 
-  /** Shows what went wrong: a text by its key, and what the browser says. */
+  /** Shows what went wrong: a text by its key, and the browser's message. */
   fail(key, error) {
     clearTimeout(this.waiting);
     part("cover").hidden = false;

@@ -15,10 +15,10 @@ async function fetchPlain(url) {
   return response;
 }
 
-/** The `.gz` beside a file, inflated; null where there is none. */
+/** The `.gz` next to a file, inflated; null where there is none. */
 async function fetchCompressed(url, type) {
   const response = await fetch(compressedName(url)).catch(() => null);
-  // Some hosts answer a missing file with a page that says so.
+  // Some hosts answer a missing file with a page that states it.
   if (!response?.ok || response.headers.get("Content-Type")?.startsWith("text/html")) return null;
   // Some hosts mark a .gz file as encoded; then the browser has inflated it.
   const isInflated = response.headers.has("Content-Encoding");

@@ -1,4 +1,4 @@
-// The gamepad that is plugged in: the first one whose buttons the browser knows.
+// The gamepad that is plugged in: the first one with a standard mapping of buttons.
 
 /** Buttons in the order of the module: south, east, west, north, cross up, down, left, right, shoulders, start, select. */
 const BUTTONS = [0, 1, 2, 3, 12, 13, 14, 15, 4, 5, 9, 8];
@@ -20,7 +20,7 @@ export function readPad() {
   return Float64Array.of(left, -up, right, -high, value(6), value(7), ...down);
 }
 
-/** What the motors were told last, and when. */
+/** The last command to the motors, and when. */
 let told = { strong: 0, weak: 0, rests: true, at: 0 };
 
 /** Lets the motors of that gamepad turn so fast, 0 to 1; nothing where the browser does not reach them. */

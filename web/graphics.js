@@ -7,7 +7,7 @@ export async function backends(asked) {
   return [...new Set(both)].filter((backend) => there[backend]);
 }
 
-/** Makes a canvas's context before the module asks for it: opaque and without buffers that nothing is drawn into. */
+/** Makes a canvas's context before the module requests it: opaque and without buffers that nothing is drawn into. */
 export function prepare(canvas, backend) {
   const least = { alpha: false, antialias: false, depth: false, stencil: false };
   if (backend === "webgl2") canvas.getContext("webgl2", least);

@@ -65,7 +65,7 @@ export class Host {
     this.controls.show(JSON.parse(text));
   }
 
-  /** Describes how the cook stands, for those who ask. */
+  /** Describes the state of the cook on request. */
   describe(cook) {
     document.getElementById("told").textContent = cook;
   }

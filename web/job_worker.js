@@ -1,6 +1,6 @@
 // A worker that does one kind of work for the page. The page hands over the compiled module; nothing is fetched but its script.
 
-/** Computing time between two looks at what the page says [ms] (chosen: a new order waits no longer). */
+/** Computing time between two looks at messages of the page [ms] (chosen: a new order waits no longer). */
 const SLICE_MS = 30;
 
 let executor = null;
@@ -20,7 +20,7 @@ function take(order) {
   if (!isWorking) work();
 }
 
-/** Works slice after slice; between two of them it rests as long as its kind of work asks for, and messages are heard. */
+/** Works slice after slice; between two of them it rests as long as its kind of work requires, and messages are received. */
 async function work() {
   isWorking = true;
   while (executor.is_busy()) {

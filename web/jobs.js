@@ -1,4 +1,4 @@
-// Does heavy work in workers, so that no frame waits for it: the same module once more for each kind of work, with memory of its own.
+// Does heavy work in workers, so that no frame waits for it: the same module once more for each kind of work, with its own memory.
 
 /** The workers, by the kind of their work. */
 export class Jobs {

@@ -4,7 +4,7 @@ const DATABASE = "saute";
 /** Cooks by their ids: { at, place }. Their bytes are in PARTS by [id, number]. */
 const COOKS = "cooks";
 const PARTS = "parts";
-/** A part grows up to this size (chosen: each writing writes the last part anew). */
+/** A part grows up to this size (chosen: each writing writes the last part again). */
 const PART_BYTES = 8192;
 /** Cooks of closed tabs that are kept at most (chosen: those of one afternoon). */
 const MOST = 8;
@@ -41,7 +41,7 @@ function why(error, words) {
   return `${known[error?.name] ?? error?.message ?? ""} (${error?.name ?? "AbortError"})`;
 }
 
-/** The storage of this tab's cook. `place` tells addresses apart that begin with different cooks. */
+/** The storage of this tab's cook. `place` distinguishes addresses that begin with different cooks. */
 export class KeptCook {
   constructor(place, words) {
     Object.assign(this, { place, words });

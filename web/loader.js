@@ -1,4 +1,4 @@
-// Loads the kitchen and starts it. The address may say: ?lang=ja, ?backend=webgl2 (or webgpu), ?recipe=medium, ?embed, #cook=…,
+// Loads the kitchen and starts it. The address may contain: ?lang=ja, ?backend=webgl2 (or webgpu), ?recipe=medium, ?embed, #cook=…,
 // ?study=2013&participant=P07 (&machine=tried), ?scenario=first-steak (&student=S1, &lock=1, &report=https://school.example).
 
 // Files of one build belong together; the version keeps a browser's cache from mixing two.
@@ -14,12 +14,12 @@ const lang = document.body.dataset.languages.split(" ").includes(asked.get("lang
 const recipe = asked.get("recipe") ?? "";
 /** In a frame of another page (`?embed`) nothing is kept, neither the cook nor the page. */
 const isEmbedded = asked.has("embed");
-/** Of a study its rows are kept, of a lesson what is saved; the cooks of both begin anew. */
+/** Of a study its rows are kept, of a lesson what is saved; the cooks of both begin again. */
 const isLed = asked.has("study") || asked.has("scenario");
 const language = lang || navigator.language;
 const spoken = words(language);
 const keptCook = isEmbedded || isLed ? null : new KeptCook(`${recipe}${location.hash}`, spoken);
-/** Where the address says what to cook, nobody is asked. */
+/** Where the address states what to cook, nobody is asked. */
 const asksWhat = keptCook && !recipe && !location.hash;
 const controls = new Controls(document.getElementById("controls"), () => page);
 /** The compiled module and the address of its script, for the workers. */
@@ -93,7 +93,7 @@ async function start(candidates) {
   }
 }
 
-/** The field by which the canvas hears what is typed gets a name, and is no stop of its own for the Tab key. */
+/** The field by which the canvas receives what is typed gets a name, and is not a stop for the Tab key. */
 function nameTextFields() {
   for (const field of document.querySelectorAll("input[autocapitalize]")) {
     field.setAttribute("aria-label", cover.words.typed);
@@ -101,7 +101,7 @@ function nameTextFields() {
   }
 }
 
-/** The graphics are gone: the cook goes on with new ones, by the backend that asks least. */
+/** The graphics are gone: the cook goes on with new ones, by the least demanding backend. */
 async function startAgain() {
   await started.catch(() => {});
   try {

@@ -1,4 +1,4 @@
-// The page's first script, and no module: it says what is wrong where modules do not come or may not run. The texts stand in index.html.
+// The page's first script, and no module: it reports what is wrong where modules do not come or may not run. The texts are in index.html.
 
 "use strict";
 
@@ -15,10 +15,10 @@
     root.dataset.state = "failed";
   };
 
-  // A page without an origin of its own loads no modules and keeps nothing.
+  // A page without its own origin loads no modules and keeps nothing.
   if (location.protocol === "file:") tell("disk");
   else if (self.origin === "null") tell("sandbox");
-  // Until the page's own script has begun, whatever fails is a part that did not come. What is fetched ahead may fail: it is asked for again.
+  // Until the page's own script has begun, whatever fails is a part that did not come. What is fetched ahead may fail: it is requested again.
   const notice = ({ target }) => root.dataset.state || target instanceof HTMLLinkElement || tell("stuck");
   for (const kind of ["error", "unhandledrejection"]) window.addEventListener(kind, notice, { capture: true });
 
@@ -26,7 +26,7 @@
     const here = new URL(location.href);
     here.searchParams.delete("embed");
     for (const link of document.querySelectorAll("#trouble a.alone")) link.href = here.href;
-    // With its fragment, which holds a cook; a link to this very page would leave it out.
+    // With its fragment, which contains a cook; a link to this very page would leave it out.
     for (const link of document.querySelectorAll("#trouble a.again")) {
       link.addEventListener("click", (event) => (event.preventDefault(), location.reload()));
     }

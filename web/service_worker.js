@@ -2,7 +2,7 @@
 
 const VERSION = "{{version}}";
 const CACHE = `saute-${VERSION}`;
-/** The files of this version, as the build lists them; the Japanese font comes when it is first asked for. */
+/** The files of this version, as the build lists them; the Japanese font comes when it is first requested. */
 const FILES = JSON.parse('{{files}}');
 /** Files that hosts may not compress: then their `.gz` is kept, a third of the size. */
 const LARGE = [".wasm", ".otf"];
@@ -10,7 +10,7 @@ const LARGE = [".wasm", ".otf"];
 const scope = new URL(self.registration.scope);
 const placed = (file) => new URL(`${file}?v=${VERSION}`, scope).href;
 
-/** The `.gz` beside a file. */
+/** The `.gz` next to a file. */
 function compressed(url) {
   const name = new URL(url);
   name.pathname += ".gz";

@@ -1,11 +1,11 @@
-// The sound of the page: begins with the first touch, sleeps while the tab is hidden, and says once why there is none.
+// The sound of the page: begins with the first touch, sleeps while the tab is hidden, and reports once why there is none.
 
 const version = new URL(import.meta.url).search;
 const place = (file) => new URL(`./${file}${version}`, import.meta.url).href;
 /** What counts as a touch: browsers let a page sound only after one. */
 const TOUCHES = ["pointerup", "keydown"];
 
-/** Plays what the window tells. Its state, for tests, stands at the page's root: waits, opens, plays, sleeps or fails. */
+/** Plays what the window sends. Its state, for tests, is at the page's root: waits, opens, plays, sleeps or fails. */
 export class Sound {
   constructor() {
     Object.assign(this, { context: null, port: null, touched: false, problem: undefined });

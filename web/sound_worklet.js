@@ -1,6 +1,6 @@
-// The thread of the page's sound: it plays what it is told, by a module of its own that imports nothing.
+// The thread of the page's sound: it plays what it receives, by a separate module that imports nothing.
 
-/** Plays the sound of a kitchen, told by letters of numbers (crates/sound/src/letter.rs). */
+/** Plays the sound of a kitchen, sent as letters of numbers (crates/sound/src/letter.rs). */
 class SautePlayer extends AudioWorkletProcessor {
   constructor({ processorOptions: { bytes } }) {
     super();

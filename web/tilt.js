@@ -1,16 +1,16 @@
 // How the phone is held, for a window whose pan it is.
 
-/** Returns true where the browser can say it, and the device is one that is held. */
+/** Returns true where the browser can state it, and the device is one that is held. */
 export const canTilt = () =>
   "DeviceOrientationEvent" in window && window.isSecureContext && matchMedia("(pointer: coarse)").matches;
 
-/** Sensors that the browser has to be asked for, as on iOS. */
+/** Sensors that the browser needs a permission for, as on iOS. */
 const asked = () =>
   [window.DeviceOrientationEvent, window.DeviceMotionEvent].filter((sensor) => typeof sensor?.requestPermission === "function");
 
-/** The phone's sensors, read while they are wanted. */
+/** The phone's sensors, read while they are needed. */
 export class Tilt {
-  /** `button` asks for the permission: some browsers give it only to a touch of the page's own. `silence` is how long they may say nothing [ms]. */
+  /** `button` requests the permission: some browsers give it only to a touch of the page's own. `silence` is how long they may send nothing [ms]. */
   constructor(button, silence = 3000) {
     Object.assign(this, { button, silence, reading: undefined, accelerations: null, timer: 0 });
     this.onTurn = (event) => this.turn(event);

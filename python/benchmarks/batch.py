@@ -33,7 +33,7 @@ def seconds(many, ticks):
 
 
 class Process:
-    """A process of its own with half of the kitchens, which steps whenever it is told to."""
+    """A separate process with half of the kitchens, which steps on each command."""
 
     def __init__(self, count):
         command = [sys.executable, __file__, "--serve", str(count)]
@@ -49,7 +49,7 @@ class Process:
 
 
 def serve(count):
-    """Steps its kitchens by as many ticks as each line of the input says, and answers with a line."""
+    """Steps its kitchens by as many ticks as each line of the input states, and answers with a line."""
     many = batch(count, 1)
     many.step(10)
     print("ready", flush=True)

@@ -1,4 +1,4 @@
-"""What Python adds to a cook: the same recipe by the command and by the package, in turns, each in a process of its own.
+"""What Python adds to a cook: the same recipe by the command and by the package, in turns, each in a separate process.
 
     SAUTE_PROGRAM=target/release/saute python cook.py [--runs 7] [--recipe medium]
 

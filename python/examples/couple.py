@@ -1,8 +1,8 @@
-"""Couples another simulator to the kitchen at 240 Hz: it moves the pan, the kitchen tells the load on it and where the foods are.
+"""Couples another simulator to the kitchen at 240 Hz: it moves the pan, the kitchen reports the load on it and where the foods are.
 
     python couple.py [--seconds 4]
 
-The other simulator is here a mass on springs and dampers that stands for a robot's compliant wrist: its hand holds the pan, is
+The other simulator is here a mass on springs and dampers that represents a robot's compliant wrist: its hand holds the pan, is
 driven around a circle and is pulled down by what lies in the pan. Replace `Wrist` by your own: MuJoCo's `mj_step` or a callback of
 ROS 2 gets the same numbers (docs/robots.md). No mesh passes between the two, only seven numbers for each pose and six for the load.
 """
@@ -19,7 +19,7 @@ RATE_HZ = 240
 
 
 class Wrist:
-    """A wrist that yields: the pan hangs on springs from the place where the arm wants it."""
+    """A wrist that yields: the pan hangs on springs from the place where the arm commands it."""
 
     MASS_KG, STIFFNESS_N_M, DAMPING = 2.0, 2000.0, 0.7
 
@@ -28,7 +28,7 @@ class Wrist:
         self.steps, self.log = 0, []
 
     def wanted_m(self):
-        """Where the arm wants the pan: 30 mm above the hob, on a circle of 20 mm, once a second."""
+        """Where the arm commands the pan: 30 mm above the hob, on a circle of 20 mm, once a second."""
         t = self.steps / RATE_HZ
         rise = min(t, 1.0)
         circle = 0.02 * rise * np.array([math.cos(2 * math.pi * t) - 1.0, math.sin(2 * math.pi * t)])

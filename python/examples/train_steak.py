@@ -32,7 +32,7 @@ LAMBDA = 0.97
 HIDDEN = 48
 #: Updates between two trials, and the steaks of a trial [mm]: the best policy of all trials is kept.
 TRIAL_EVERY, TRIED_MM = 10, (15, 18, 21, 24, 27, 30, 33, 35)
-#: What the examination asks: thicknesses [mm] and temperatures of the pan [°C]. None of these thicknesses is drawn in training.
+#: Tasks of the examination: thicknesses [mm] and temperatures of the pan [°C]. None of these thicknesses is drawn in training.
 EXAMINED_MM = (17.5, 20.5, 23.5, 26.5, 29.5, 32.5)
 EXAMINED_PAN_C = 210.0
 #: What the first policy leans to (chosen): about 500 W, as more burns the oil; one turn in two minutes; to take out a steak whose

@@ -29,11 +29,11 @@ class InputError(ValueError):
 
 
 class RefusedError(RuntimeError):
-    """A command that the kitchen does not take; the kitchen is unchanged. The text says why and what to do."""
+    """A command that the kitchen does not take; the kitchen is unchanged. The text states why and what to do."""
 
 
 class SnapshotError(ValueError):
-    """Bytes that are no kitchen of this version of saute. The text says why."""
+    """Bytes that are no kitchen of this version of saute. The text states why."""
 
 
 class GraphicsError(RuntimeError):

@@ -29,7 +29,7 @@ class Summary:
 
     @property
     def kitchen(self):
-        """The kitchen at the end: a `Kitchen` of its own each time."""
+        """The kitchen at the end: a separate `Kitchen` each time."""
         return self._cooked.kitchen()
 
     @property

@@ -47,7 +47,7 @@ def _cook(parts, key, rows):
 
 
 def _probe():
-    """The task that says which version of this package a machine has."""
+    """The task that reports which version of this package a machine has."""
     return _core.__version__
 
 
@@ -84,7 +84,7 @@ def _connect(ray, address):
     wrong = f"no Ray cluster answers at {address}: start one with ray start --head, or correct address"
     if address not in (None, "auto", "local"):
         _knock(address, wrong)
-    # A cluster of its own holds little: results are small.
+    # A separate cluster has little memory: results are small.
     alone = {} if address else {"include_dashboard": False, "object_store_memory": STORE}
     try:
         ray.init(address=address, log_to_driver=False, **alone)

@@ -20,7 +20,7 @@ RECIPE = {
 
 @pytest.fixture
 def kitchen():
-    """A steak that waits beside a pan at 180 °C, on a coarse mesh."""
+    """A steak that waits next to a pan at 180 °C, on a coarse mesh."""
     return saute.Kitchen(RECIPE, coarseness=3.0)
 
 

@@ -1,4 +1,4 @@
-"""Arrays: they show the state as it was when they were asked for, without a copy, and never change or dangle."""
+"""Arrays: they show the state as it was when they were requested, without a copy, and never change or dangle."""
 
 import gc
 

@@ -27,7 +27,7 @@ def test_a_picture_shows_what_it_is_asked_for(frying):
 
 
 def test_without_a_driver_only_pictures_fail():
-    """A process of its own that finds no driver: it cooks, and its picture is refused with what is missing."""
+    """A separate process that finds no driver: it cooks, and its picture is refused with what is missing."""
     code = (
         "import saute\n"
         "kitchen = saute.Kitchen('medium', coarseness=6)\n"

@@ -1,4 +1,4 @@
-"""The type stubs name what the package has, no less and no more, and everything says what it is."""
+"""The type stubs name what the package has, no less and no more, and everything is documented."""
 
 import ast
 import pathlib

@@ -10,7 +10,7 @@ os.environ["RAY_USAGE_STATS_ENABLED"] = "0"
 # Ray takes 127.0.0.1 in an address for the machine's own address in its network, where a cluster on 127.0.0.1 does not listen. It
 # does not where clusters are off, as on macOS; that turns off nothing else that is used here.
 os.environ["RAY_ENABLE_WINDOWS_OR_OSX_CLUSTER"] = "0"
-# The folder of own data, beside the tests of sweeps on one machine.
+# The folder of own data, next to the tests of sweeps on one machine.
 sys.path.append(str(pathlib.Path(__file__).parent.parent / "tests"))
 
 import pyarrow.parquet

@@ -26,7 +26,7 @@ impl Budget {
     ///
     /// # Errors
     ///
-    /// If it is not there or holds something else.
+    /// If it is not there or contains something else.
     pub fn read(file: &Path) -> Result<Self, TaskError> {
         let text = std::fs::read_to_string(file).map_err(at(file))?;
         Self::parse(&text).map_err(|reason| TaskError::Content { path: file.to_owned(), reason })

@@ -15,7 +15,7 @@ pub struct StepTime {
     pub cpu_s: f64,
 }
 
-/// Reads the times of all steps in a folder: `NAME.times` holds the time on the clock [s] and what the shell prints of its own
+/// Reads the times of all steps in a folder: `NAME.times` contains the time on the clock [s] and what the shell prints of its own
 /// and its programs' time on the processors.
 ///
 /// # Errors

@@ -1,4 +1,4 @@
-//! The table of a run: each step's time, its work beside its budget, and what was counted.
+//! The table of a run: each step's time, its work next to its budget, and what was counted.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -97,7 +97,7 @@ fn table(steps: &BTreeMap<String, StepTime>, loop_s: f64, wall_s: f64, budget: &
     text
 }
 
-/// What was counted beside its ceiling.
+/// Counts next to their ceilings.
 fn counts(counted: &BTreeMap<String, u64>, budget: &Budget) -> String {
     let one = |(name, count): (&String, &u64)| match budget.ceilings.get(name) {
         Some(most) => format!("{name} {count} of {most}"),

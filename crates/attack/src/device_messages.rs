@@ -27,7 +27,7 @@ static DEVICE: LazyLock<Geometry> = LazyLock::new(|| {
     devices.remove(library::DEFAULT_DEVICE).expect("is there")
 });
 
-/// A device that states what the input holds, in the session of the host.
+/// A device that reports the samples in the input, in the session of the host.
 struct Hostile {
     says: VecDeque<(u8, [u8; 64])>,
     session: u32,
@@ -60,7 +60,7 @@ fn framed(kind: u8, sequence: u32, session: u32, payload: &[u8; 64]) -> [u8; FRA
     bytes
 }
 
-/// Bytes of a SPIDAR's link: as a stream, as a datagram, and as what a device and a host say in valid frames.
+/// Bytes of a SPIDAR's link: as a stream, as a datagram, and as what a device and a host send in valid frames.
 pub fn wire(bytes: &[u8]) {
     let _ = Frame::decode(bytes);
     let mut deframer = Deframer::default();
@@ -77,7 +77,7 @@ pub fn wire(bytes: &[u8]) {
     hostile_device(said);
 }
 
-/// The simulated device hears what a hostile host says.
+/// The simulated device receives what a hostile host sends.
 fn hostile_host(bytes: &[u8], said: &[(u8, [u8; 64])]) {
     let mut now = Instant::now();
     let making = Making { seed: 3, error_m: 0.5e-3, hand: 1.0, noise: 1.0 };
@@ -93,7 +93,7 @@ fn hostile_host(bytes: &[u8], said: &[(u8, [u8; 64])]) {
     assert!(tensions.iter().all(|t| t.is_finite()), "{tensions:?}");
 }
 
-/// The driver hears what a hostile device says.
+/// The driver receives what a hostile device sends.
 fn hostile_device(said: Vec<(u8, [u8; 64])>) {
     let known = said.iter().filter_map(|(kind, payload)| Message::decode(*kind, payload).ok());
     let most_rounds = known.count() + 2;

@@ -17,7 +17,7 @@ use crate::stored::SOUND;
 use crate::ten_ticks::check;
 use crate::text;
 
-/// A thermometer's log, read as it says itself and by each maker's preset: times rise, temperatures are some of a kitchen.
+/// A thermometer's log, read by its own header and by each maker's preset: times rise, temperatures are some of a kitchen.
 pub fn log(bytes: &[u8]) {
     let Ok(log) = LogFile::parse("log.csv", bytes) else { return };
     for logger in std::iter::once(None).chain(loggers().iter().map(Some)) {
@@ -38,7 +38,7 @@ pub fn class_result(bytes: &[u8]) {
     assert!(from_csv("class.csv", &written).is_ok(), "what was written can be read");
 }
 
-/// The fragment of an address; and bytes as what such a fragment packs, under a checksum that holds.
+/// The fragment of an address; and bytes as what such a fragment packs, under a valid checksum.
 pub fn link(bytes: &[u8]) {
     let _ = text(bytes).map(link::read);
     let mut sealed = crc32fast::hash(bytes).to_le_bytes().to_vec();

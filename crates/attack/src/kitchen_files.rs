@@ -69,7 +69,7 @@ pub fn oil(bytes: &[u8]) {
     }
 }
 
-/// A change that tells whose kinetics a text holds, their id, and a food that follows them.
+/// A change that shows which food's kinetics a text contains, their id, and a food that follows them.
 const KINETICS: [(&str, &str, &str); 5] = [
     ("crustacyanin", "shrimp", "shrimp"),
     ("chlorophyll", "leek", "leek-ring"),

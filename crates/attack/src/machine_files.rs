@@ -25,7 +25,7 @@ impl Link for Silence {
     }
 }
 
-/// Geometry of a string device, or a kept calibration; a driver is built and asked ten times.
+/// Geometry of a string device, or a kept calibration; a driver is built and polled ten times.
 pub fn geometry(bytes: &[u8]) {
     let Some(text) = text(bytes) else { return };
     if let Ok(kept) = KeptCalibration::parse(text, "kept.toml") {
@@ -42,7 +42,7 @@ pub fn geometry(bytes: &[u8]) {
     }
 }
 
-/// A rig of the half mirror, with the picture that it asks for.
+/// A rig of the half mirror, with the picture that it needs.
 pub fn rig(bytes: &[u8]) {
     let Some(text) = text(bytes) else { return };
     let Ok(rig) = rig_file::parse(text, "rig.toml") else { return };

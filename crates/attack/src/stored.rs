@@ -48,8 +48,8 @@ static BEGINNING: LazyLock<Vec<u8>> = LazyLock::new(|| {
     Recording::begin(&recipe, true, &LIBRARY).to_file()
 });
 
-/// Bytes as a stored kitchen; and a stored kitchen whose bytes are changed at places that the input names, under a checksum that
-/// holds.
+/// Bytes as a stored kitchen; and a stored kitchen whose bytes are changed at places that the input names, under a valid
+/// checksum.
 pub fn kitchen(bytes: &[u8]) {
     restore(bytes);
     let mut body = SOUND.0.clone();
@@ -68,7 +68,7 @@ fn restore(bytes: &[u8]) {
     }
 }
 
-/// A session file, or else a record after a sound beginning, under a checksum that holds.
+/// A session file, or else a record after a sound beginning, under a valid checksum.
 pub fn session(bytes: &[u8]) {
     if session_file::is_session(bytes) {
         return open(bytes);

@@ -279,15 +279,15 @@ pub enum Listed {
     Pans,
     /// Hobs, for the `kind` of the hob.
     Hobs,
-    /// Recipes that `saute cook` knows by id.
+    /// Recipes that `saute cook` finds by id.
     Recipes,
     /// Scales of doneness, for `--doneness`.
     Scales,
-    /// Goals of a cook, with what they want.
+    /// Goals of a cook, with what they require.
     Goals,
-    /// Protocols that `saute study` knows by id.
+    /// Protocols that `saute study` finds by id.
     Studies,
-    /// Scenarios that `saute open --scenario` knows by id.
+    /// Scenarios that `saute open --scenario` finds by id.
     Scenarios,
     /// Views, for `--view` and `--split`, with the meaning of their colours.
     Views,

@@ -71,7 +71,7 @@ fn run(args: Args, process_start: Instant) -> Result<ExitCode, CliError> {
         Some(Command::Bench(Bench::Heat(args))) => bench_heat::run(&args, &library()?.library),
         Some(Command::Bench(Bench::Paper(args))) => bench_paper::run(&args, &library()?.library),
         Some(Command::List(args)) => list::run(&args, &library()?),
-        // The file under check may lie in the --data folder, which as a whole could not be read then.
+        // The file under check may be in the --data folder, which as a whole could not be read then.
         Some(Command::Food(Food::Check(check))) => food_check::run(&check, args.data.as_deref()),
         Some(Command::Schema(args)) => schema::run(&args),
         Some(Command::Completions { shell }) => manual::completions(shell),

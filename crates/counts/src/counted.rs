@@ -1,6 +1,6 @@
 //! The one function inside which Callgrind collects.
 
-/// Does the work. Callgrind collects from its entry to its return (`--toggle-collect='*counted*'`), so its name stands
+/// Does the work. Callgrind collects from its entry to its return (`--toggle-collect='*counted*'`), so its name is
 /// in the program.
 #[inline(never)]
 pub fn counted(work: &mut dyn FnMut()) {

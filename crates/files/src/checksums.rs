@@ -1,4 +1,4 @@
-//! Checksums of files in a folder: a file beside them that readers of Parquet folders pass over.
+//! Checksums of files in a folder: a file next to them that readers of Parquet folders ignore.
 
 use std::collections::BTreeMap;
 use std::hash::Hasher;

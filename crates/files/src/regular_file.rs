@@ -101,7 +101,7 @@ pub fn led_out(folder: &Path, path: &Path) -> Option<PathBuf> {
 mod tests {
     use super::*;
 
-    /// A folder of its own, which is empty.
+    /// A new empty folder.
     fn folder(name: &str) -> PathBuf {
         let folder = std::env::temp_dir().join(format!("saute-regular-file-{name}-{}", std::process::id()));
         let _ = std::fs::remove_dir_all(&folder);

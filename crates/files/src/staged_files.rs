@@ -1,4 +1,4 @@
-//! Files that change places together: written into a folder of their own first, then given their final names.
+//! Files that change places together: written into a separate folder first, then given their final names.
 //!
 //! A mark states that all of them are complete. If the program is killed after that, the next run gives the rest their names;
 //! before it, the next run removes them.
@@ -84,7 +84,7 @@ impl StagedFiles {
         Ok(text.lines().filter(|name| !name.contains(['/', '\\']) && *name != "..").map(str::to_owned).collect())
     }
 
-    /// Removes the old pages and numbered files, then gives the others their names, and the pages last: no page is ever beside files of
+    /// Removes the old pages and numbered files, then gives the others their names, and the pages last: no page is ever next to files of
     /// another run.
     fn publish<N: AsRef<str>>(&self, names: &[N]) -> io::Result<()> {
         let (pages, others): (Vec<&str>, Vec<&str>) = names

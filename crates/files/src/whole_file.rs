@@ -6,7 +6,7 @@ use std::path::Path;
 
 use crate::regular_file;
 
-/// Writes a file; what was at its path stays until all bytes are on the disk. The part is written beside it. A link is followed, so that
+/// Writes a file; what was at its path stays until all bytes are on the disk. The part is written next to it. A link is followed, so that
 /// the file behind it is replaced and not the link.
 ///
 /// # Errors

@@ -54,7 +54,7 @@ pub struct Surroundings<'a> {
 
 /// Heat and mass exchanged between a piece and its surroundings in one tick.
 ///
-/// [`FoodSolver::contact_heat`] holds the heat that came from contacts.
+/// [`FoodSolver::contact_heat`] contains the heat from contacts.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Exchange {
     /// Heat lost to air and walls by convection and radiation [J].

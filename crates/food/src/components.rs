@@ -94,7 +94,7 @@ impl Default for Held {
     }
 }
 
-/// Conductivity [W/(m·K)] and inverse density [m³/kg] between two rows, likewise.
+/// Conductivity [W/(m·K)] and inverse density [m³/kg] between two rows, in the same way.
 #[derive(Clone, Copy, Debug)]
 struct BulkCell {
     conductivity: [f64; 3],

@@ -1,7 +1,7 @@
 //! Heat transfer and cooking of a piece of food: temperature, water, proteins, browning, shrinkage and colour.
 //!
-//! A [`FoodModel`] holds everything that heating does not change: rest mesh, composition and tables of rates. A
-//! [`FoodState`] holds everything that it changes. [`FoodSolver::advance`] advances a state by one tick with given
+//! A [`FoodModel`] contains everything that heating does not change: rest mesh, composition and tables of rates. A
+//! [`FoodState`] contains everything that it changes. [`FoodSolver::advance`] advances a state by one tick with given
 //! [`Surroundings`]. The crate is a pure function of model, state, surroundings and time step: it reads no clock and no
 //! files.
 //!
@@ -61,7 +61,7 @@
 //! # }
 //! ```
 //!
-//! Modules: [`body`] holds mesh, faces and shape, [`tissue`] marbling and other variation, [`change`] kinetics, browning,
+//! Modules: [`body`] contains mesh, faces and shape, [`tissue`] marbling and other variation, [`change`] kinetics, browning,
 //! doneness and colour, [`water`] everything that leaves a piece, [`description`] the tables of the data files, [`reduced`] a slice on a coarse
 //! mesh.
 

@@ -13,7 +13,7 @@ pub struct NodeField<'a> {
     pub name: String,
     /// Unit, as `°C`; empty where there is none.
     pub unit: &'static str,
-    /// True for what a node holds, so that the sum over all nodes is the body's; false for what holds at a point.
+    /// True for an amount per node, so that the sum over all nodes is the body's; false for a value at a point.
     pub is_amount: bool,
     /// A value for each node.
     pub values: Cow<'a, [f64]>,
@@ -25,12 +25,12 @@ impl<'a> NodeField<'a> {
         Self { name: name.to_owned(), unit, is_amount: true, values: Cow::Borrowed(values) }
     }
 
-    /// Returns a field of what holds at a point.
+    /// Returns a field of values at points.
     pub fn point(name: &str, unit: &'static str, values: &'a [f64]) -> Self {
         Self { name: name.to_owned(), unit, is_amount: false, values: Cow::Borrowed(values) }
     }
 
-    /// Returns a field of what holds at a point, from computed values.
+    /// Returns a field of values at points that were computed.
     pub fn computed(name: &str, unit: &'static str, values: Vec<f64>) -> Self {
         Self { name: name.to_owned(), unit, is_amount: false, values: Cow::Owned(values) }
     }

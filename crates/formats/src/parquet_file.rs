@@ -2,7 +2,7 @@
 //!
 //! Every column is nullable, Snappy-compressed and of one of four types: DOUBLE, INT64, BOOLEAN, BYTE_ARRAY with the logical type
 //! string. The units of the columns are in the file's metadata as JSON under [`UNITS`], by the name of the column; the notes of
-//! the table stand beside them. The same table gives the same bytes.
+//! the table are next to them. The same table gives the same bytes.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -100,7 +100,7 @@ impl Table {
         Ok(())
     }
 
-    /// Reads a Parquet file that this program wrote: the columns whose heading is wanted.
+    /// Reads a Parquet file that this program wrote: the columns whose heading is requested.
     ///
     /// # Errors
     /// If it is damaged, or has columns of other types.

@@ -51,7 +51,7 @@ impl Value {
         }
     }
 
-    /// Returns the value as a kind of column wants it; none if it is of another kind.
+    /// Returns the value as the given kind of column; none if it is of another kind.
     pub fn to_kind(self, kind: ColumnKind) -> Option<Self> {
         match (self, kind) {
             (Self::Integer(v), ColumnKind::Float) => Some(Self::Float(v as f64)),
@@ -60,7 +60,7 @@ impl Value {
     }
 }
 
-/// What a column holds.
+/// Content of a column.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Heading {
     /// Name.

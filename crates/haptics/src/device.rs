@@ -133,9 +133,9 @@ pub enum Health {
     Busy,
     /// Units or number of strings are not supported.
     WrongUnits,
-    /// It speaks an older protocol version: its firmware must be updated.
+    /// It has an older protocol version: its firmware must be updated.
     DeviceOutdated,
-    /// It speaks a newer protocol version: this program must be updated.
+    /// It has a newer protocol version: this program must be updated.
     ProgramOutdated,
     /// The device reports a fault.
     Fault,
@@ -218,13 +218,13 @@ pub trait HapticDevice: Send {
     fn capabilities(&self) -> &Capabilities;
     /// Sends a command and returns the last sample; `dt` is the time since the last exchange [s].
     fn exchange(&mut self, command: &HapticCommand, dt: f64) -> HapticSample;
-    /// Releases all forces at once, until `resume`; a device that is stopped is told nothing more.
+    /// Releases all forces at once, until `resume`; a device that is stopped receives nothing more.
     fn stop(&mut self);
     /// Releases all forces within 2 ms, as gently as that allows, and then stops: a safety rule has fired.
     fn trip(&mut self) {
         self.stop();
     }
-    /// Looks for the device again after a stop; only a person's hand may ask for it.
+    /// Looks for the device again after a stop; only a person's hand may request it.
     fn resume(&mut self);
     /// Returns the strings as drawn, for string devices.
     fn strings(&self) -> Option<StringRig> {

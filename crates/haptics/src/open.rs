@@ -69,7 +69,7 @@ pub struct Opened {
     pub device: Box<dyn HapticDevice>,
     /// How a person reaches it.
     pub access: Access,
-    /// What its user should know, such as why messages are rejected: a line for each reason, of devices that say so.
+    /// What its user should know, such as why messages are rejected: a line for each reason, of devices that report them.
     pub notices: Option<Receiver<String>>,
 }
 

@@ -1,6 +1,6 @@
 //! Advice on the next steps, from readings of the kitchen, and the reason why a hob that is on gives no power.
 //!
-//! A person who does what the first advice says, each time that it is due, ends with the goal.
+//! A person who follows the first advice, each time that it is due, ends with the goal.
 
 pub mod coaching;
 mod no_power;
@@ -38,7 +38,7 @@ pub const HALF_WAY: f64 = 0.5;
 pub const BROWN: f64 = 0.6;
 /// Browning index of both sides from which the hob is turned down to finish the core [-] (chosen: they brown on by themselves).
 pub const BROWN_BOTH: f64 = 0.7;
-/// Browning index of a face from which it is said to darken [-] (chosen: a dark crust has 1).
+/// Browning index of a face from which it is reported to darken [-] (chosen: a dark crust has 1).
 pub const BROWN_ENOUGH: f64 = 0.9;
 /// Time after which both sides, once brown, change places [s] (chosen: evens out the heat with few flips).
 pub const TURNS_S: f64 = 180.0;
@@ -126,7 +126,7 @@ pub enum Advice {
         /// Highest core temperature to expect [°C].
         peak_c: f64,
     },
-    /// Take the food out: the change that its doneness is told by has reached the goal at the core.
+    /// Take the food out: the change that measures its doneness has reached the goal at the core.
     Ready {
         /// Share of the change at the core [%].
         share_pct: f64,
@@ -196,16 +196,16 @@ impl Advice {
 /// Goal of a cook for food with a scale of doneness.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Goal {
-    /// For food whose doneness is told by the highest temperature.
+    /// For food whose doneness is measured by the highest temperature.
     Peak {
-        /// Wanted highest core temperature [°C].
+        /// Target of the highest core temperature [°C].
         core_c: f64,
         /// Highest core temperature that [`crate::piece::carry_over`] foresees if the food were taken out now [°C].
         foreseen_c: f64,
     },
-    /// For food whose doneness is told by the share of a change.
+    /// For food whose doneness is measured by the share of a change.
     Share {
-        /// Wanted share at the core [%].
+        /// Target share at the core [%].
         wanted_pct: f64,
         /// Share at the core now [%].
         reached_pct: f64,

@@ -17,7 +17,7 @@ pub fn made_for<'a>(scales: &'a [Arc<Scale>], food: &FoodDescription) -> Vec<&'a
     if of_kinetics.is_empty() { scales.iter().filter(|s| s.is_general()).collect() } else { of_kinetics }
 }
 
-/// Returns the scales that say anything about a food, in their order: those made for it whose change its kinetics contain.
+/// Returns the scales that apply to a food, in their order: those made for it whose change its kinetics contain.
 ///
 /// By the rules of 2013 the scale of 2013 is always among them where its change is: that system knew no other.
 pub fn fitting<'a>(scales: &'a [Arc<Scale>], food: &FoodModel) -> Vec<&'a Arc<Scale>> {
@@ -47,7 +47,7 @@ impl ScaleChoice {
         fitting.iter().find(|s| s.id == self.chosen).or(fitting.first()).copied()
     }
 
-    /// Returns the chosen scale where there is no food; where the data do not know it, the first.
+    /// Returns the chosen scale where there is no food; where the data do not have it, the first.
     pub fn alone(&self) -> Option<&Arc<Scale>> {
         self.scales.iter().find(|s| s.id == self.chosen).or(self.scales.first())
     }

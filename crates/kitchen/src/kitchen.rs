@@ -155,7 +155,7 @@ pub enum SetupError {
         /// Its name.
         food: String,
     },
-    /// A food begins as ice whose file does not say how it freezes, or by rules that know no ice.
+    /// A food begins as ice whose file does not state how it freezes, or by rules without ice.
     #[error("\"{0}\" cannot begin below 0 °C: its file has no table [freezing], or it follows the rules of 2013")]
     NoIce(String),
     /// A food has no room.
@@ -209,7 +209,7 @@ impl Kitchen {
         Self::with_oil(library, pan_kind, pan_temperature, Self::usual_oil(library))
     }
 
-    /// Oil in a pan of which nothing is said [kg].
+    /// Oil in a pan without a stated amount [kg].
     pub fn usual_oil(library: &Library) -> f64 {
         1e-3 * library.room.contact.oil_g
     }
@@ -387,17 +387,17 @@ impl Kitchen {
         self.pieces.iter().find(|p| p.id == id)
     }
 
-    /// Electrical power to which the hob is set [W]; the largest one if it holds the pan at a temperature.
+    /// Electrical power to which the hob is set [W]; the largest one if it keeps the pan at a temperature.
     pub fn hob_w(&self) -> f64 {
         self.hob_w
     }
 
-    /// Temperature at which the hob holds the pan [K]; none if it gives the power to which it is set.
+    /// Temperature at which the hob keeps the pan [K]; none if it gives the power to which it is set.
     pub fn hob_holds(&self) -> Option<f64> {
         self.hold.target()
     }
 
-    /// Where a hob that holds a temperature stands, as it says itself; none if it gives the power to which it is set.
+    /// State of a hob that keeps a temperature, as it reports it; none if it gives the power to which it is set.
     pub fn holding(&self) -> Option<Holding> {
         self.hold.holding()
     }
@@ -413,7 +413,7 @@ impl Kitchen {
         if off { 0.0 } else { self.hob_power() * self.pan.ring_shares.iter().sum::<f64>() }
     }
 
-    /// Power of the hob over a pan on its ring: that which holds the pan, or the set one, up to the limit [W].
+    /// Power of the hob over a pan on its ring: that which keeps the pan at its temperature, or the set one, up to the limit [W].
     pub(crate) fn hob_power(&self) -> f64 {
         let share = if self.rules() == Rules::Paper2013 { 1.0 } else { self.hold.limit_share() };
         share * self.hold.power(self.hob_w)

@@ -9,7 +9,7 @@ use crate::lens::Lens;
 use crate::rig::{MARKS, Rig};
 use crate::warp::Warp;
 
-/// Where marks were moved to, in shares of the device's width and height; marks that were not are where the rig says.
+/// Where marks were moved to, in shares of the device's width and height; marks that were not are where the rig states.
 #[derive(Clone, Debug, Default, PartialEq, serde::Deserialize, serde::Serialize)]
 pub struct Calibration {
     /// By the number of the mark.
@@ -27,7 +27,7 @@ pub struct Fitted {
 
 /// Corners among the marks.
 const CORNERS: usize = 4;
-/// Steps of the least-squares fit (chosen: it stands still after ten).
+/// Steps of the least-squares fit (chosen: it has converged after ten).
 const FIT_STEPS: usize = 30;
 /// Regularisation that keeps numbers which the marks do not determine near the rig's: pixels for a whole unit of k₁, k₂
 /// and the centre's shift over the half diagonal (chosen: a hundredth of what a mark off by 0.1 pixel pulls where the
@@ -80,7 +80,7 @@ impl Calibration {
     }
 
     /// The warp that shows the corners where they were found, through the lens by which the other marks fit best: its
-    /// first coefficient by one of them, both by three, the centre besides by all five. None where three corners lie on
+    /// first coefficient by one of them, both by three, the centre in addition by all five. None where three corners are on
     /// a line.
     pub fn fitted(&self, rig: &Rig, size: DVec2) -> Option<Fitted> {
         let places = rig.mark_places()?;

@@ -2,7 +2,7 @@
 
 use glam::{DMat3, DVec2, DVec3};
 
-/// The homography that takes four points to four others exactly; none where three of four lie on a line.
+/// The homography that takes four points to four others exactly; none where three of four are on a line.
 pub fn homography(from: [DVec2; 4], to: [DVec2; 4]) -> Option<DMat3> {
     let (from, to) = (basis(from)?, basis(to)?);
     let map = to * from.inverse();

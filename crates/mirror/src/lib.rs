@@ -1,4 +1,4 @@
-//! The half mirror: the geometry by which food seems to lie in a real pan.
+//! The half mirror: the geometry by which food appears in a real pan.
 //!
 //! A rig ([`rig`], read by [`rig_file`]) gives the virtual image of the screen in the half mirror. The eye looks through that image
 //! off-axis ([`optics`]), and a last pass corrects keystone and lens distortion per pixel ([`warp`]). Calibration along the rays of the

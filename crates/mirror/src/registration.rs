@@ -58,7 +58,7 @@ pub enum RegistrationError {
     /// Too few.
     #[error("{0} points are too few: three or more are needed")]
     TooFew(usize),
-    /// All of them lie on a line.
+    /// All of them are on a line.
     #[error("the points lie on a line, so that the turn about it stays open")]
     OnALine,
 }

@@ -33,7 +33,7 @@ pub struct Rig {
     pub nominal: Warp,
 }
 
-/// A sheet that lies level in the kitchen's frame with its long side along x [m].
+/// A level sheet in the kitchen's frame with its long side along x [m].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sheet {
     /// Its middle [m].

@@ -8,7 +8,7 @@ use crate::optics::Plane;
 /// A device with pixels, and where in the rig they are seen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Screen {
-    /// Pixels that lie on a flat panel.
+    /// Pixels of a flat panel.
     Panel(Panel),
     /// Pixels that a projector throws on a flat board.
     Projector(Projector),

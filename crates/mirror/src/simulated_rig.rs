@@ -1,4 +1,4 @@
-//! A simulated projector, mirror and eye, with code of its own, against which the program's pictures are checked.
+//! A simulated projector, mirror and eye, with separate code, against which the program's pictures are checked.
 
 use glam::{DMat3, DVec2, DVec3, Mat4, Vec3};
 
@@ -26,7 +26,7 @@ fn shown(rig: &Rig, warp: &Warp, point: DVec3) -> DVec2 {
     warp.pixel(DVec2::new(0.5 + 0.5 * ndc.x, 0.5 - 0.5 * ndc.y))
 }
 
-/// A projector, a board, a mirror and an eye as they really stand.
+/// A projector, a board, a mirror and an eye as they really are.
 struct Bench {
     eye: DVec3,
     mirror: [DVec3; 2],
@@ -48,7 +48,7 @@ fn meet(from: DVec3, along: DVec3, [point, normal]: [DVec3; 2]) -> DVec3 {
 }
 
 impl Bench {
-    /// One that differs from the shipped rig by what hands and a tape measure leave, with a lens of its own.
+    /// One that differs from the shipped rig by what hands and a tape measure leave, with its own lens.
     fn as_built(rig: &Rig) -> Self {
         let turned = |n: DVec3, by: DVec3| (n + by).normalize();
         let axis = DVec3::new(0.012, -0.250, -0.968).normalize();

@@ -15,7 +15,7 @@ pub struct Warp {
 }
 
 impl Warp {
-    /// The warp that shows four places of the picture at four pixels through a lens; none where three lie on a line.
+    /// The warp that shows four places of the picture at four pixels through a lens; none where three are on a line.
     pub fn through(places: [DVec2; 4], pixels: [DVec2; 4], lens: Lens) -> Option<Self> {
         let ideal = pixels.map(|pixel| lens.undistorted(pixel));
         homography(places, ideal).map(|keystone| Self { keystone, lens })

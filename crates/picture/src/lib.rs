@@ -7,7 +7,7 @@
 //! Each vertex of a food carries the state of its node (browning, charring, wetness, cooked share, coordinate of the
 //! field) and the `L*a*b*` colours of lean flesh and fat before browning. Variation finer than the mesh (fat seams,
 //! second tissues, borders of sheaths) comes as a small volume. A cut face ends on the surface as drawn. What browned
-//! on ridges lies on their lines, with the mean of the face unchanged. The contents of the pan are a picture of 64 ×
+//! on ridges is on their lines, with the mean of the face unchanged. The contents of the pan are a picture of 64 ×
 //! 64 texels of its floor: oil, water, fond, foam. A point under the pointer is a list of node weights, so a probe
 //! stays in the flesh as it contracts. Split view draws one scene twice.
 //!

@@ -1,6 +1,6 @@
 //! How often a picture looks at what changes slowly.
 
-/// Looks a number of ticks apart, all at the same ticks; one at every tick unless told.
+/// Looks a number of ticks apart, all at the same ticks; one at every tick by default.
 #[derive(Clone, Debug)]
 pub(crate) struct Pace {
     every: u64,

@@ -90,7 +90,7 @@ type Shades = (View, TemperatureMap, Vec<Option<String>>);
 /// A skin with the vertices it has now.
 #[derive(Clone, Debug)]
 struct CachedSkin {
-    /// Kept, so that no other model comes to lie at its address.
+    /// Kept, so that no other model gets its address.
     model: Arc<FoodModel>,
     skin: Skin,
     vertices: Arc<Vec<FoodVertex>>,
@@ -116,7 +116,7 @@ const STALE_TICKS: u64 = 5;
 pub(crate) const ALWAYS_FRESH: usize = 6;
 
 impl Stage {
-    /// Sets how many ticks lie between two looks at the state of foods and film: where shading them is slow, they are shown
+    /// Sets how many ticks are between two looks at the state of foods and film: where shading them is slow, they are shown
     /// as they were at the last look. Poses, steam and drops are always the present ones.
     pub fn look_every(&mut self, ticks: u64) {
         self.pace.set(ticks);
@@ -312,15 +312,15 @@ impl CachedSkin {
         self.differs_by_time(wanted) && self.made_for.as_ref().is_some_and(fresh)
     }
 
-    /// Returns true if the vertices show what is wanted, at whatever time.
+    /// Returns true if the vertices show what is required, at whatever time.
     fn differs_by_time(&self, wanted: &SkinKey) -> bool {
         let same = |shown: &SkinKey| SkinKey { ticks: wanted.ticks, ..shown.clone() } == *wanted;
         self.made_for.as_ref().is_some_and(same)
     }
 }
 
-/// Power at which the ring glows brightest [W], and steps to it (chosen: the glow of two neighbours can hardly be told
-/// apart; the picture round the pan is drawn anew at each, and a hob at its limit changes its power all the time).
+/// Power at which the ring glows brightest [W], and steps to it (chosen: the glow of two neighbours can hardly be
+/// distinguished; the picture round the pan is drawn again at each, and a hob at its limit changes its power all the time).
 const FULL_POWER_W: f64 = 2000.0;
 const POWER_STEPS: f64 = 64.0;
 
@@ -390,7 +390,7 @@ fn pan_look(kitchen: &Kitchen, view: View, map: Option<&ColourMap>) -> PanLook {
     let description = &kitchen.pan_model().description;
     let look = &description.look;
     let linear = |v: f32| decoded(f64::from(v) / 255.0) as f32;
-    // Shares that change by rounding alone must not let everything be drawn anew.
+    // Shares that change by rounding alone must not let everything be drawn again.
     let oil_colour = kitchen.pan_model().liquids.colour(&kitchen.pan_state().liquids);
     let butter = kitchen.pan_model().liquids.butter_share(&kitchen.pan_state().liquids) as f32;
     PanLook {

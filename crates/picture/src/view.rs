@@ -28,7 +28,7 @@ pub struct ViewSpec {
 pub enum Unit {
     /// As a temperature.
     Temperature,
-    /// As a class of doneness with what it is told by.
+    /// As a class of doneness with its measure.
     Doneness,
     /// As a number in a text.
     Number {
@@ -51,7 +51,7 @@ enum Colours {
     Along(ColourPath, [f64; 2]),
 }
 
-/// Value of a field at a node, given the change that tells doneness where one does.
+/// Value of a field at a node, given the change that measures doneness where one does.
 type Value = fn(&FoodModel, &FoodState, usize, Option<&str>) -> f64;
 
 /// Declares the views, each with its row.
@@ -80,7 +80,7 @@ macro_rules! views {
 
 /// Water shown at most [% of the raw water] (chosen: juice that is on its way out through dried flesh, and no more).
 const MOST_WATER_PCT: f64 = 110.0;
-/// Log₁₀ reduction shown at most (chosen: past every standard that asks for a number).
+/// Log₁₀ reduction shown at most (chosen: past every standard that requires a number).
 const MOST_KILLED: f64 = 8.0;
 /// Freezing, myosin, rare, medium, well done, boiling, quick browning, deep frying, smoke [°C].
 const TEMPERATURES_C: &[f64] = &[0.0, 40.0, 52.0, 60.0, 71.0, 100.0, 140.0, 180.0, 220.0];
@@ -143,7 +143,7 @@ views! {
         about: "Log reduction of pathogens",
         texts: ["view.lethality", "meaning.lethality", "key.lethality"],
         unit: Unit::Number { text: "value.lethality", places: 1, most: Some((MOST_KILLED, "value.lethality_at_least")) },
-        // 90 %, what is asked of juice and ready meals, of beef, and the end.
+        // 90 %, what is required of juice and ready meals, of beef, and the end.
         marks: &[0.0, 1.0, 3.0, 5.0, 6.5, 8.0],
         colours: Colours::Along(ColourPath::Kill, [0.0, MOST_KILLED]),
         // Grows tenfold every few kelvin: beyond the end of the map it would drown its neighbours.
@@ -167,7 +167,7 @@ impl View {
         Self::ALL.into_iter().find(|view| view.spec().id == id)
     }
 
-    /// The map that colours this view; none for the look. Doneness of a food about which no scale says anything is the
+    /// The map that colours this view; none for the look. Doneness of a food to which no scale applies is the
     /// highest temperature so far.
     pub fn colour_map(self, temperature: TemperatureMap, scale: Option<&Scale>) -> Option<ColourMap> {
         match self.spec().colours {

@@ -48,7 +48,7 @@ impl Aimed {
         input.error(at, format!("{key} = \"{name}\" is not a goal"), format!("use one of: {}", known.join(", ")))
     }
 
-    /// Checks that the goal says something about every food of a recipe, and that there is one.
+    /// Checks that the goal states something about every food of a recipe, and that there is one.
     ///
     /// # Errors
     ///

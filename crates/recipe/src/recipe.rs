@@ -66,7 +66,7 @@ pub enum Trigger {
     At(f64),
     /// At a time since the end of the previous step [s].
     After(f64),
-    /// Once a condition holds, at once if it holds already.
+    /// Once a condition is true, at once if it is true already.
     When(Condition),
 }
 

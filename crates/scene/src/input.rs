@@ -1,7 +1,7 @@
 //! Input of the scene renderer: one plain description of everything in the picture.
 //!
 //! World frame: metres, right-handed, x to the cook's right, y away from the cook, z up; the origin is the
-//! centre of the hob ring on the glass. The renderer computes no physics and knows no kitchen.
+//! centre of the hob ring on the glass. The renderer computes no physics and does not depend on a kitchen.
 
 mod food;
 pub(crate) mod pan;
@@ -31,7 +31,7 @@ pub struct SceneInput {
     pub camera: Camera,
     /// The hob under the pan.
     pub hob: HobLook,
-    /// The pan; stands on the hob, or on the wet cloth beside it.
+    /// The pan; stands on the hob, or on the wet cloth next to it.
     pub pan: PanLook,
     /// Foods, wherever they lie.
     pub foods: Vec<FoodLook>,
@@ -175,7 +175,7 @@ pub struct RestLook {
 /// Rack or foil.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RestKind {
-    /// Wire rack; its wires' tops lie `RACK_HEIGHT` above the board.
+    /// Wire rack; its wires' tops are `RACK_HEIGHT` above the board.
     Rack,
     /// A tent of foil, open in front.
     Foil,
@@ -228,7 +228,7 @@ pub struct DropLook {
     pub radius: f32,
 }
 
-/// A spot of oil on the pan's wall or beside the pan, world frame.
+/// A spot of oil on the pan's wall or next to the pan, world frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpotLook {
     /// Its middle [m].

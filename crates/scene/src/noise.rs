@@ -7,7 +7,7 @@ const NOISE_CELLS: i32 = 8;
 /// Bundles along each side of the bundle texture.
 const BUNDLE_CELLS: i32 = 16;
 /// Texels a cell in the coarsest of the textures, of which the first texel's middle is the pattern's origin: finer ones
-/// lie on the same places.
+/// are on the same places.
 const NOISE_ORIGIN: f32 = 4.0;
 const BUNDLE_ORIGIN: f32 = 16.0;
 

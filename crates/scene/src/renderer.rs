@@ -1,4 +1,4 @@
-//! Draws the scene into a texture of its own.
+//! Draws the scene into its own texture.
 
 use std::sync::Arc;
 
@@ -357,7 +357,7 @@ impl SceneRenderer {
             return;
         };
         let Targets { picture, lively, .. } = &self.targets;
-        // The kept layer with the foods is free: it is drawn anew after this.
+        // The kept layer with the foods is free: it is drawn again after this.
         let to = self.targets.multisampled(lively);
         passes::draw_whole(encoder, &to, pipelines, &self.groups(), &subject);
         let mut pass = passes::begin_depth(encoder, &picture.depth);

@@ -198,7 +198,7 @@ fn what_is_kept_follows_the_white_balance() {
     assert!(cool == draw(&mut SceneRenderer::new(&device, &queue), WhiteBalance::Cool));
 }
 
-/// Mean brightness of a grey, matt, dry floor beside a steak, seen from above: 7 mm and 30 mm from its edge.
+/// Mean brightness of a grey, matt, dry floor next to a steak, seen from above: 7 mm and 30 mm from its edge.
 fn beside_steak(
     renderer: &mut SceneRenderer,
     device: &wgpu::Device,

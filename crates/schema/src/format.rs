@@ -1,6 +1,6 @@
 //! File formats: the types of the descriptions state them once; their JSON Schema checks every file.
 //!
-//! A type that derives [`JsonSchema`] says for each key its meaning (doc comment), its range, its default and an example.
+//! A type that derives [`JsonSchema`] states for each key its meaning (doc comment), its range, its default and an example.
 //! [`FormatSchema::findings`] compares a file with that schema and reports unknown and missing keys, wrong types, numbers
 //! that are not finite or out of range, and lists of a wrong length. Relations between keys are functions
 //! ([`Format::relations`]).

@@ -42,7 +42,7 @@ impl<'a> FormatPage<'a> {
         page
     }
 
-    /// Adds a table and the tables in it, depth first. A table that is in several places stands where its path is shortest.
+    /// Adds a table and the tables in it, depth first. A table that is in several places is listed where its path is shortest.
     fn add(&mut self, section: Section<'a>) {
         let depth = |path: &str| path.split('.').count();
         if let Some(known) = self.sections.iter().position(|s| same_keys(s.schema, section.schema)) {

@@ -1,7 +1,7 @@
 //! File formats of the saute frying-pan simulator: the types that a file is read into state its format once, and checks, messages and
 //! reference pages follow from them.
 //!
-//! A type that derives [`schemars::JsonSchema`] says for each key its meaning, range, default and an example. [`FormatSchema`] compares a
+//! A type that derives [`schemars::JsonSchema`] states for each key its meaning, range, default and an example. [`FormatSchema`] compares a
 //! file with it: every [`Finding`] has a line and a remedy. What relates keys to one another is a function of the format
 //! ([`Format::relations`]). [`InputText`] gives the errors of files whose keys are read with their places.
 //!

@@ -1,4 +1,4 @@
-//! What a JSON Schema says about a key: kind, range, choices, meaning and example.
+//! What a JSON Schema states about a key: kind, range, choices, meaning and example.
 
 use serde_json::Value;
 use toml::de::DeValue;
@@ -22,7 +22,7 @@ pub enum Kind {
     List,
     /// A table.
     Table,
-    /// Anything: the schema says nothing.
+    /// Anything: the schema states nothing.
     Any,
 }
 
@@ -43,7 +43,7 @@ impl Kind {
 }
 
 impl Kind {
-    /// Returns true if a value of a kind will do where this kind is asked for.
+    /// Returns true if a value of a kind will do where this kind is required.
     pub fn takes(self, value: &DeValue) -> bool {
         self == Self::Any || self == kind_of(value) || (self == Self::Integer && matches!(value, DeValue::Integer(_)))
     }
@@ -75,7 +75,7 @@ pub fn alternatives(schema: &Value) -> Vec<&Value> {
     }
 }
 
-/// Returns the kind that a schema asks for.
+/// Returns the kind that a schema requires.
 pub fn kind(schema: &Value) -> Kind {
     let named = |name: &str| match name {
         "string" => Some(Kind::Text),
@@ -158,7 +158,7 @@ pub fn stated_example(schema: &Value) -> Option<&Value> {
     given.or_else(|| default(schema))
 }
 
-/// Returns what a schema itself says to write instead of what it refuses.
+/// Returns what a schema itself states to write instead of what it refuses.
 pub fn stated_remedy(schema: &Value) -> Option<&str> {
     schema["x-remedy"].as_str()
 }

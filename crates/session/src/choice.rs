@@ -88,7 +88,7 @@ fn size_of(library: &Library, choice: &SteakChoice) -> Vec<f64> {
     }
 }
 
-/// Orders of pieces under one name; each has a seed of its own, so that no two are the same.
+/// Orders of pieces under one name; each has its own seed, so that no two are the same.
 pub(super) fn orders(library: &Library, choice: &SteakChoice, group: &str, count: usize) -> Vec<PieceOrder> {
     let food = library.foods.get(&choice.kind);
     let form = food.map_or(Form::Steak, |f| f.form);

@@ -10,7 +10,7 @@ use crate::hands::Hands;
 
 /// Time before the act [s] (chosen: to see where one is, and to reach the button).
 const BEFORE_S: f64 = 8.0;
-/// How much earlier food comes out where the judgement does not tell [s] (chosen).
+/// How much earlier food comes out where the judgement does not state it [s] (chosen).
 const EARLIER_S: f64 = 60.0;
 
 impl<H: Hands> Session<H> {

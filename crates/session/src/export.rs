@@ -67,7 +67,7 @@ impl Export {
 }
 
 impl<H: Hands> Session<H> {
-    /// The file of the cook that is shown, and true if it leaves something out; a session holds what lies ahead of the shown
+    /// The file of the cook that is shown, and true if it leaves something out; a session contains what is ahead of the shown
     /// instant, too.
     ///
     /// # Errors

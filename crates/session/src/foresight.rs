@@ -45,7 +45,7 @@ impl<H: Hands> Session<H> {
         self.forecast.as_ref().map(|(.., f)| *f)
     }
 
-    /// Returns the core peak that the advice reckons with if the food were taken out now [°C]; none of food that is not in the pan.
+    /// Returns the core peak that the advice expects if the food were taken out now [°C]; none of food that is not in the pan.
     pub fn expected_peak_c(&self) -> Option<f64> {
         let piece = self.steak().filter(|piece| piece.in_pan())?;
         self.forecast.as_ref().filter(|(id, ..)| *id == piece.id).map(|(.., found)| found.peak_c - FORECAST_HIGH_K)

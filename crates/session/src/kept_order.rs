@@ -3,7 +3,7 @@
 
 use saute_kitchen::advice::Advice;
 
-/// Wall time for which an order stands, whatever the pan does meanwhile [s] (chosen: to read it, to reach the dial and to turn it).
+/// Wall time for which an order remains valid, whatever the pan does meanwhile [s] (chosen: to read it, to reach the dial and to turn it).
 const STANDS_S: f64 = 20.0;
 /// Time after an order was obeyed in which none follows for a small difference [simulated s] (chosen: a pan takes a minute to follow
 /// its hob), and up to which it is small [W].
@@ -21,7 +21,7 @@ pub(crate) struct Moment {
     pub speed: f64,
 }
 
-/// The order that stands.
+/// The order that is valid.
 #[derive(Clone, Copy, Debug)]
 struct Given {
     advice: Advice,
@@ -40,7 +40,7 @@ pub(crate) struct KeptOrder {
 }
 
 impl KeptOrder {
-    /// Returns the advice with the order about the hob that stands.
+    /// Returns the advice with the valid order about the hob.
     pub fn keep(&mut self, mut advice: Vec<Advice>, now: Moment) -> Vec<Advice> {
         self.note(now);
         let Some(place) = advice.iter().position(|one| one.hob_w().is_some()) else {
@@ -61,7 +61,7 @@ impl KeptOrder {
         advice
     }
 
-    /// An order ends once the hob is set, to what it said or to something else, or when time was turned back.
+    /// An order ends once the hob is set, to the ordered power or to another one, or when time was turned back.
     fn note(&mut self, now: Moment) {
         self.obeyed_s = self.obeyed_s.filter(|at_s| *at_s <= now.time_s);
         let Some(given) = self.given else { return };
@@ -80,7 +80,7 @@ impl KeptOrder {
     }
 }
 
-/// True of two orders to turn down, or up, from the power that the hob has; off is an order of its own.
+/// True of two orders to turn down, or up, from the power that the hob has; off is a separate order.
 fn is_alike(one: Advice, other: Advice, hob_w: f64) -> bool {
     let [one_w, other_w] = [one, other].map(|advice| advice.hob_w().unwrap_or(hob_w));
     one_w > 0.0 && other_w > 0.0 && (one_w < hob_w) == (other_w < hob_w)
@@ -103,7 +103,7 @@ mod tests {
         let mut kept = KeptOrder::default();
         assert_eq!(kept.keep(vec![down(600.0), Advice::Flip], at(10.0, 1100.0)), [down(600.0), Advice::Flip]);
         assert_eq!(kept.keep(vec![down(400.0)], at(12.0, 1100.0)), [down(600.0)]);
-        // The reason may go: the order stands for a while, behind what is due.
+        // The reason may go: the order remains for a while, behind what is due.
         assert_eq!(kept.keep(vec![Advice::Flip], at(15.0, 1100.0)), [Advice::Flip, down(600.0)]);
         assert_eq!(kept.keep(vec![Advice::Flip], at(31.0, 1100.0)), [Advice::Flip]);
         // Set to something else, it is thought over.

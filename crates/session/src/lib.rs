@@ -93,7 +93,7 @@ pub struct Session<H = NoHands> {
     selected: Option<String>,
     start_mass_g: BTreeMap<String, f64>,
     forecast: Option<(String, u64, Forecast)>,
-    /// The order about the hob that stands.
+    /// The valid order about the hob.
     order: KeptOrder,
 }
 
@@ -319,7 +319,7 @@ impl<H: Hands> Session<H> {
         &self.choice
     }
 
-    /// Lets a helper play recorded cooks, long ways through time and ways beside the one that is shown.
+    /// Lets a helper play recorded cooks, long ways through time and ways next to the one that is shown.
     pub fn employ(&mut self, helper: Box<dyn crate::work::Helper>) {
         self.playback.employ(helper);
     }

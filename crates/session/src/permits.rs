@@ -22,9 +22,9 @@ pub enum Permit {
     Eye,
     /// What makes the program usable for a person: language, sizes, units, light and quality of the picture.
     Comfort,
-    /// The list of keys, and what was said.
+    /// The list of keys, and past messages.
     Help,
-    /// What the study or the lesson itself asks for.
+    /// What the study or the lesson itself requires.
     Guide,
     /// Devices and the half mirror.
     Devices,
@@ -50,7 +50,7 @@ pub enum Permit {
     Pictures,
     /// Goals, coach, forecasts, plans.
     Advice,
-    /// Sound, and what stands for it: captions and the level.
+    /// Sound, and what replaces it: captions and the level.
     Sound,
 }
 
@@ -101,7 +101,7 @@ impl Permits {
         Self(allowed.iter().fold(0, |bits, permit| bits | permit.bit()))
     }
 
-    /// The same and one more, if a condition holds.
+    /// The same and one more, if a condition is true.
     #[must_use]
     pub fn with(self, permit: Permit, holds: bool) -> Self {
         if holds { Self(self.0 | permit.bit()) } else { self }

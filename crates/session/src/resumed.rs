@@ -13,7 +13,7 @@ use crate::hands::Hands;
 
 impl<H: Hands> Session<H> {
     /// Begins to play a recorded session again, up to its end, in slices of a frame's time ([`Self::travel_on`]). Curves, marks and
-    /// keyframes come back on the way; time then stands still. Its recipe goes on if nobody had taken over.
+    /// keyframes come back on the way; time is then stopped. Its recipe goes on if nobody had taken over.
     ///
     /// # Errors
     ///
@@ -32,7 +32,7 @@ impl<H: Hands> Session<H> {
         Ok(())
     }
 
-    /// Plays on to the recording's last frame, which may lie within a tick, for no longer than `budget`; at least a tick.
+    /// Plays on to the recording's last frame, which may be within a tick, for no longer than `budget`; at least a tick.
     pub(super) fn catch_up(&mut self, budget: Duration) {
         let begun = Instant::now();
         self.timeline.catches_up = false;

@@ -1,4 +1,4 @@
-//! About how long a cook takes from the cold pan until the food is eaten, told before it begins.
+//! About how long a cook takes from the cold pan until the food is eaten, given before it begins.
 
 use saute_kitchen::celsius;
 
@@ -13,13 +13,13 @@ const REST_S: f64 = 120.0;
 const DIFFUSIVITY: f64 = 1.35e-7;
 /// Mean temperature of the two faces through a cook with turns [°C] (chosen: the lower boils at 100, the upper cools to 50 to 60).
 const FACES_C: f64 = 82.0;
-/// How far a core rises after it was taken out [K] (chosen: as the advice reckons for a steak).
+/// How far a core rises after it was taken out [K] (chosen: as the advice assumes for a steak).
 const RISES_K: f64 = 6.0;
 
 impl<H: Hands> Session<H> {
     /// Returns about how long the shown food takes to a goal for its core [°C], from the cold pan to the end of its rest [s]: the first
     /// term of the series for a slab of constant face temperature, θ = (4/π) exp(−π² Fo / 4), in which the pan's heating and the
-    /// rest are added. For flesh that lies flat; none where the goal is beyond the faces, and of frozen food, whose latent heat is not in it.
+    /// rest are added. For flat flesh; none where the goal is beyond the faces, and of frozen food, whose latent heat is not in it.
     pub fn whole_time_s(&self, goal_c: f64) -> Option<f64> {
         let piece = self.steak().filter(|piece| celsius(piece.core()) > 0.0)?;
         Some(PAN_S + frying_s(0.5 * piece.model.size()[2], celsius(piece.core()), goal_c - RISES_K)? + REST_S)

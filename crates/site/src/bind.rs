@@ -27,7 +27,7 @@ pub fn bind(wasm: &Path, folder: &Path) -> Result<(), SiteError> {
     let mut bindgen = Bindgen::new();
     bindgen.input_path(wasm).out_name(SCRIPT.trim_end_matches(".js"));
     bindgen.web(true).map_err(words)?.typescript(false).remove_name_section(true).remove_producers_section(true);
-    // The loader passes the module; without it a second copy of its address would stand in the JavaScript.
+    // The loader passes the module; without it a second copy of its address would be in the JavaScript.
     bindgen.omit_default_module_path(true);
     bindgen.generate(folder).map_err(words)
 }

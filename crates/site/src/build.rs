@@ -15,7 +15,7 @@ pub struct Build {
     /// The module that cargo compiled from saute-sound-page.
     #[arg(long)]
     sound: PathBuf,
-    /// The folder for the site; what it holds is replaced.
+    /// The folder for the site; its contents are replaced.
     #[arg(long)]
     out: PathBuf,
     /// The program wasm-opt; without it the module stays larger.

@@ -2,7 +2,7 @@
 //!
 //! `scripts/web.sh` compiles `saute-web` and calls this program: it binds the module to JavaScript, lets `wasm-opt` shrink
 //! it, adds the page and the guides as HTML, and writes every file a second and a third time, compressed. wasm-bindgen is a
-//! library here, so that Cargo.lock holds its two halves at one version.
+//! library here, so that Cargo.lock fixes its two halves to one version.
 
 mod bind;
 mod build;

@@ -1,4 +1,4 @@
-//! The page itself: the files of `web/` and the font, with what the build knows filled in.
+//! The page itself: the files of `web/` and the font, with values from the build filled in.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -100,7 +100,7 @@ fn fill_in(site: &Path, address: Option<&str>, languages: &str) -> Result<(), Si
     Ok(())
 }
 
-/// Codes of the languages that the program speaks, which are the names of the files with its texts.
+/// Codes of the languages of the program, which are the names of the files with its texts.
 fn languages(root: &Path) -> Result<String, SiteError> {
     let files = files_of(&root.join(TEXTS))?;
     let codes: Vec<&str> = files.iter().filter_map(|path| path.file_stem()?.to_str()).collect();

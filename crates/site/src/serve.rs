@@ -23,7 +23,7 @@ pub fn serve(folder: &Path, port: u16, plain: bool) -> Result<(), SiteError> {
     })
 }
 
-/// The browser asks each time whether a file has changed, so that a new build is seen at once.
+/// The browser checks each time whether a file has changed, so that a new build is seen at once.
 fn routes(folder: &Path, plain: bool) -> Router {
     let files = ServeDir::new(folder);
     let files = if plain { files } else { files.precompressed_br().precompressed_gzip() };

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use crate::error::{SiteError, at};
 
-/// Lies beside the site, not in it.
+/// Is next to the site, not in it.
 fn path(site: &Path) -> PathBuf {
     site.with_extension("stamp")
 }

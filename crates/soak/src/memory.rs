@@ -1,6 +1,6 @@
 //! Memory of this process.
 
-/// Returns the resident memory, where the system tells it [bytes].
+/// Returns the resident memory, where the system reports it [bytes].
 pub fn resident() -> Option<u64> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
     let line = status.lines().find_map(|line| line.strip_prefix("VmRSS:"))?;

@@ -8,7 +8,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use saute_sound::{Event, Player, letter};
 
-/// Largest block that is rendered at once [samples]: a worklet asks for 128.
+/// Largest block that is rendered at once [samples]: a worklet requests 128.
 const MOST_BLOCK: usize = 1024;
 /// Most events of a letter [-] (chosen: as the queue of a sound card).
 const MOST_EVENTS: usize = 64;

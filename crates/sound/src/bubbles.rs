@@ -8,7 +8,7 @@ use crate::random::Random;
 /// Largest number of bubbles that ring at once [-].
 const MOST: usize = 64;
 /// Frequency times radius [m·Hz]: (1/2π)·√(3γp/ρ) of a bubble in water at 1 bar (`[@minnaert-1933]`). In hot oil it is 3.4 (γ = 1.3,
-/// ρ = 850 kg/m³), four per cent more, which is not told apart.
+/// ρ = 850 kg/m³), four per cent more, which is not distinguished.
 const MINNAERT: f32 = 3.26;
 /// Damping 0.13/R + 0.0072·R^(−3/2) [1/s] (`[@van-den-doel-2005]`, recalled): 5 to 20 periods from 0.3 to 3 mm.
 const DAMPING: [f32; 2] = [0.13, 0.0072];

@@ -30,7 +30,7 @@ pub(crate) struct Character {
 
 /// Temperature at which levels and centres are given [°C].
 pub(crate) const REFERENCE_C: f32 = 200.0;
-/// Rise of the level with the floor's temperature at one flow [dB/K] (chosen: 1 dB for 100 K. An estimate says 3 to 6, but over a
+/// Rise of the level with the floor's temperature at one flow [dB/K] (chosen: 1 dB for 100 K. An estimate gives 3 to 6, but over a
 /// cook the level then follows the stove rather than the steam: rank correlation 0.84 instead of 0.95 and more).
 const HOTTER_DB_K: f32 = 0.01;
 
@@ -84,7 +84,7 @@ const BUTTER: Character = Character {
     radius_m: [0.8e-3, 2e-3],
     damped: 2.0,
 };
-/// Drops and puddles on the hot floor: as under food, but open, hence brighter and sooner single pops (chosen).
+/// Drops and puddles on the hot floor: as under food, but open, therefore brighter and sooner single pops (chosen).
 const DRIP: Character = Character {
     level_db: -18.0,
     db_per_k: HOTTER_DB_K,

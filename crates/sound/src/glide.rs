@@ -10,7 +10,7 @@ pub(crate) struct Glide {
 }
 
 impl Glide {
-    /// A value that stands.
+    /// A constant value.
     pub(crate) fn at(value: f32) -> Self {
         Self { value, goal: value, step: 0.0, left: 0 }
     }

@@ -2,7 +2,7 @@
 //!
 //! The power of both together is proportional to the flow. The rate of bubbles shares it out: above the place's `dense_from` most of
 //! it is noise in two bands, the bursts (air) and the cloud (body); below it is single bubbles at random times. Few of them can be
-//! voices, so that each stands for the bubbles that are not, by its power.
+//! voices, so that each represents the bubbles without a voice, by its power.
 
 use crate::bubbles::{Bubble, Bubbles, radius};
 use crate::character::Character;

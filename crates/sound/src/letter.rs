@@ -1,4 +1,4 @@
-//! What a player is told, as numbers: for a page, whose sound is made by a module with memory of its own.
+//! The input of a player as numbers: for a page, whose sound is made by a module with separate memory.
 
 use alloc::vec::Vec;
 
@@ -16,7 +16,7 @@ pub const fn length(events: usize) -> usize {
     HEAD + EVENT * events
 }
 
-/// Writes what a player is told, and the events, as numbers.
+/// Writes the input of a player, and the events, as numbers.
 pub fn written(told: &Told, events: &[Event]) -> Vec<f32> {
     let Told { snapshot, pan, is_paused, volume } = told;
     let flag = |on: bool| f32::from(u8::from(on));
@@ -30,7 +30,7 @@ pub fn written(told: &Told, events: &[Event]) -> Vec<f32> {
     letter
 }
 
-/// Reads what a player is told; none if the numbers are not such a letter.
+/// Reads the input of a player; none if the numbers are not such a letter.
 pub fn read(letter: &[f32]) -> Option<(Told, impl Iterator<Item = Event>)> {
     let (head, events) = letter.split_at_checked(HEAD)?;
     let (steam, rest) = head.split_first_chunk::<{ Steam::ALL.len() }>()?;

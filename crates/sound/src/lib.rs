@@ -1,4 +1,4 @@
-//! Makes the sound of a frying pan from the state of a kitchen: steam, temperatures, blows. It knows no kitchen.
+//! Makes the sound of a frying pan from the state of a kitchen: steam, temperatures, blows. It does not depend on a kitchen.
 //!
 //! A [`Synth`] takes a [`Snapshot`] and [`Event`]s for each tick of [`TICK_S`] and renders samples in blocks of any length. The
 //! samples depend on what came in at which sample, never on the length of the blocks. All transcendental functions come from

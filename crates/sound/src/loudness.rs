@@ -1,4 +1,4 @@
-//! How loud a state sounds, told from the state alone.
+//! How loud a state sounds, computed from the state alone.
 
 use crate::character::Character;
 use crate::lid::through;

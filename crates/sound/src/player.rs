@@ -1,4 +1,4 @@
-//! What plays on by itself: a synthesiser that is told of a kitchen now and then.
+//! What plays on by itself: a synthesiser that receives the state of a kitchen now and then.
 
 use crate::event::Event;
 use crate::glide::Smooth;
@@ -6,14 +6,14 @@ use crate::snapshot::Snapshot;
 use crate::struck::plate::{Metal, Plate};
 use crate::synth::{RATES, SEED, Synth};
 
-/// What a player is told of a kitchen, and of who listens.
+/// The input of a player: the state of a kitchen, and the settings of the listener.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Told {
     /// The state of the kitchen.
     pub snapshot: Snapshot,
-    /// The pan. Another one fades the sound out and begins anew.
+    /// The pan. Another one fades the sound out and begins again.
     pub pan: Plate,
-    /// True while time stands, or sound is off.
+    /// True while time is stopped, or sound is off.
     pub is_paused: bool,
     /// Volume, from 0 to 1 [-].
     pub volume: f32,
@@ -34,7 +34,7 @@ const FADE_S: f32 = 0.02;
 /// Time without a word after which it counts as a pause [s] (chosen: a picture that takes longer than that shows no kitchen).
 const PATIENCE_S: f32 = 1.0;
 
-/// Plays the sound of a kitchen for as long as it is told of it. It makes samples whenever a device asks, at the device's pace: the
+/// Plays the sound of a kitchen for as long as it receives its state. It makes samples whenever a device requests them, at the device's pace: the
 /// sound is that of the present moment, however fast simulated time runs.
 #[derive(Clone, Debug)]
 pub struct Player {
@@ -44,7 +44,7 @@ pub struct Player {
     /// The pan that sounds.
     pan: Plate,
     volume: Smooth,
-    /// Samples since it was told of the kitchen, and since the last pan began to fade.
+    /// Samples since it received the state of the kitchen, and since the last pan began to fade.
     untold: u32,
     fading: u32,
 }

@@ -1,6 +1,6 @@
 //! What sounds for as long as it goes on: the state of a kitchen at a tick.
 
-/// Where steam rises. Each has a sound of its own.
+/// Where steam rises. Each has its own sound.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Steam {
     /// Under food on the hot floor, through a thin film of oil.

@@ -15,7 +15,7 @@ use crate::snapshot::{Snapshot, Steam};
 use crate::struck::Struck;
 use crate::struck::plate::Plate;
 
-/// Sample rates that can be asked for [Hz].
+/// Sample rates that can be requested [Hz].
 pub const RATES: core::ops::RangeInclusive<u32> = 8_000..=192_000;
 
 /// Seed of the noise [-] (chosen: the same cook gives the same samples).
@@ -100,7 +100,7 @@ impl Synth {
         }
     }
 
-    /// Pauses or goes on. A pause is silent within 20 ms; time stands still in it.
+    /// Pauses or goes on. A pause is silent within 20 ms; time is stopped in it.
     pub fn set_paused(&mut self, is_paused: bool) {
         self.is_paused = is_paused;
     }

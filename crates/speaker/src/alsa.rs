@@ -18,7 +18,7 @@ pub const DEFAULT: &str = "default";
 
 /// Length of the device's own buffer [µs] (chosen: a desktop's mixer holds it without gaps).
 const BUFFER_US: c_uint = 40_000;
-/// Rates that are asked for, the first that there is [Hz] (chosen: those of sound cards, the usual ones first).
+/// Rates that are requested, in this order until one is available [Hz] (chosen: those of sound cards, the usual ones first).
 const RATES: [u32; 6] = [48_000, 44_100, 96_000, 88_200, 192_000, 32_000];
 /// Tries to go on after an interruption, as by a sleep of the machine [-] (chosen).
 const TRIES: u32 = 3;
@@ -42,7 +42,7 @@ struct Functions {
 
 impl Functions {
     fn load(library: &str) -> Result<Self, Trouble> {
-        // SAFETY: the library is a system's file, which runs nothing of its own when it is opened.
+        // SAFETY: the library is a system's file, which runs no code when it is opened.
         let library = unsafe { Library::new(library) }.map_err(|_| Trouble::NoLibrary)?;
         // SAFETY: each type is that of the function in alsa/pcm.h and alsa/error.h.
         unsafe {
@@ -80,7 +80,7 @@ unsafe fn function<F: Copy>(library: &Library, name: &'static str) -> Result<F, 
     found.map(|symbol| *symbol).map_err(|_| Trouble::OldLibrary(name))
 }
 
-/// What the library would print on a machine without a sound card is said once, in the window.
+/// What the library would print on a machine without a sound card is reported once, in the window.
 unsafe extern "C" fn say_nothing(
     _: *const c_char,
     _: c_int,

@@ -1,4 +1,4 @@
-//! The speaker: a thread that plays what it is told.
+//! The speaker: a thread that plays what it receives.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -18,7 +18,7 @@ const LOOK: Duration = Duration::from_millis(50);
 /// Longest wait for the thread to end, and between two looks at that (chosen: some blocks; a person waits for neither).
 const ENDS: Duration = Duration::from_millis(300);
 const SOON: Duration = Duration::from_millis(2);
-/// How far a device may run ahead of the clock (chosen: more than any buffer that is asked for; a device that takes everything at
+/// How far a device may run ahead of the clock (chosen: more than any buffer that is requested; a device that takes everything at
 /// once, as that which plays nowhere, would keep a processor busy).
 const AHEAD: Duration = Duration::from_millis(500);
 
@@ -67,7 +67,7 @@ impl Speaker {
         Ok(Self { told, events, troubles: troubles_out, is_wanted, thread })
     }
 
-    /// Tells what there is to hear; it never waits. What there is to hear of an event counts from its arrival.
+    /// Sends what there is to hear; it never waits. What there is to hear of an event counts from its arrival.
     pub fn hear(&mut self, told: Told, events: &[Event]) {
         self.told.write(told);
         self.events.send(events);
@@ -96,7 +96,7 @@ impl Drop for Speaker {
 }
 
 impl Heard {
-    /// Plays on one device after the other. A loss is said once; while it lasts, the device is tried again in silence.
+    /// Plays on one device after the other. A loss is reported once; while it lasts, the device is tried again in silence.
     fn serve(mut self, mut open: Opening) {
         let mut is_said = false;
         while self.is_wanted() {

@@ -30,7 +30,7 @@ pub struct Args {
     /// Multiple of the usual noise: friction, errors of string stiffness and jig, and jitter of the encoders above 1.
     #[arg(long, default_value_t = 1.0)]
     pub noise: f64,
-    /// Amplitude of the hand's motion: 0 holds still, 1 shakes and tilts.
+    /// Amplitude of the hand's motion: 0 is still, 1 shakes and tilts.
     #[arg(long, default_value_t = 1.0)]
     pub hand: f64,
     /// Writes the true state at every sample to this file (CSV).

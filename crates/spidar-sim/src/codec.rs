@@ -24,7 +24,7 @@ pub enum Request {
 pub enum Parsed {
     /// A request with its sequence number and session.
     Request { sequence: u32, session: u32, request: Request },
-    /// A hello of a host that speaks another version.
+    /// A hello of a host of another protocol version.
     HelloOfAnotherVersion { session: u32 },
 }
 

@@ -145,7 +145,7 @@ impl Device {
         self.expire(now);
         match codec::parse(bytes) {
             None => {}
-            // No session has this number: it stands for none.
+            // No session has this number: it means none.
             Some(Parsed::Request { session: 0, .. }) => {}
             Some(Parsed::HelloOfAnotherVersion { session }) => self.answer_version(session, from, now),
             Some(Parsed::Request { sequence, session, request: Request::Hello { pairing } }) => {
@@ -254,7 +254,7 @@ impl Device {
         }
     }
 
-    /// Tells a host of another version which one this device speaks; a running session is not touched.
+    /// Sends a host of another version the version of this device; a running session is not touched.
     fn answer_version(&mut self, number: u32, from: SocketAddr, now: Instant) {
         if self.version_answered.is_none_or(|at| now - at >= VERSION_ANSWER) {
             self.version_answered = Some(now);

@@ -11,7 +11,7 @@ use crate::string_drive::StringDrive;
 
 /// Time step [s] (chosen: a sixth of the motor currents' time constant).
 const STEP_S: f64 = 2e-4;
-/// Time that the pan is in each place of the jig [s] (chosen: the fifth of a second that the protocol asks for).
+/// Time that the pan is in each place of the jig [s] (chosen: the fifth of a second that the protocol requires).
 const STANDING_S: f64 = 0.2;
 /// Time between two places of the jig [s] (chosen: short, so that a test need not wait).
 const MOVING_S: f64 = 0.05;
@@ -30,7 +30,7 @@ pub struct Making {
     pub seed: u64,
     /// Largest manufacturing error of each coordinate of motors and attachments [m].
     pub error_m: f64,
-    /// Amplitude of the hand's motion: 0 holds still, 1 shakes and tilts [-].
+    /// Amplitude of the hand's motion: 0 is still, 1 shakes and tilts [-].
     pub hand: f64,
     /// Multiple of the usual noise: friction, errors of string stiffness and jig, and jitter of the encoders above 1 [-].
     pub noise: f64,
@@ -54,7 +54,7 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// Creates a device that stands on the first place of its jig until it is armed.
+    /// Creates a device that is on the first place of its jig until it is armed.
     pub fn new(file: &RigFile, making: &Making) -> Self {
         let (mut random, noise) = (Random::seeded(making.seed), making.noise);
         let rig = Rig::built(file, making.error_m, &mut random);

@@ -136,7 +136,7 @@ fn stdin_orders(end_with_stdin: bool) -> Receiver<String> {
             }
         }
         if !end_with_stdin {
-            // Holds the channel open for as long as the process lives.
+            // Keeps the channel open until the process ends.
             loop {
                 std::thread::park();
             }

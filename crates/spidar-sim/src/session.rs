@@ -11,7 +11,7 @@ const REMEMBERED: usize = 8;
 /// A session.
 #[derive(Clone, Copy, Debug)]
 pub struct Session {
-    /// Address of the host that said hello.
+    /// Address of the host that sent the hello.
     pub host: SocketAddr,
     /// Number that the host drew.
     pub number: u32,

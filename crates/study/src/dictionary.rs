@@ -5,7 +5,7 @@
 pub struct Column {
     /// Its header.
     pub name: &'static str,
-    /// What it holds.
+    /// What it contains.
     pub meaning: &'static str,
     /// Its unit, or the kind of its values.
     pub unit: &'static str,

@@ -40,7 +40,7 @@ pub struct LogRow {
     pub kind: RowKind,
     /// Wall time since the study was begun, in this run of the program [s].
     pub elapsed_s: f64,
-    /// Time of day of the start of the program, if the protocol says so.
+    /// Time of day of the start of the program, if the protocol requests it.
     pub started: Option<String>,
     /// Number of the trial in its phase, from 1.
     pub trial: Option<u32>,

@@ -1,4 +1,4 @@
-//! How a locked speed is held: the machine computes as much simulated time as wall time asks for, or falls behind.
+//! How a locked speed is held: the machine computes as much simulated time as wall time requires, or falls behind.
 
 use saute_kitchen::heat::sorted::Sorted;
 

@@ -48,7 +48,7 @@ impl Participant {
 
     /// Place of the participant's condition in the protocol.
     ///
-    /// Numbers at the ends of codes are taken in blocks of as many as there are conditions. Each block holds every condition
+    /// Numbers at the ends of codes are taken in blocks of as many as there are conditions. Each block contains every condition
     /// once, in an order that is drawn with the protocol's seed: participants with consecutive numbers are balanced to within
     /// one, and nobody can guess the next condition. A code without a number is assigned by its checksum, which is balanced
     /// on average only.

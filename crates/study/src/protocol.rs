@@ -23,7 +23,7 @@ pub struct Protocol {
     pub seed: u32,
     /// True if the session of each trial is kept.
     pub keep_sessions: bool,
-    /// True if the log holds the time of day of the start.
+    /// True if the log contains the time of day of the start.
     pub time_of_day: bool,
     /// True if the pan is heard, and its sound shown as captions and level.
     pub sound: bool,
@@ -79,7 +79,7 @@ pub struct Simulate {
     pub max_s: f64,
     /// Information for everybody; by the condition where none is stated.
     pub information: Option<Information>,
-    /// True if the participant is told how a trial went.
+    /// True if the participant is shown how a trial went.
     pub feedback: bool,
 }
 
@@ -151,7 +151,7 @@ impl Protocol {
 }
 
 impl Entered {
-    /// All of them, in the order in which they are asked for.
+    /// All of them, in the order in which they are requested.
     pub const ALL: [Self; 8] = [
         Self::CoreC,
         Self::Class,

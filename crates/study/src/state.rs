@@ -113,13 +113,13 @@ impl Study {
         Self { is_simulated: true, ..Self::begin(protocol, participant) }
     }
 
-    /// States the time of day of the start; it is kept only if the protocol says so.
+    /// States the time of day of the start; it is kept only if the protocol requests it.
     pub fn started_at(mut self, time_of_day: String) -> Self {
         self.started = self.protocol.time_of_day.then_some(time_of_day);
         self
     }
 
-    /// Goes on after the rows of an earlier run. A questionnaire or a cook of which rows are missing is asked for again in full.
+    /// Goes on after the rows of an earlier run. A questionnaire or a cook of which rows are missing is requested again in full.
     ///
     /// # Errors
     ///
@@ -216,7 +216,7 @@ impl Study {
         }
     }
 
-    /// Whether read-outs are shown now: as the phase says, else as the condition says; nothing is shown beside trials.
+    /// Whether read-outs are shown now: as the phase states, else as the condition states; nothing is shown outside trials.
     pub fn information(&self) -> Information {
         let stated = self.simulate().map(|simulate| simulate.information.unwrap_or(self.condition().information));
         stated.unwrap_or(Information::Hidden)

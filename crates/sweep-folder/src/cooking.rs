@@ -16,7 +16,7 @@ pub fn cores() -> usize {
     thread::available_parallelism().map_or(1, NonZero::get)
 }
 
-/// Cooks all rows that are missing on so many threads. `watch` is told how far it is after each row; as soon as `may_go_on` states no,
+/// Cooks all rows that are missing on so many threads. `watch` is called with the progress after each row; as soon as `may_go_on` is false,
 /// the rows that are being cooked are broken off. Returns how far it came. The files are the same for any number of threads.
 ///
 /// # Errors

@@ -1,7 +1,7 @@
 //! The folder of a sweep: what is in it, what is missing, and its files.
 //!
 //! `rows/` has one Parquet file for each complete part; `unfinished/` has journals of the others, a lock, and files on their way to
-//! their final names. `sweep.json` states which sweep it is, beside copies of specification and recipe.
+//! their final names. `sweep.json` states which sweep it is, with copies of specification and recipe.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs::{self, File};
@@ -59,7 +59,7 @@ impl SweepFolder {
     /// Opens the folder of a sweep, or makes it; what an earlier program has left is gone on with.
     ///
     /// # Errors
-    /// If another program writes there, it holds another sweep or other files, or cannot be written.
+    /// If another program writes there, it contains another sweep or other files, or cannot be written.
     pub fn open(path: &Path, sweep: Arc<Sweep>) -> Result<Self, FolderError> {
         let at = |e: io::Error| FolderError::io(path, &e);
         for folder in [ROWS, UNFINISHED] {
@@ -187,7 +187,7 @@ impl SweepFolder {
         write_by_way_of(&on_its_way, &path, bytes).map_err(|e| FolderError::io(&path, &e))
     }
 
-    /// Makes sure that the folder holds this sweep, or nothing.
+    /// Makes sure that the folder contains this sweep, or nothing.
     fn claim(&self) -> Result<(), FolderError> {
         let (place, own) = (self.path.join(manifest::FILE), self.sweep.manifest());
         let another = "name another folder, or remove this one";

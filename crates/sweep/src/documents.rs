@@ -71,13 +71,13 @@ fn alternatives(schema: &Json) -> Vec<&Json> {
     all.map_or_else(|| vec![schema], |all| all.iter().flat_map(alternatives).collect())
 }
 
-/// Returns the keys that a schema of a table knows.
+/// Returns the keys in the schema of a table.
 pub(crate) fn keys(schema: &Json) -> Vec<String> {
     let properties = alternatives(schema).into_iter().filter_map(|s| s["properties"].as_object());
     properties.flat_map(|p| p.keys().cloned()).collect()
 }
 
-/// Returns the schema of a key of a table; null where it says nothing.
+/// Returns the schema of a key of a table; null where it states nothing.
 pub(crate) fn of_key(schema: &Json, key: &str) -> Json {
     let found = alternatives(schema).into_iter().find(|s| s["properties"].get(key).is_some());
     found.map_or_else(
@@ -92,7 +92,7 @@ pub(crate) fn of_key(schema: &Json, key: &str) -> Json {
     )
 }
 
-/// Returns the schema of the items of a list; null where it says nothing.
+/// Returns the schema of the items of a list; null where it states nothing.
 pub(crate) fn of_item(schema: &Json) -> Json {
     let items = alternatives(schema).into_iter().map(|s| s["items"].clone());
     items.into_iter().find(Json::is_object).unwrap_or_default()

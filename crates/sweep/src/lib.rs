@@ -2,8 +2,8 @@
 //!
 //! A [`SpecFile`] states what varies; a [`Sweep`] joins it with its recipe and data and has numbered rows. [`Sweep::run_row`] is a
 //! pure function of the row's number, so it does not matter who runs which rows, where and in what order. Rows form parts
-//! ([`Sweep::part_rows`]); [`Sweep::part_file`] turns the results of a part into a Parquet file. [`Sweep::to_bytes`] takes a sweep to another machine. A [`Manifest`] says which sweep a
-//! folder holds. This crate opens no file and starts no thread: a shell does.
+//! ([`Sweep::part_rows`]); [`Sweep::part_file`] turns the results of a part into a Parquet file. [`Sweep::to_bytes`] takes a
+//! sweep to another machine. A [`Manifest`] states which sweep a folder contains. This crate opens no file and starts no thread: a shell does.
 
 pub mod design;
 mod documents;

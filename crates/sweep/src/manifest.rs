@@ -1,4 +1,4 @@
-//! What a folder holds: which sweep, and how its rows lie in parts.
+//! The content of a folder: which sweep, and how its rows are divided into parts.
 
 use std::ops::RangeInclusive;
 
@@ -76,7 +76,7 @@ impl Manifest {
             && PART_ROWS.contains(&self.rows_per_part)
     }
 
-    /// Says why this sweep cannot go on in a folder with another manifest; none if it is the same sweep.
+    /// Returns why this sweep cannot go on in a folder with another manifest; none if it is the same sweep.
     pub fn conflict(&self, found: &Self) -> Option<String> {
         if self == found {
             return None;

@@ -92,7 +92,7 @@ impl Sweep {
         Ok(sweep)
     }
 
-    /// What a folder with its results holds.
+    /// The content of a folder with its results.
     pub fn manifest(&self) -> &Manifest {
         &self.manifest
     }
@@ -132,7 +132,7 @@ impl Sweep {
         self.run_row_while(row, &|| true).unwrap_or_else(|| self.failed_row(row, String::new()))
     }
 
-    /// Cooks a row as long as it may go on, which is asked at every tick; none if it was broken off.
+    /// Cooks a row as long as it may go on, which is queried at every tick; none if it was broken off.
     pub fn run_row_while(&self, row: u64, may_go_on: &dyn Fn() -> bool) -> Option<RowResult> {
         let values = self.values(row);
         match self.cook(&values, may_go_on) {
@@ -212,7 +212,7 @@ impl Sweep {
         self.factors.iter().zip(point).map(|(factor, u)| factor.levels.at(u)).collect()
     }
 
-    /// Cooks with varied values; none if it was broken off. Says why it cannot.
+    /// Cooks with varied values; none if it was broken off. An error states why it cannot.
     fn cook(&self, values: &[toml::Value], may_go_on: &dyn Fn() -> bool) -> Result<Option<(Summary, Status)>, String> {
         let (recipe, library) = self.set(self.factors.iter().zip(values))?;
         let mut cook = Cook::new(recipe, &library).map_err(|e| e.to_string())?;
@@ -262,7 +262,7 @@ impl Sweep {
             own.texts.insert((*file).to_owned(), toml::to_string(table).map_err(|e| e.to_string())?);
         }
         let (library, faults) = Library::with_own(&own).map_err(|e| e.message)?;
-        // Faults of files that do not vary were told before the sweep began.
+        // Faults of files that do not vary were reported before the sweep began.
         match faults.into_iter().find(|fault| data.contains_key(fault.file.as_str())) {
             Some(fault) => Err(fault.message),
             None => Ok(library),

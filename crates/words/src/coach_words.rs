@@ -1,4 +1,4 @@
-//! What a coach says, in the cook's words: what happens and why, and what to look, listen or feel for next.
+//! The texts of a coach, in the cook's words: what happens and why, and what to look, listen or feel for next.
 
 use saute_kitchen::advice::coaching::{Coaching, Cue, Happening};
 

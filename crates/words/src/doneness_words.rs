@@ -1,4 +1,4 @@
-//! Scales of doneness and their classes by name: a food's own words first, then those that the program knows.
+//! Scales of doneness and their classes by name: a food's own words first, then those of the program.
 
 use saute_kitchen::food::Scale;
 

@@ -58,7 +58,7 @@ pub fn value(ask: Ask, value: Option<f64>, lesson: &Lesson, speech: Speech) -> S
     }
 }
 
-/// What was said and what it was, and whether that is near.
+/// What was answered and what was true, and whether that is near.
 pub fn truth(lesson: &Lesson, place: usize, speech: Speech) -> String {
     let (asked, ask) = (lesson.asked()[place], lesson.scenario.predictions[place].ask);
     let shown = |of: Option<f64>| value(ask, of, lesson, speech);

@@ -98,7 +98,7 @@ impl ResultWords {
     }
 }
 
-/// Time from which a span is told in minutes, and to what it is rounded then [s] (chosen: nobody pulls by the second after minutes).
+/// Time from which a span is given in minutes, and to what it is rounded then [s] (chosen: nobody pulls by the second after minutes).
 const MINUTES_S: f64 = 120.0;
 const HALF_MINUTE_S: f64 = 30.0;
 
@@ -111,7 +111,7 @@ pub(crate) fn span(seconds: f64, l: Language) -> String {
     l.fill("better.span_min", &[("minutes", &(whole / 60)), ("seconds", &format!("{:02}", whole % 60))])
 }
 
-/// What it is told of.
+/// What it describes.
 struct Teller<'a> {
     judgement: &'a Judgement,
     goal: &'a Goal,

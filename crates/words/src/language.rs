@@ -34,13 +34,13 @@ impl Language {
         Self::all().find(|language| language.code() == code)
     }
 
-    /// The language of the system's environment (`LC_ALL`, `LC_MESSAGES`, `LANG`, the first that says anything).
+    /// The language of the system's environment (`LC_ALL`, `LC_MESSAGES`, `LANG`, the first that is set).
     pub fn of_environment() -> Self {
         let said = ["LC_ALL", "LC_MESSAGES", "LANG"].into_iter().filter_map(|key| std::env::var(key).ok());
         said.into_iter().find(|value| !value.is_empty()).map_or(Self::ENGLISH, |value| Self::of_locale(&value))
     }
 
-    /// The language of a locale such as `ja_JP.UTF-8`; English for those that the window does not speak.
+    /// The language of a locale such as `ja_JP.UTF-8`; English for those that the window does not have.
     pub fn of_locale(locale: &str) -> Self {
         locale.split(['_', '-', '.', '@']).next().and_then(Self::of_code).unwrap_or_default()
     }
@@ -55,7 +55,7 @@ impl Language {
         LanguageFiles::shipped().all().get(self.0).map_or("", |language| language.code)
     }
 
-    /// The file that holds its texts.
+    /// The file with its texts.
     pub fn file(self) -> &'static str {
         LanguageFiles::shipped().all().get(self.0).map_or("", |language| language.file)
     }

@@ -18,7 +18,7 @@ type Texts = BTreeMap<String, BTreeMap<String, String>>;
 pub(crate) struct LanguageFile {
     /// Its code, which is the name of the file.
     pub(crate) code: &'static str,
-    /// What the file holds.
+    /// The content of the file.
     pub(crate) file: &'static str,
     texts: OnceLock<Texts>,
 }

@@ -1,6 +1,6 @@
-//! What the program says to people, in every language that it speaks: the texts, numbers and times, and the sentences about a cook.
+//! What the program writes for people, in every one of its languages: texts, numbers and times, and the sentences about a cook.
 //!
-//! [`language`] finds texts by their keys; [`speech`] adds the unit of temperatures. The other modules put what the core knows into
+//! [`language`] finds texts by their keys; [`speech`] adds the unit of temperatures. The other modules put the results of the core into
 //! sentences. This crate computes nothing about food and draws nothing.
 
 pub mod act_words;

@@ -21,7 +21,7 @@ pub(crate) fn mark_words(mark: &Mark, l: Language) -> String {
 
 /// Share of a part from which it went well [-] (chosen: nothing that a person would see is missing).
 const WELL: f64 = 0.95;
-/// Marks that are told, the last at the end (chosen: what the eye takes in at once).
+/// Marks that are given, the last at the end (chosen: what the eye takes in at once).
 const TOLD: usize = 5;
 
 /// What went well: the parts that are as good as whole; empty where none is.

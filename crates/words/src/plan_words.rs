@@ -86,7 +86,7 @@ pub fn sentence(s: &Sensitivity, goal: &Goal, speech: Speech) -> String {
     l.fill(key, &[("what", &what), ("core", &core), ("share", &share), ("class", &class(goal, l))])
 }
 
-/// The class of a goal; of a wanted temperature, that it is on target.
+/// The class of a goal; of a target temperature, that it is on target.
 pub fn class(goal: &Goal, l: Language) -> String {
     match goal.scale.class.get(goal.class) {
         Some(class) if class.name == "on target" => l.text("plan.on_target_class").to_owned(),

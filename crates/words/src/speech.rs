@@ -2,7 +2,7 @@
 
 use crate::language::Language;
 
-/// The language in which things are said, and the unit of temperatures.
+/// The language of the texts, and the unit of temperatures.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Speech {
     /// The language.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 
 class Pictures:
-    """What `render_mode` asks for; the environment has a `kitchen` and `metadata`."""
+    """What `render_mode` requests; the environment has a `kitchen` and `metadata`."""
 
     MODES = ("rgb_array", "human")
 

@@ -50,7 +50,7 @@ class OneKitchen(gymnasium.Env):
 
 
 class ManyKitchens(gymnasium.vector.VectorEnv):
-    """Many kitchens that step together. One that has ended begins anew in the next step, in which its action does not count."""
+    """Many kitchens that step together. One that has ended begins again in the next step, in which its action does not count."""
 
     metadata = {"autoreset_mode": gymnasium.vector.AutoresetMode.NEXT_STEP, "render_modes": []}
 
@@ -72,7 +72,7 @@ class ManyKitchens(gymnasium.vector.VectorEnv):
         return self._world.seen(), self._world.said()
 
     def _own(self, name, value, i):
-        """Returns what an option says to one of the environments: it has a value for all, or a list of one for each."""
+        """Returns the value of an option for one of the environments: it has a value for all, or a list of one for each."""
         if np.ndim(value) == 0:
             return value
         if len(value) != self.num_envs:

@@ -5,14 +5,14 @@ over or take it out. When it is taken out, or when the time is over, it rests fo
 episode ends.
 
 **Action** `MultiDiscrete([10, 3])`: the setting of the hob, 0 to 9, of 250 W each; and 0 nothing, 1 turn over, 2 take out. A hand
-that is still busy, or a steak that lies elsewhere, lets a turn go by.
+that is still busy, or a steak that is elsewhere, lets a turn go by.
 
 **Reward**: 0, and at the end the score of `saute plan` in hundreds of points: the share of the section in the class of the target,
 less what is missing of the crust, what is charred, what the core misses, lost mass, heat above 295 °C and work (docs/planning.md).
 The best possible is below 1; a fire costs 1.
 
 **Observation** `Box`, by preset. `cook` is what one sees from outside: see `COOK`. `scientist` adds what sensors would read: see
-`SCIENTIST`. Each value is in the unit of its name, divided by the number beside it, so that it is of the order of one.
+`SCIENTIST`. Each value is in the unit of its name, divided by the number next to it, so that it is of the order of one.
 
 **Mesh.** `mesh="reduced"` is that of forecasts: slices of few columns, a coarse pan and steps of half a second. `mesh="full"` is the
 mesh of recipes, with bodies that move; a number is its spacing over that of the full one. docs/python.md compares them.
@@ -79,7 +79,7 @@ def spacing(mesh):
 
 
 class _Steaks:
-    """Steaks in kitchens of their own, that step together."""
+    """Steaks in separate kitchens that step together."""
 
     def __init__(self, count, threads, observation, target, crust_pct, mesh, control_s, max_s, rest_s):
         if observation not in PRESETS:
@@ -131,7 +131,7 @@ class _Steaks:
         self.thickness_mm[i], self.flips[i], self.flipped_s[i] = drawn["thickness_mm"], 0, 0.0
 
     def look(self):
-        """Reads all kitchens anew."""
+        """Reads all kitchens again."""
         self.readings = self.batch.readings()
 
     def time_s(self):
@@ -187,7 +187,7 @@ class _Steaks:
         return np.clip(np.stack(columns, axis=1) / self.scales, -MOST, MOST).astype(np.float32)
 
     def said(self):
-        """Returns what the information of a step holds, an array for each name."""
+        """Returns the information of a step, an array for each name."""
         names = ("core_c", "core_peak_c", "pan_c")
         read = {name: self.readings[name].reshape(len(self.readings)) for name in names}
         return {"time_s": self.time_s()} | read | {"flips": self.flips.copy()}
@@ -199,7 +199,7 @@ class SteakEnv(OneKitchen):
     Args:
         observation: "cook" or "scientist".
         target: a class of doneness, or "core=54" [°C].
-        crust_pct: browned share of the faces that is wanted [%].
+        crust_pct: browned share of the faces that is the target [%].
         mesh: "reduced", "full", or the spacing of the mesh over that of the full one [-], 1 to 8.
         control_s: control period [s], a multiple of 0.1, on the reduced mesh of 0.5.
         max_s: longest time in the pan [s].
@@ -225,10 +225,10 @@ class SteakEnv(OneKitchen):
 
 
 class SteakVectorEnv(ManyKitchens):
-    """Many steaks, each in a pan of its own, that step together on all cores without Python between them.
+    """Many steaks, each in its own pan, that step together on all cores without Python between them.
 
     Every environment gives what `SteakEnv` gives with the same seed, for any number of threads. An environment that has ended
-    begins anew in the next step, in which its action does not count.
+    begins again in the next step, in which its action does not count.
 
     Args:
         num_envs: number of environments.

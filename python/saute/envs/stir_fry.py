@@ -24,7 +24,7 @@ hundreds of points for *tender*, as means over the vegetables: the share of the 
 below 1; a fire costs 1.
 
 **Observation** `Box`, by preset: values of the kitchen, then those of each vegetable, carrots first. `cook` is what one sees: `KITCHEN_COOK` and
-`PIECE_COOK`. `scientist` adds what sensors would read. Each value is divided by the number beside it.
+`PIECE_COOK`. `scientist` adds what sensors would read. Each value is divided by the number next to it.
 """
 
 from __future__ import annotations
@@ -47,7 +47,7 @@ TIP_M, TIP_LOW_M, TIP_HIGH_M, TIP_TURN = 0.09, 0.002, 0.08, np.pi / 2
 OIL_G, OIL_EVERY_S, MOST_OIL_G = 2.0, 1.0, 20.0
 #: Oil in the pan at the start [g] and choices of the pan's temperature then [°C].
 START_OIL_G, PAN_C = 8.0, (160, 200)
-#: What is wanted of the vegetables.
+#: Targets of the vegetables.
 GOAL = {"target": "tender", "crust_pct": 30.0, "scale": "vegetables"}
 #: Sizes of the vegetables [mm] and their temperature at the start [°C].
 CARROT_MM, LEEK_MM, FOOD_C = [24, 4], [24, 6], 15
@@ -154,7 +154,7 @@ class _StirFries:
         self.began_s[i], self.poured_g[i], self.poured_s[i], self.leads[i] = kitchen.time_s, 0.0, -np.inf, False
 
     def look(self):
-        """Reads all kitchens anew."""
+        """Reads all kitchens again."""
         self.readings = self.batch.readings()
 
     def act(self, actions, live):
@@ -215,7 +215,7 @@ class _StirFries:
         return np.clip(flat, -MOST, MOST).astype(np.float32)
 
     def said(self):
-        """Returns what the information of a step holds, an array for each name."""
+        """Returns the information of a step, an array for each name."""
         readings = self.readings
         return {
             "time_s": readings["time_s"] - self.began_s,
@@ -259,7 +259,7 @@ class StirFryVectorEnv(ManyKitchens):
     """Many pans that step together on all cores.
 
     Every environment gives what `StirFryEnv` gives with the same seed, for any number of threads. An environment that has ended
-    begins anew in the next step, in which its action does not count.
+    begins again in the next step, in which its action does not count.
 
     Args:
         num_envs: number of environments.

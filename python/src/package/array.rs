@@ -1,15 +1,15 @@
 //! NumPy arrays that show memory of the simulator without a copy.
 //!
 //! An array takes the address, the shape and the strides of a field by NumPy's array interface and keeps the [`Memory`] as its
-//! base. This is the one place where an address leaves Rust's care: no word `unsafe` is here, because telling an address is
+//! base. This is the one place where an address leaves Rust's care: no word `unsafe` is here, because giving an address is
 //! safe and NumPy does the reading, so it must be shown by hand that the address stays good. It does:
 //!
-//! - The address is that of a slice inside of a value behind an [`Arc`], and the memory holds a clone of that [`Arc`]. While an
+//! - The address is that of a slice inside of a value behind an [`Arc`], and the memory has a clone of that [`Arc`]. While an
 //!   array lives, so does its base, and the value is neither moved nor dropped.
 //! - While a memory lives, the count of the [`Arc`] is above one for everybody else. A kitchen is changed only through
 //!   `Arc::make_mut`, which then copies it first. So nobody writes to what an array shows, in no thread.
 //! - Nothing shown has interior mutability: the slices are numbers in vectors of plain data.
-//! - The interface says "read only", and the memory offers no buffer, so NumPy refuses to make the array writeable.
+//! - The interface states "read only", and the memory offers no buffer, so NumPy refuses to make the array writeable.
 //! - Shape and strides come from the slice itself ([`Memory::rows`]), so that no element is outside of it.
 
 use std::any::Any;
@@ -51,7 +51,7 @@ impl Number for u8 {
     const KIND: &'static str = "|u1";
 }
 
-// The names above say little endian, as every platform is that Python's wheels are built for.
+// The names above state little endian, as every platform is that Python's wheels are built for.
 #[cfg(target_endian = "big")]
 compile_error!("arrays are shown in the order of bytes of little-endian machines");
 

@@ -45,13 +45,13 @@ impl PyBatch {
         self.command(r#where, |_| Command::Put { food: food.to_owned(), at: [0.0; 2], heap: false })
     }
 
-    /// Turns a piece over in every kitchen, or where the mask says so.
+    /// Turns a piece over in every kitchen, or where the mask is true.
     #[pyo3(signature = (food, *, r#where = None))]
     fn flip(&mut self, food: &str, r#where: Mask) -> PyResult<()> {
         self.command(r#where, |_| Command::Flip { food: food.to_owned() })
     }
 
-    /// Takes a piece out of every pan, or where the mask says so.
+    /// Takes a piece out of every pan, or where the mask is true.
     #[pyo3(signature = (food, on = "board", *, r#where = None))]
     fn rest(&mut self, food: &str, on: &str, r#where: Mask) -> PyResult<()> {
         let on = rest_on(on)?;

@@ -70,7 +70,7 @@ pub(crate) fn refused_at(reason: &Refused, kitchens: &[usize]) -> PyErr {
     raised("RefusedError", (format!("in kitchen {}: {reason}", places.join(", ")),))
 }
 
-/// A kitchen on the reduced mesh was asked for more than readings.
+/// A kitchen on the reduced mesh was used for more than readings.
 pub(crate) fn on_reduced_mesh() -> PyErr {
     let reason = "this kitchen is on the reduced mesh of a batch and can only be read: step and command the batch";
     raised("RefusedError", (reason,))

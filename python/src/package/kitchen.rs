@@ -53,7 +53,7 @@ pub(crate) struct PyKitchen {
     pub(crate) is_reduced: bool,
     /// What it was built from.
     pub(crate) shelf: Shelf,
-    /// Its sound so far, once that was asked for; it is no part of the state.
+    /// Its sound so far, once that was requested; it is no part of the state.
     pub(crate) sound: Option<Arc<Sound>>,
 }
 

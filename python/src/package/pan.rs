@@ -1,4 +1,4 @@
-//! What hob and pan say of themselves: readings, fields, the pan's pose and the load on the hand that holds it.
+//! What hob and pan report: readings, fields, the pan's pose and the load on the hand that holds it.
 
 use std::sync::Arc;
 
@@ -12,7 +12,7 @@ use crate::package::errors;
 use crate::package::expected::{pose, seven};
 use crate::package::kitchen::PyKitchen;
 
-/// Lets a partner in Python see the load on the pan since the last step and the poses of the foods, and holds the pan where it says.
+/// Lets a partner in Python see the load on the pan since the last step and the poses of the foods, and moves the pan to where it states.
 fn asked(py: Python<'_>, kitchen: &mut Kitchen, last: &mut FoodVelocities, partner: &Bound<'_, PyAny>) -> PyResult<()> {
     let wrench = kitchen.pan_wrench(last, RIGID_S);
     last.note(kitchen);

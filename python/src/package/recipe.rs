@@ -29,7 +29,7 @@ pub(crate) struct Source {
 }
 
 impl Source {
-    /// Finds the text of what stands for a recipe.
+    /// Finds the text of the argument for a recipe.
     pub(crate) fn of(recipe: &Bound<'_, PyAny>) -> PyResult<Self> {
         if let Ok(dict) = recipe.cast::<PyDict>() {
             return Self::of_dict(dict);
@@ -168,7 +168,7 @@ impl Source {
     }
 }
 
-/// The name of the table whose header stands on a line; entries of a list have their index.
+/// The name of the table whose header is on a line; entries of a list have their index.
 fn table_name(lines: &[&str], at: usize) -> String {
     let name = |line: &str| line.trim_start_matches('[').split(']').next().unwrap_or_default().trim().to_owned();
     let own = name(lines[at]);

@@ -24,10 +24,10 @@ use crate::package::expected::{numbers, ranged};
 use crate::package::kitchen::PyKitchen;
 use crate::package::shelf::library;
 
-/// The graphics device, once a picture was asked for.
+/// The graphics device, once a picture was requested.
 static GPU: Mutex<Option<Gpu>> = Mutex::new(None);
 
-/// Size of a picture unless another is asked for [px].
+/// Size of a picture unless another is requested [px].
 const DEFAULT_SIZE: [u32; 2] = [640, 480];
 /// Smallest and largest side of a picture [px] (chosen: a thumbnail; what every driver can draw).
 const SIDE: [u32; 2] = [16, 4096];

@@ -69,7 +69,7 @@ impl Seat {
         }
     }
 
-    /// The kitchen as one of its own; one on the reduced mesh can only be read.
+    /// The kitchen as a separate one; one on the reduced mesh can only be read.
     pub(crate) fn taken(&self) -> PyKitchen {
         match self {
             Self::Whole(kitchen) => kitchen.clone(),

@@ -18,7 +18,7 @@ const LONGEST_S: f64 = 600.0;
 impl PyKitchen {
     /// Advances the kitchen by so many seconds, in whole ticks of 0.1 s, and returns what is heard of them: samples × 2 numbers from -1 to
     /// 1, left and right. Calls that follow each other fit together; what is commanded between them is heard. Before the first one, and
-    /// after ticks that were stepped otherwise, it begins to listen anew.
+    /// after ticks that were stepped otherwise, it begins to listen again.
     #[pyo3(signature = (seconds, rate = 48_000))]
     fn render_sound<'py>(&mut self, py: Python<'py>, seconds: f64, rate: u32) -> PyResult<Bound<'py, PyAny>> {
         self.whole()?;

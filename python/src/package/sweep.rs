@@ -19,7 +19,7 @@ use crate::package::errors;
 use crate::package::own_data::Shelf;
 use crate::package::recipe::Source;
 
-/// How often Python is told how far it is, and may interrupt [s] (chosen: smooth to the eye, no cost in time).
+/// How often Python receives the progress, and may interrupt [s] (chosen: smooth to the eye, no cost in time).
 const EVERY: Duration = Duration::from_millis(200);
 
 /// Rows of a sweep, those that are in the folder, those of them that failed, and those that came since it was opened.
@@ -157,7 +157,7 @@ impl PySweepFolder {
         self.held().take();
     }
 
-    /// Cooks all that is missing on threads of this machine, tells `watch` how far it is, and closes the folder.
+    /// Cooks all that is missing on threads of this machine, calls `watch` with the progress, and closes the folder.
     #[pyo3(signature = (jobs, watch))]
     fn cook_all(&self, py: Python<'_>, jobs: Option<usize>, watch: &Bound<'_, PyAny>) -> PyResult<Counts> {
         let folder = self.held().take().ok_or_else(|| PyValueError::new_err("the folder is closed"))?;

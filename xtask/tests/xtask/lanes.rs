@@ -8,7 +8,7 @@
 use std::path::Path;
 use std::process::{Command, Output};
 
-/// A script with steps of its own, in a folder of its own.
+/// A script with its own steps, in its own folder.
 fn script(folder: &Path, steps: &str, list: &str) -> Command {
     let scripts = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scripts").canonicalize().unwrap();
     let scripts = scripts.display();

@@ -1,4 +1,4 @@
-//! The doors through which a kitchen is changed, and what each can say. [`CHANGES`] and [`STREAMED`] list it; `docs/doors.md` is
+//! The doors through which a kitchen is changed, and what each can change. [`CHANGES`] and [`STREAMED`] list it; `docs/doors.md` is
 //! written from them, and a test hands bad numbers to each door.
 
 mod changes;
@@ -27,18 +27,18 @@ pub enum Range {
     Reach,
 }
 
-/// One way to say a change: how it is written, and the words by one of which a refusal names it.
+/// One notation of a change: how it is written, and the words by one of which a refusal names it.
 #[derive(Clone, Copy, Debug)]
 pub struct Way<W: 'static> {
     /// How it is written.
     pub write: W,
-    /// Words of which a refusal holds one.
+    /// Words one of which is in a refusal.
     pub named: &'static [&'static str],
     /// Which numbers are taken.
     pub range: Range,
 }
 
-/// A part of a recipe; `#` stands for the number.
+/// A part of a recipe; `#` is replaced by the number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
     /// Keys at the top.
@@ -69,7 +69,7 @@ pub enum Before {
 /// What an entry of a session does with a number.
 pub type DeedOf = fn(f64) -> Deed;
 
-/// One change, and how recipe, session and Python say it. A link and a stored cook of another version hold a session.
+/// One change, and how recipe, session and Python write it. A link and a stored cook of another version contain a session.
 #[derive(Clone, Copy, Debug)]
 pub struct Change {
     /// Name, with the unit in brackets where it has one.
@@ -98,7 +98,7 @@ pub struct Start {
 /// How a stream states a number.
 #[derive(Clone, Copy, Debug)]
 pub enum Streamed {
-    /// A phone's message; `#` stands for the number.
+    /// A phone's message; `#` is replaced by the number.
     Phone(&'static str),
     /// An OSC message: its address, and its arguments from the number.
     Osc(&'static str, fn(f64) -> Vec<f64>),

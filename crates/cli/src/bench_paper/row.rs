@@ -10,7 +10,7 @@ use super::scene::{PAN, Scene};
 use super::stopwatch;
 use crate::error::CliError;
 
-/// The published tables: name, carrots, shrimps and speed [cycles/s], measured on hardware of 2009; the last row says
+/// The published tables: name, carrots, shrimps and speed [cycles/s], measured on hardware of 2009; the last row gives
 /// "more than 60" (source: Kato, Hasegawa, "Interactive Cooking Simulator", SIGGRAPH Asia 2013
 /// `[@kato-hasegawa-2013]`).
 const PUBLISHED: [(&str, usize, usize, f64); 15] = [

@@ -1,4 +1,4 @@
-//! Curves of the model with expected values as rings and expected ranges as bars, in a file of their own.
+//! Curves of the model with expected values as rings and expected ranges as bars, in a separate file.
 
 use super::axis::{Panel, Ticks};
 use super::bars;

@@ -1,5 +1,5 @@
 //! Charts as SVG: scales, axes and what is drawn on them. A chart of a page takes its colours from the style of the page; a chart
-//! in a file of its own has its own style.
+//! in a separate file has its own style.
 
 pub mod axis;
 pub mod bars;

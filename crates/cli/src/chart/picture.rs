@@ -1,10 +1,10 @@
-//! A chart in a file of its own, with its own style.
+//! A chart in a separate file, with its own style.
 
 use super::escaped::escaped;
 
 /// Size of a picture [px].
 pub const SIZE: [f64; 2] = [720.0, 400.0];
-/// Edges of the panel beside a legend: left, right, top, bottom [px].
+/// Edges of the panel next to a legend: left, right, top, bottom [px].
 pub const EDGES: [f64; 4] = [52.0, 470.0, 46.0, 350.0];
 /// Colours of curves that colour-blind readers can distinguish (source: Okabe & Ito 2008 `[@okabe-ito-2008]`).
 pub const COLOURS: [&str; 6] = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"];

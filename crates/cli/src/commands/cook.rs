@@ -131,7 +131,7 @@ fn files(
     Ok(files)
 }
 
-/// Says the warnings of a cook, and why it stopped if it did not end by itself; returns the exit code.
+/// Prints the warnings of a cook, and why it stopped if it did not end by itself; returns the exit code.
 pub fn report_end(cook: &Cook, summary: &Summary) -> ExitCode {
     for warning in &summary.warnings {
         stderr::say(format!("warning: {warning}"));

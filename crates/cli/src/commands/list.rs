@@ -58,11 +58,11 @@ struct ClassEntry {
     range: String,
 }
 
-/// What a goal wants.
+/// What a goal requires.
 #[derive(Debug, Serialize)]
 struct GoalEntry {
     kinetics: Vec<String>,
-    /// Scale of its class; none if it holds on every one.
+    /// Scale of its class; none if it applies to every one.
     scale: Option<String>,
     class: Option<String>,
     least_share_pct: f64,

@@ -1,4 +1,4 @@
-//! `saute completions` and `saute man`: what shells and the manual know of the command, made from its arguments.
+//! `saute completions` and `saute man`: completions and manual page of the command, made from its arguments.
 
 use std::process::ExitCode;
 

@@ -94,7 +94,7 @@ const NO_DISPLAY: &str = "there is no display; commands that need none:\n  \
     saute cook RECIPE.toml                            cook and print the numbers\n  \
     saute shot RECIPE.toml --at 300 --out steak.png   render a picture";
 
-/// Returns false if the environment names no display. Only X11 and Wayland systems can be asked.
+/// Returns false if the environment names no display. Only X11 and Wayland systems can be queried.
 fn has_display() -> bool {
     if !cfg!(all(unix, not(target_os = "macos"))) {
         return true;

@@ -46,7 +46,7 @@ pub fn run(args: &ReplayArgs, data: &DataLibrary) -> Result<ExitCode, CliError> 
     Ok(exit_code::of_goal(false))
 }
 
-/// Writes the session as a recipe; what it cannot state is said on stderr.
+/// Writes the session as a recipe; what it cannot state is reported on stderr.
 fn write_recipe(cook: &Cook, out: OutFile, data: &DataLibrary) -> Result<(), CliError> {
     let made = cook.to_recipe(&data.library).map_err(|error| {
         CliError::place(out.place(), error.to_string(), "replay the session instead; it needs no recipe")

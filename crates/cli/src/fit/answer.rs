@@ -17,7 +17,7 @@ use crate::wording;
 /// Name of the data file.
 pub const FILE: &str = "kitchen-at-home.toml";
 
-/// What a fit found, beside what the program assumes.
+/// What a fit found, next to what the program assumes.
 #[derive(Debug, Serialize)]
 pub struct FitReport {
     #[serde(skip)]

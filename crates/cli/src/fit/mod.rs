@@ -35,7 +35,7 @@ pub struct FitArgs {
     /// Recipe of what was cooked: its steps at the times (at_s, after_s) at which they were done.
     #[arg(long, value_name = "RECIPE")]
     pub recipe: String,
-    /// Column of the times, by header or number from 1 [default: the one whose header says so, else the first].
+    /// Column of the times, by header or number from 1 [default: the one with a header of time, else the first].
     #[arg(long, value_name = "COLUMN", requires = "log")]
     pub time: Option<String>,
     /// Column of the core's temperature, by header or number from 1.
@@ -44,13 +44,13 @@ pub struct FitArgs {
     /// Column of the pan's temperature, by header or number from 1.
     #[arg(long, value_name = "COLUMN", requires = "log")]
     pub pan: Option<String>,
-    /// Preset of the thermometer's maker [default: the log says enough of itself].
+    /// Preset of the thermometer's maker [default: the log states enough].
     #[arg(long, value_name = "MAKER", requires = "log", value_parser = makers())]
     pub maker: Option<String>,
     /// What the times are, where the log can be read in two ways.
     #[arg(long, value_name = "FORM", requires = "log")]
     pub times: Option<TimesArg>,
-    /// Unit of the temperatures [default: as header, rows or the lines above the table say, else °C].
+    /// Unit of the temperatures [default: as header, rows or the lines above the table state, else °C].
     #[arg(long, value_name = "UNIT", requires = "log")]
     pub unit: Option<UnitArg>,
     /// Time in the recipe at which the log begins [s].

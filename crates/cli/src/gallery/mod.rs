@@ -42,11 +42,11 @@ pub struct GalleryArgs {
     pub figure: Vec<String>,
 }
 
-/// Stands for all foods.
+/// Means all foods.
 const ALL: &str = "all";
 
 impl GalleryArgs {
-    /// The figures that are asked for: all of a book, or those named.
+    /// The figures that are requested: all of a book, or those named.
     fn figures<'a>(&self, book: &'a Book) -> Result<Vec<&'a Figure>, CliError> {
         let (option, named) = match &self.looks {
             Some(food) if food != ALL => ("--looks", std::slice::from_ref(food)),

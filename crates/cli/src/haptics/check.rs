@@ -46,7 +46,7 @@ pub struct CheckArgs {
     /// Duration of the measurement [s].
     #[arg(long, value_name = "S", default_value_t = 60.0)]
     pub for_s: f64,
-    /// Longest time for which the pan may stand still: a device that measures nothing looks like a pan that nobody moves [s].
+    /// Longest time for which the pan may be still: a device that measures nothing looks like a pan that nobody moves [s].
     #[arg(long, value_name = "S", default_value_t = 10.0)]
     pub still_s: f64,
     /// Injects faults after the measurement; needs the simulator.

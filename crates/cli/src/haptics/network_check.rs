@@ -39,7 +39,7 @@ pub struct NetworkReport {
     pub rejected: u32,
     /// Why messages were rejected since the start, once for each reason.
     pub rejections: Vec<String>,
-    /// Longest time for which the pan stood still during the measurement [s].
+    /// Longest time for which the pan was still during the measurement [s].
     pub still_s: f64,
     /// Allowed longest time of that [s].
     pub still_limit_s: f64,
@@ -108,7 +108,7 @@ pub fn measure(args: &CheckArgs, named: &Named, library: &Library) -> Result<Net
     Ok(report)
 }
 
-/// What a device tells its user, shown as it comes.
+/// Notices of a device for its user, shown as it comes.
 struct Notices {
     coming: Option<Receiver<String>>,
     lines: Vec<String>,

@@ -7,7 +7,7 @@ use saute_haptics::{Health, Pose};
 
 use super::trouble::trouble;
 
-/// Distance from where the pan stood that counts as motion [m] (chosen: above the resolution of all devices, below what a hand holds for
+/// Distance from where the pan was that counts as motion [m] (chosen: above the resolution of all devices, below what a hand holds for
 /// seconds).
 const MOVED_M: f64 = 1e-3;
 /// Angle that counts as motion (chosen: as the distance, at the rim of a pan) [rad].
@@ -26,7 +26,7 @@ pub struct Observation {
 /// The result of an observation.
 #[derive(Clone, Copy, Debug)]
 pub struct Seen {
-    /// Longest time for which the pan stood still [s].
+    /// Longest time for which the pan was still [s].
     pub still_s: f64,
     /// True if the pan moved.
     pub moved: bool,
@@ -65,7 +65,7 @@ fn is_apart(a: &Pose, b: &Pose) -> bool {
 }
 
 impl Seen {
-    /// Returns what speaks against the device, in words; the pan may stand still for `most_s` [s].
+    /// Returns the faults of the device, in words; the pan may be still for `most_s` [s].
     pub fn misses(&self, most_s: f64) -> Vec<String> {
         let unwell = self.unwell.map(|health| {
             let (message, remedy) = trouble(health);

@@ -40,7 +40,7 @@ pub struct CheckReport {
     /// Lowest energy of the passivity observer after correction; none if the pan did not move: without motion no energy is exchanged,
     /// and the observer's reserve stays full [J].
     pub passivity_j: Option<f64>,
-    /// Longest time for which the pan stood still during the measurement [s].
+    /// Longest time for which the pan was still during the measurement [s].
     pub still_s: f64,
     /// Allowed longest time of that [s].
     pub still_limit_s: f64,

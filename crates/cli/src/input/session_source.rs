@@ -37,7 +37,7 @@ pub fn is_session(path: &Path) -> bool {
     read && session_file::is_session(&start)
 }
 
-/// Reads a session. An end that is not read is said on stderr, and the rest is returned.
+/// Reads a session. An end that is not read is reported on stderr, and the rest is returned.
 pub fn load_session(path: &Path) -> Result<Recording, CliError> {
     let bytes = text_file::bytes(path, session_file::LARGEST_MIB, ".saute", "a session file")?;
     let opened = Recording::from_file(&bytes).map_err(|error| {
@@ -63,7 +63,7 @@ pub fn cook(source: Source, data: &DataLibrary) -> Result<Cook, CliError> {
     }
 }
 
-/// Returns the cook that plays a session again; what may make it depart is said on stderr.
+/// Returns the cook that plays a session again; what may make it depart is reported on stderr.
 pub fn play_again(recording: Recording, data: &DataLibrary) -> Result<Cook, CliError> {
     let file = recording.beginning().file.clone();
     let difference = recording.beginning().clone();

@@ -9,7 +9,7 @@ use crate::error::CliError;
 /// Larger files are not read [MiB] (chosen: the largest shipped file has 4 kB).
 const LARGEST_MIB: u64 = 4;
 
-/// Reads a file of at most so many MiB, with its ending and what it holds for messages.
+/// Reads a file of at most so many MiB, with its ending and its content as messages name it.
 pub fn bytes(path: &Path, largest_mib: u64, ending: &str, content: &str) -> Result<Vec<u8>, CliError> {
     regular_file::read(path, largest_mib).map_err(|unread| {
         let remedy = match unread {

@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use signal_hook::consts::{SIGINT, SIGTERM};
 use signal_hook::flag;
 
-/// True once a signal has asked the program to end.
+/// True once a signal has requested that the program end.
 #[derive(Clone, Debug, Default)]
 pub struct Interruption {
     asked: Arc<AtomicBool>,
@@ -24,7 +24,7 @@ impl Interruption {
         interruption
     }
 
-    /// Returns true once a signal has asked the program to end.
+    /// Returns true once a signal has requested that the program end.
     pub fn is_asked(&self) -> bool {
         self.asked.load(Ordering::Relaxed)
     }

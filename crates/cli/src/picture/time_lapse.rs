@@ -13,23 +13,23 @@ const FRAMES_MAX: usize = 1000;
 /// Pixels of all frames at most [px] (chosen: those of 300 frames of 1280 × 720, which fill up to 300 MB when they are encoded).
 const PIXELS_MAX: usize = 300 * 1280 * 720;
 
-/// What a time lapse is asked for.
+/// Options of a time lapse.
 pub struct Lapse {
     /// Format of the file.
     pub format: Format,
     /// Time from frame to frame [s].
     pub every_s: f64,
-    /// Time of the last frame [s]; the end of the recipe unless asked for.
+    /// Time of the last frame [s]; the end of the recipe unless given.
     pub until_s: Option<f64>,
     /// Width and height [px].
     pub size: [u32; 2],
 }
 
-/// Draws a frame for every so many seconds up to a time and encodes it at once; a recipe that ends before the time that was asked for
+/// Draws a frame for every so many seconds up to a time and encodes it at once; a recipe that ends before the time that was given
 /// is an error.
 pub fn time_lapse(series: &mut Series, lapse: &Lapse) -> Result<Vec<u8>, CliError> {
     let until_s = lapse.until_s.map_or_else(|| series.end_s(), Ok)?;
-    // The last frame may lie half a tick after the end.
+    // The last frame may be half a tick after the end.
     let count = ((until_s + 0.5 * TICK_S) / lapse.every_s + 1e-9).floor() as usize + 1;
     let [width, height] = lapse.size.map(|side| side as usize);
     let most = FRAMES_MAX.min(PIXELS_MAX / (width * height));

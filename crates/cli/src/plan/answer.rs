@@ -27,7 +27,7 @@ pub struct PlanReport<'a> {
     wall_s: f64,
 }
 
-/// What was wanted.
+/// What was requested.
 #[derive(Debug, Serialize)]
 struct Target<'a> {
     name: &'a str,

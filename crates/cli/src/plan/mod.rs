@@ -67,7 +67,7 @@ fn write(file: OutFile, text: &str) -> Result<(), CliError> {
     Ok(())
 }
 
-/// Runs the jobs of a search on every core, until a signal asks for what there is: no plan before a candidate was cooked.
+/// Runs the jobs of a search on every core, until a signal requests the best found so far: no plan before a candidate was cooked.
 fn search(order: Order, library: &Library) -> Result<(Option<Plan>, Duration), JobError> {
     let started = Instant::now();
     let (progress, interruption) = (Progress::over(PARTS), Interruption::watch());

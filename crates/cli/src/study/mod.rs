@@ -45,7 +45,7 @@ pub struct StudyArgs {
 #[derive(Debug, Subcommand)]
 pub enum StudyCommand {
     /// Lets simulated participants take part: rule-based cooks, for trying a protocol and its analysis. They prove nothing about
-    /// people, and every row says so.
+    /// people, and every row states it.
     Simulate(SimulateArgs),
     /// Makes learning curves and a comparison before and after the cook at a real stove from logs: CSV files and report.html.
     Analyse(AnalyseArgs),

@@ -102,7 +102,7 @@ fn say(tally: Tally, out: &Path, jobs: usize, wall: Duration, as_json: bool) -> 
     stdout::print(&if as_json { json::text(&answer)? } else { text })
 }
 
-/// Reads a specification with its recipe, which is a file beside it or one of the library.
+/// Reads a specification with its recipe, which is a file in the same folder or one of the library.
 fn load(spec: &Path, data: &DataLibrary) -> Result<Sweep, CliError> {
     let (text, place) = (text_file::read(spec)?, spec.display().to_string());
     let recipe = SpecFile::parse(&text, &place)?.recipe;

@@ -64,7 +64,7 @@ pub fn run(args: &ValidateArgs, data: &DataLibrary) -> Result<ExitCode, CliError
         let is_whole = args.folder.is_none() && args.case.is_none();
         pages.fill(&runs, is_whole.then_some(&data.library))?;
     }
-    // One case says nothing about the others.
+    // One case gives no information about the others.
     let differences = if args.case.is_none() { folder.differences() } else { Differences::default() };
     differences.messages(&folder.path).into_iter().for_each(stderr::say);
     let falls_short = runs.iter().flat_map(|r| &r.verdicts).any(Verdict::falls_short);

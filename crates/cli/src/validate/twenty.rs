@@ -1,4 +1,4 @@
-//! The rows at the head of VALIDATION.md: what most readers ask first.
+//! The rows at the head of VALIDATION.md: the results that most readers look for first.
 
 use std::fmt::Write;
 

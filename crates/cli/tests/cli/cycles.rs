@@ -15,7 +15,7 @@ fn files(folder: &Path) -> Vec<PathBuf> {
     sources.chain(folders.iter().flat_map(|folder| self::files(folder))).collect()
 }
 
-/// Path of the module that a file holds.
+/// Path of the module in a file.
 fn module(src: &Path, file: &Path) -> String {
     let inside = file.strip_prefix(src).expect("in the crate").with_extension("");
     let parts: Vec<&str> = inside.iter().filter_map(|part| part.to_str()).collect();

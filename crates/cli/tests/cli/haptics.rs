@@ -12,7 +12,7 @@ use crate::running::{Ran, run};
 fn build_simulator() {
     let beside = Path::new(env!("CARGO_BIN_EXE_saute")).parent().unwrap();
     let mut cargo = Command::new(env!("CARGO"));
-    // With the features of the workspace, as the command was built: nothing is built anew.
+    // With the features of the workspace, as the command was built: nothing is built again.
     cargo.args(["build", "--offline", "--quiet", "--workspace", "--bin", "saute-spidar-sim", "--target-dir"]);
     cargo.arg(beside.parent().unwrap()).current_dir(env!("CARGO_MANIFEST_DIR"));
     if beside.ends_with("release") {
@@ -151,7 +151,7 @@ fn a_device_at_an_address_is_used_with_its_pairing_code_and_only_with_it() {
     child.wait().unwrap();
 }
 
-/// Starts a check of a device that is switched on and waits until it is measured. What it says after that is read and dropped.
+/// Starts a check of a device that is switched on and waits until it is measured. Its later output is read and dropped.
 fn measured(address: &str, args: &[&str]) -> Child {
     measured_by(Command::new(env!("CARGO_BIN_EXE_saute")), address, args)
 }
@@ -204,7 +204,7 @@ fn a_device_that_dies_or_reports_a_fault_falls_short() {
 fn a_pan_that_stands_still_for_longer_than_stated_falls_short_and_its_passivity_is_not_judged() {
     let (mut still, address) = switched_on("424242", "1");
     let check = measured(&address, &["--for-s", "4", "--still-s", "1.5"]);
-    // A free pan would drift when a busy machine is late with its tensions: a device that measures nothing stands still on any machine.
+    // A free pan would drift when a busy machine is late with its tensions: a device that measures nothing is still on any machine.
     std::io::Write::write_all(still.stdin.as_mut().unwrap(), b"encoders stuck\n").unwrap();
     let (code, health, missed) = verdict(check);
     assert_eq!((code, health.as_str()), (Some(1), "running"));

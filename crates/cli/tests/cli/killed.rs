@@ -1,7 +1,7 @@
 //! Promise: a window that is killed loses at most the last second of its cook.
 //!
 //! The real window is opened on a virtual screen and watched by the clock, so this belongs to the campaign, which needs `Xvfb` and
-//! `xdotool`. `./test.sh` asks the same of a window without a screen (`time::a_window_that_was_killed_goes_on_with_its_cook`) and of
+//! `xdotool`. `./test.sh` tests the same for a window without a screen (`time::a_window_that_was_killed_goes_on_with_its_cook`) and of
 //! a recorded cook that is killed (`sessions::a_killed_cook_loses_at_most_a_second`).
 
 use std::path::Path;

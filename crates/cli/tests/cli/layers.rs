@@ -26,7 +26,7 @@ const ARROWS: [(&str, &[&str]); 33] = [
     ("saute-scene", &["wgpu"]),
     ("saute-mirror", &["saute-schema"]),
     ("saute-sound", &[]),
-    // What plays: a sound card of this machine, a page's worklet. Neither knows a kitchen.
+    // What plays: a sound card of this machine, a page's worklet. Neither depends on a kitchen.
     ("saute-speaker", &["saute-sound"]),
     ("saute-sound-page", &["saute-sound"]),
     (

@@ -1,4 +1,4 @@
-//! Promise: shells complete the command, the manual knows it, and the window never opens with a mistyped device.
+//! Promise: shells complete the command, the manual describes it, and the window never opens with a mistyped device.
 
 use crate::running::run;
 

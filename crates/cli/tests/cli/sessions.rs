@@ -90,7 +90,7 @@ fn a_damaged_end_is_said_and_the_rest_opens() {
     assert_eq!(numbers(&ran), numbers(&recorded.ran));
 }
 
-/// What no hand can ask for may be in a session from elsewhere: it is refused with its reason, and the cook goes on without it.
+/// What no hand can do may be in a session from elsewhere: it is refused with its reason, and the cook goes on without it.
 #[test]
 fn a_session_that_asks_for_what_no_hand_can_is_refused_with_the_reason() {
     for (case, why) in [
@@ -214,7 +214,7 @@ fn a_replay_of_days_ends_with_130_when_it_is_stopped_and_so_does_a_cook_without_
     }
 }
 
-/// Returns true once a process has a handler of its own for SIGINT.
+/// Returns true once a process has its own handler for SIGINT.
 #[cfg(target_os = "linux")]
 fn catches_interrupts(pid: &str) -> bool {
     let status = std::fs::read_to_string(format!("/proc/{pid}/status")).unwrap();
@@ -236,7 +236,7 @@ fn kills() -> u64 {
     std::env::var("SAUTE_RANDOM_KILLS").map_or(SHARE_KILLS, |count| count.parse().expect("a number"))
 }
 
-/// Kills a recorded cook a while after its start, or after its first write, and returns the simulated time that its session holds [s]; nothing if the kill came
+/// Kills a recorded cook after its start, or after its first write, and returns the simulated time in its session [s]; nothing if the kill came
 /// before the first write was over.
 fn killed_after(after_first_write: bool, wait: Duration, recipe: &Path, session: &Path) -> Option<f64> {
     let _ = std::fs::remove_file(session);

@@ -1,4 +1,4 @@
-//! Promise: every citation leads to an entry of `docs/refs.toml`, every entry is cited, and every number in `data/` says
+//! Promise: every citation leads to an entry of `docs/refs.toml`, every entry is cited, and every number in `data/` states
 //! where it comes from.
 
 use std::collections::BTreeSet;

@@ -37,7 +37,7 @@ impl Bench {
 const GRID: &str = "for_s = 1\nrows_per_part = 5\n[vary]\n\"food.steak.size_mm[2]\" = [12, 15]\n\
                     \"pan.initial_c\" = { from = 100, to = 200, n = 6 }\n[design]\nkind = \"grid\"\n";
 
-/// The parts; beside them are their checksums.
+/// The parts; their checksums are in the same folder.
 fn files(rows: &Path) -> Vec<Vec<u8>> {
     names_in(rows)
         .iter()

@@ -1,4 +1,4 @@
-//! Promise: every validation case holds, and the lab prints and documents its numbers.
+//! Promise: every validation case passes, and the lab prints and documents its numbers.
 
 use std::path::Path;
 
@@ -79,7 +79,7 @@ fn check_pages(dir: &Path, [links, rows]: [usize; 2]) {
     assert!(segments.lines().filter(|l| l.starts_with("| ")).count() > rows);
 }
 
-/// Of the values of each kind, of all cases, at most three in twenty are known to miss, as the page says.
+/// Of the values of each kind, of all cases, at most three in twenty are known to miss, as the page states.
 #[test]
 fn few_values_of_the_page_are_known_misses() {
     let page = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../../VALIDATION.md")).unwrap();

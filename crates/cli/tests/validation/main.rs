@@ -1,4 +1,4 @@
-//! Promise: every validation case holds. Each is a test of its own: its values keep to their tolerances, or miss as its file says.
+//! Promise: every validation case passes. Each is a separate test: its values are within their tolerances, or miss as its file states.
 
 // A test that fails at an unwrap names its line.
 #![allow(clippy::unwrap_used)]
@@ -23,7 +23,7 @@ macro_rules! cases {
     };
 }
 
-/// Runs a case; its values hold, or miss where the file knows it. Information passes no judgement.
+/// Runs a case; its values are within tolerance, or miss where the file records it. Information passes no judgement.
 fn holds(id: &str) {
     let output = Command::new(env!("CARGO_BIN_EXE_saute")).args(["validate", "--json", "--case", id]).output().unwrap();
     let said = String::from_utf8_lossy(&output.stderr);

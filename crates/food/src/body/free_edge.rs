@@ -14,11 +14,11 @@ const DECAY: f64 = 2.1061;
 const PLACES: usize = 12;
 
 impl FoodModel {
-    /// How far each level of a slice stands out at its side beyond the mean outline, from the bottom [m]; negative where it
+    /// How far each level of a slice protrudes at its side beyond the mean outline, from the bottom [m]; negative where it
     /// draws back, empty for other bodies.
     ///
     /// Inside a slice all levels contract by the stiffness-weighted mean. Towards the side this constraint decays over
-    /// the length h/2λ, so a level with the free contraction c stands out by (c̄ − c)·h/2λ. It is drawn; heat and contact
+    /// the length h/2λ, so a level with the free contraction c protrudes by (c̄ − c)·h/2λ. It is drawn; heat and contact
     /// see a vertical side.
     pub fn edge_shifts(&self, state: &FoodState) -> Vec<f64> {
         let Layout::Upright(mesh) = self.shape.mesh.layout() else { return Vec::new() };

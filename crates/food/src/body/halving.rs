@@ -1,7 +1,7 @@
 //! A cut across the long axis of a piece into two halves, each with a fresh face.
 //!
 //! The piece remains one mesh and one state. Edges that cross the plane lose their conductance, and no juice passes. Each
-//! node beside the plane gets a patch that meets the air and from which juice runs off. The area of that patch is the sum
+//! node next to the plane gets a patch that meets the air and from which juice runs off. The area of that patch is the sum
 //! of shape × distance across the plane over the node's cut edges, which is exact for a linear field; the areas are scaled
 //! to add up to the area of the plane.
 
@@ -33,7 +33,7 @@ pub enum CutError {
     /// The piece is already cut in halves.
     #[error("the piece is already cut in halves")]
     Halved,
-    /// The plane of the cut misses the piece or lies too close to its end.
+    /// The plane of the cut misses the piece or is too close to its end.
     #[error("a cut may lie at most {most} m from the middle")]
     Beside {
         /// Largest distance from the middle [m].
@@ -123,7 +123,7 @@ impl FoodModel {
         shape.pose_cut(axis, first_patch);
     }
 
-    /// Area of the fresh face of each node beside the cut [m²].
+    /// Area of the fresh face of each node next to the cut [m²].
     fn fresh_areas(&self, at: f64, edges: &[Crossing]) -> BTreeMap<u32, f64> {
         let mut areas = BTreeMap::new();
         let mut sum = 0.0;

@@ -26,7 +26,7 @@ pub struct Patch {
     pub area: f64,
 }
 
-/// Returns the patches of a swept body in the order bottom, top, side; each face has an air zone of its own.
+/// Returns the patches of a swept body in the order bottom, top, side; each face has its own air zone.
 pub fn patches(mesh: &SweptMesh) -> Vec<Patch> {
     let (n, last) = (mesh.nodes_per_level(), mesh.levels.len() - 1);
     let mut all = Vec::with_capacity(2 * n);

@@ -28,7 +28,7 @@ const FAN_FROM: f64 = 0.83;
 /// Depth (back to belly) over the thickest at shares of the length [-] (chosen by eye from peeled shrimp).
 const DEPTH_AT: [f64; 11] = [0.0, 0.12, 0.28, 0.45, 0.60, 0.72, 0.80, 0.85, 0.90, 0.96, 1.0];
 const DEPTH: [f64; 11] = [0.97, 1.0, 0.98, 0.90, 0.78, 0.66, 0.53, 0.42, 0.66, 0.97, 0.90];
-/// Breadth (left to right) over the broadest at shares of the length [-] (chosen likewise: the fan is a thin blade).
+/// Breadth (left to right) over the broadest at shares of the length [-] (chosen in the same way: the fan is a thin blade).
 const BREADTH: [f64; 11] = [0.97, 1.0, 0.98, 0.91, 0.81, 0.70, 0.57, 0.43, 0.28, 0.18, 0.16];
 /// Depth of the rounding at the head end [-] and its length [m] (chosen: where the head was twisted off).
 const ROUNDING: [f64; 2] = [0.16, 1.2e-3];
@@ -117,7 +117,7 @@ impl Shape {
         Ok(SweptMesh::along(section, path, rule(piece)))
     }
 
-    /// The natural shape of this plain one: longer and thinner or the reverse, with a curl, a head end and a fan of its own.
+    /// The natural shape of this plain one: longer and thinner or the reverse, with its own curl, head end and fan.
     fn grown(self, variation: &Variation, spine: &Spine) -> Self {
         let form = variation.form;
         let longer = 1.0 + form.slender * (2.0 * variation.share(560) - 1.0);

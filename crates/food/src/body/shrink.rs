@@ -133,7 +133,7 @@ impl FoodModel {
 }
 
 impl Stretch {
-    /// Sets the lateral stretch from a logarithmic contraction; `axial` holds relative volumes and becomes the axial stretch.
+    /// Sets the lateral stretch from a logarithmic contraction; `axial` contains relative volumes and becomes the axial stretch.
     /// What presses have taken from the thickness widens both other directions.
     fn contract_across(&mut self, contraction: f64) {
         self.lateral = exp(0.5 * self.flattened - contraction);

@@ -39,7 +39,7 @@ pub struct ChangeRates {
 }
 
 impl ChangeRates {
-    /// Tabulates the rates every quarter kelvin from 30 to 110 °C and holds them beyond (every change is complete there).
+    /// Tabulates the rates every quarter kelvin from 30 to 110 °C and keeps them constant beyond (every change is complete there).
     pub fn new(kinetics: &Kinetics) -> Self {
         let table = |c: &Change| {
             let rate = arrhenius(c.activation_energy_kj_mol, c.anchor_c, c.anchor_rate_per_min / 60.0);

@@ -1,10 +1,10 @@
 //! A slice on a coarse mesh: the same food with the same physics, in a few per cent of the time.
 //!
-//! A forecast asks where a piece goes from its present state. Through its thickness a slice needs every layer, as heat
+//! A forecast computes how a piece develops from its present state. Through its thickness a slice needs every layer, as heat
 //! enters at the faces; along its faces the state varies slowly, so that a few columns do. [`Reduction`] is the slice on
 //! a section of concentric rings with all layers of the full mesh, and carries states from the full mesh to it.
 //!
-//! The restriction is the adjoint of linear interpolation, balanced so that every coarse column holds exactly its volume
+//! The restriction is the adjoint of linear interpolation, balanced so that every coarse column contains exactly its volume
 //! and every full one is handed out exactly: masses, heat and water are conserved, and the diffusivity is that of the food.
 
 mod restriction;
@@ -20,7 +20,7 @@ use crate::model::FoodModel;
 use crate::paper_2013::Rings;
 use crate::water::WaterTransport;
 
-/// Rings of the section: nodes and share of the radius (chosen: the core has a column of its own, and the rim is narrow;
+/// Rings of the section: nodes and share of the radius (chosen: the core has its own column, and the rim is narrow;
 /// `docs/forecast.md` states what they cost and how far they are from the full mesh).
 const RINGS: Rings = &[(14, 1.0), (10, 0.72), (6, 0.36), (1, 0.0)];
 

@@ -37,7 +37,7 @@ impl MarblingField {
         Self { bend, sheet, fleck, patch, wavelength: marbling.seam_mm * 1e-3, flattening: marbling.flattening }
     }
 
-    /// Ridged noise: large along thin, branching sheets that lie along x and through the thickness [-].
+    /// Ridged noise: large along thin, branching sheets along x and through the thickness [-].
     pub fn ridge(&mut self, p: [f64; 3]) -> f64 {
         let w = self.wavelength;
         let q = [p[0] / (w * self.flattening), p[1] / w, p[2] / (w * self.flattening)];

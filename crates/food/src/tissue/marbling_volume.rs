@@ -91,7 +91,7 @@ impl MarblingVolume {
         }
     }
 
-    /// Returns true if the piece holds adipose tissue: seams or a fat cap.
+    /// Returns true if the piece contains adipose tissue: seams or a fat cap.
     pub fn holds_fat(&self) -> bool {
         self.capped || self.share > 0.0
     }

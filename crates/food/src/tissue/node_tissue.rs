@@ -78,7 +78,7 @@ impl NodeTissue {
         }
     }
 
-    /// Gives every node the masses that its volume of lean, second and adipose tissue holds at 20 °C.
+    /// Gives every node the masses of its volume of lean, second and adipose tissue at 20 °C.
     fn fill(&mut self, food: &FoodDescription, properties: &Properties, volumes: &[f64]) {
         for (node, volume) in volumes.iter().enumerate() {
             let fractions = mixed(food, self.adipose[node], self.second[node]);

@@ -84,7 +84,7 @@ struct Nodes<'a> {
 }
 
 impl Films {
-    /// Linearises the films of all patches about the present state; `capacity` holds the nodes' heat capacities [J/K].
+    /// Linearises the films of all patches about the present state; `capacity` contains the nodes' heat capacities [J/K].
     pub(crate) fn refresh(&mut self, model: &FoodModel, state: &FoodState, around: &Surroundings, capacity: &[f64]) {
         self.blocks.clear();
         self.rates.clear();
@@ -111,7 +111,7 @@ impl Films {
             .collect()
     }
 
-    /// Returns the films again; `None` if they are not of this model. The next step prepares its length anew.
+    /// Returns the films again; `None` if they are not of this model. The next step prepares its length again.
     pub(crate) fn of_saved(saved: &[SavedBlock], model: &FoodModel, capacity: &[f64]) -> Option<Self> {
         let patches = &model.shape.patches;
         if saved.is_empty() {

@@ -6,7 +6,7 @@ use crate::description::Freezing;
 impl Freezing {
     /// Share of the water that is frozen at a temperature [°C] [-].
     ///
-    /// φ = (1 − b) (1 − T_f/T) below the temperature T_f at which freezing begins: as water freezes, the rest holds more
+    /// φ = (1 − b) (1 − T_f/T) below the temperature T_f at which freezing begins: as water freezes, the rest contains more
     /// and more solutes (Raoult). The share b is bound to the solids and never freezes. Valid from −40 °C. The properties are
     /// tabulated every kelvin, so that freezing there begins at the whole degree above T_f.
     /// Source: Schwartzberg 1976 `[@schwartzberg-1976]`.

@@ -1,4 +1,4 @@
-//! Juice: release of water that the flesh no longer holds, and its run-off.
+//! Juice: release of water that the flesh no longer binds, and its run-off.
 
 use core::ops::Range;
 

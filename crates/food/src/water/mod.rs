@@ -1,6 +1,6 @@
 //! Water, vapour and fat that leave a piece: sorption, water holding, juice, rendering and evaporation.
 //!
-//! Water: flesh holds less water as it heats, by a curve of temperature or by its changed proteins, whichever holds
+//! Water: flesh binds less water as it heats, by a curve of temperature or by its changed proteins, whichever binds
 //! less. The difference is released with a first-order lag, flows along the fibres at some tens of µm/s, is absorbed by
 //! dried tissue on its way, passes boiling flesh as liquid in part, gathers as a film and runs off. A node boils at the temperature at which the vapour
 //! pressure of its moisture reaches one atmosphere (GAB isotherm), so a wet surface stays at 100 °C and a crust keeps

@@ -1,6 +1,6 @@
 //! Juice that leaves otherwise than by itself, under a press and out of a fresh cut, and the shape that a press leaves.
 //!
-//! Only free juice can be squeezed out: flesh that holds its water, as all raw flesh does, gives none. Juice that leaves takes
+//! Only free juice can be squeezed out: flesh that binds its water, as all raw flesh does, gives none. Juice that leaves takes
 //! its own heat with it, so that nothing is cooled by its leaving.
 
 use saute_heat::Layout;

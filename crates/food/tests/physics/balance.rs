@@ -78,7 +78,7 @@ fn the_centre_of_a_flipped_steak_takes_as_long_as_the_reference_computation_says
     assert!((550.0..720.0).contains(&t), "{t} s");
 }
 
-/// This holds for the best contact too: the surface has no time step of its own.
+/// This is true for the best contact too: the surface has no separate time step.
 #[test]
 fn halving_the_tick_changes_nothing_that_matters() {
     let cook = |dt: f64| {

@@ -34,7 +34,7 @@ fn a_hotter_plate_browns_and_then_chars() {
     assert!(hot.2 < cool.2 && burnt.2 < hot.2, "{cool:?} {hot:?} {burnt:?}");
 }
 
-/// USDA-FSIS Appendix A asks 12 min at 60 °C for 6.5 log of Salmonella; E. coli O157:H7 (D60 2.6 min) loses 4.6.
+/// USDA-FSIS Appendix A requires 12 min at 60 °C for 6.5 log of Salmonella; E. coli O157:H7 (D60 2.6 min) loses 4.6.
 #[test]
 fn lethality_adds_up_at_the_published_rate() {
     let steak = model("beef-lean", 2.5, [0.05, 0.05, 0.012]);

@@ -71,7 +71,7 @@ fn the_inside_of_beef_has_the_colour_of_its_temperature() {
         .map(|(celsius, got, difference)| format!("{celsius} °C: {got:?}, ΔE {difference:.1}"))
         .collect();
     assert!(far.is_empty(), "{}", far.join("\n"));
-    // Rare, medium-rare and medium are told apart, and so is each from what is raw.
+    // Rare, medium-rare and medium are distinguishable, and so is each from raw meat.
     assert!(inside[..3].windows(2).all(|w| w[1].difference(w[0]) > 4.0), "{inside:?}");
     // Redness falls all the way.
     assert!(inside.windows(2).all(|w| w[1].0[1] < w[0].0[1]), "{inside:?}");

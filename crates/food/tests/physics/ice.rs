@@ -91,14 +91,14 @@ fn a_slab_thaws_in_the_time_of_planks_equation() {
     let raw = FoodState::raw(&steak, ZERO_C + 5.0).mass(&steak);
     let density = raw / steak.mesh().volumes().iter().sum::<f64>();
     let heat = 1e3 * (of_beef(0.0).0 - of_beef(-5.0).0) * density;
-    // Flesh conducts along its fibres, through the thickness, by a factor of its own.
+    // Flesh conducts along its fibres, through the thickness, by a separate factor.
     let along = steak.description().anisotropy.as_ref().map_or(1.0, |a| a.along);
     let conductivity = along * of_beef(5.0).1;
     let plank = heat / (bath + 1.0) * (thickness / (2.0 * h) + thickness * thickness / (8.0 * conductivity));
     assert!((0.85..1.15).contains(&(seconds / plank)), "{seconds} s, Plank {plank:.0} s");
 }
 
-/// What a frozen piece takes up is what it holds afterwards.
+/// What a frozen piece takes up is what it contains afterwards.
 #[test]
 fn thawing_keeps_energy() {
     let steak = model("beef-lean", 2.5, [0.06, 0.05, 0.015]);

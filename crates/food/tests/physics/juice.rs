@@ -1,4 +1,4 @@
-//! Promise: a film of juice stands only on wet faces; it beads on the cold face before the turn.
+//! Promise: a film of juice is only on wet faces; it beads on the cold face before the turn.
 
 use saute_food::ZERO_C;
 

@@ -58,7 +58,7 @@ fn core_and_faces_are_those_of_the_full_mesh() {
     }
 }
 
-/// Each node holds the food of its own volume, so that heat spreads through it as through the food.
+/// Each node contains the food of its own volume, so that heat spreads through it as through the food.
 #[test]
 fn every_coarse_node_is_as_dense_as_the_food() {
     let fine = model("beef-lean", 1.0, [0.12, 0.08, 0.025]);

@@ -1,7 +1,7 @@
 //! The fields of a kitchen and of a lab's body as grids.
 //!
-//! A piece has two grids: its inside ([`Inside`]), on whose nodes or cells every field of its state stands, and its surface
-//! ([`surface`]) with what only a surface has. Points lie in the kitchen, z upwards; `rest_m` states where they lay in the raw
+//! A piece has two grids: its inside ([`Inside`]), on whose nodes or cells every field of its state is given, and its surface
+//! ([`surface`]) with what only a surface has. Points are in the kitchen's frame, z upwards; `rest_m` gives where they were in the raw
 //! body. A body of swept sections is made of wedges with its nodes at their corners; a body from a surface file is made of
 //! polyhedra, one for each node. The lab's bodies are products of axes ([`product`]).
 

@@ -9,7 +9,7 @@ use crate::vtk::{Array, CellKind, Cells, Grid, Numbers};
 /// Returns a body at a time [s] with fields of its nodes, in the coordinates of its case: a box as hexahedra, a cylinder as
 /// quadrilaterals over radius (x) and height (z), a slab and a sphere as lines (along z and x).
 ///
-/// Between the two sides of a contact lies no cell. The cells have the number of their body in a stack, from 0.
+/// There is no cell between the two sides of a contact. The cells have the number of their body in a stack, from 0.
 pub fn product(body: &TensorBody, of_points: Vec<Array>, time_s: f64) -> Grid {
     let mut grid = Grid { of_points, time_s, ..Grid::default() };
     grid.points = (0..body.node_count()).map(|node| point(body, node)).collect();

@@ -19,7 +19,7 @@ struct DataSet {
 }
 
 impl Collection {
-    /// Adds a file at a time [s]: one of the parts that stand side by side then, with its name.
+    /// Adds a file at a time [s]: one of the parts that belong to that time, with its name.
     pub fn push(&mut self, time_s: f64, part: usize, name: &str, file: &str) {
         self.entries.push(DataSet { time_s, part, name: name.to_owned(), file: file.to_owned() });
     }

@@ -8,7 +8,7 @@ use flate2::write::ZlibEncoder;
 
 use crate::vtk::grid::{Array, Grid, Numbers};
 
-/// Length of the blocks that are compressed one by one [bytes] (chosen: a reader holds one at a time).
+/// Length of the blocks that are compressed one by one [bytes] (chosen: a reader keeps one in memory at a time).
 const BLOCK: usize = 1 << 18;
 /// Effort of compression, 0 to 9 [-] (chosen: more takes longer and saves little on measured fields).
 const EFFORT: u32 = 1;

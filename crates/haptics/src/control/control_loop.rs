@@ -51,7 +51,7 @@ pub enum LoopError {
 }
 
 impl ControlLoop {
-    /// Starts the loop of a device; the log holds `log_rows` rows.
+    /// Starts the loop of a device; the log has `log_rows` rows.
     pub fn start(device: Box<dyn HapticDevice>, feel: &Feel, log_rows: usize) -> Result<Self, LoopError> {
         let (models, model_out) = triple_buffer::triple_buffer(&ContactModel::default());
         let (state_in, states) = triple_buffer::triple_buffer(&LoopState::default());
@@ -59,7 +59,7 @@ impl ControlLoop {
         let renderer = Renderer::new(device.capabilities(), feel);
         let step = LoopStep::new(device, renderer, log_rows);
         let shared = Arc::clone(&requests);
-        // Dropped after the loop's device: a signal ends the program when the device has been told to stop.
+        // Dropped after the loop's device: a signal ends the program when the device has received its stop.
         let signals = EndSignals::watch();
         let run = move || run(step, model_out, state_in, &shared, &signals);
         let thread = Some(std::thread::Builder::new().name("haptics".into()).spawn(run)?);
@@ -87,7 +87,7 @@ impl ControlLoop {
         self.requests.emergency.store(true, Ordering::Release);
     }
 
-    /// Lets the device make forces again after a stop; only a person's hand may ask for it.
+    /// Lets the device make forces again after a stop; only a person's hand may request it.
     pub fn resume(&self) {
         self.requests.resume.store(true, Ordering::Release);
     }

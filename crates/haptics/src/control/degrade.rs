@@ -1,4 +1,4 @@
-//! Degraded rendering: what a device shows of the wanted wrench and rumble when it lacks degrees of freedom.
+//! Degraded rendering: what a device shows of the requested wrench and rumble when it lacks degrees of freedom.
 
 use serde::Serialize;
 

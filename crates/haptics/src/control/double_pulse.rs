@@ -2,9 +2,9 @@
 
 use crate::control::rumble::Rumble;
 
-/// Length of each pulse, and of the pause between them [s] (chosen: two knocks that are told apart, over within half a second).
+/// Length of each pulse, and of the pause between them [s] (chosen: two knocks that are distinguishable, over within half a second).
 const PULSE_S: f64 = 0.14;
-/// Strengths of both motors [-] (chosen: told apart from boiling, which the weak motor renders, and from a landing steak).
+/// Strengths of both motors [-] (chosen: distinguishable from boiling, which the weak motor renders, and from a landing steak).
 const KNOCK: Rumble = Rumble { strong: 0.6, weak: 1.0 };
 
 /// A short double pulse of both motors [-].

@@ -11,10 +11,10 @@ use signal_hook::{flag, low_level};
 /// Exit code of a program that a second signal ends at once (128 + SIGINT, as shells report it).
 const EXIT_CODE: i32 = 130;
 
-/// What all control loops of the program know about signals.
+/// State of the signals, shared by all control loops of the program.
 #[derive(Debug, Default)]
 struct Signals {
-    /// Signal that has asked the program to end; 0 for none.
+    /// Signal that has requested that the program end; 0 for none.
     asked: Arc<AtomicUsize>,
     is_asked: Arc<AtomicBool>,
     /// True once a signal of a person or a service manager has come: another one then ends the program at once.
@@ -39,7 +39,7 @@ impl EndSignals {
         Self(signals)
     }
 
-    /// Returns true once a signal has asked the program to end.
+    /// Returns true once a signal has requested that the program end.
     pub fn is_asked(&self) -> bool {
         self.0.is_asked.load(Ordering::Acquire)
     }

@@ -51,5 +51,5 @@ fn lowest(plane: &Plane, pose: &Pose) -> DVec3 {
     -across.normalize_or_zero() * (plane.edge_radius * share) - up * plane.below
 }
 
-/// Sine of the tilt above which a pan stands on its edge [-] (chosen: half a degree, less than a hand holds level).
+/// Sine of the tilt above which a pan stands on its edge [-] (chosen: half a degree, less than the error of a hand that keeps it level).
 const FLAT: f64 = 0.01;

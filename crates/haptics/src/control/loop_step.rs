@@ -32,7 +32,7 @@ pub struct LoopStep {
 }
 
 impl LoopStep {
-    /// Creates a loop before its first step; the log holds `log_rows` rows.
+    /// Creates a loop before its first step; the log has `log_rows` rows.
     pub fn new(device: Box<dyn HapticDevice>, renderer: Renderer, log_rows: usize) -> Self {
         let watch = SafetyWatch::new(&device.capabilities().limits);
         Self {
@@ -95,7 +95,7 @@ impl LoopStep {
         self.halt.get_or_insert(Health::Stopped);
     }
 
-    /// Lets the device make forces again after a stop; only a person's hand may ask for it.
+    /// Lets the device make forces again after a stop; only a person's hand may request it.
     pub fn resume(&mut self) {
         if self.halt.take().is_some() {
             self.watch = SafetyWatch::new(&self.device.capabilities().limits);

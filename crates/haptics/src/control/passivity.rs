@@ -31,10 +31,10 @@ const MOVING_S: f64 = 0.002;
 /// the reported wrench, and the lower value is used. (Charging the worse of the two in every step would charge a wall that the
 /// device is too weak for at every contact, although no device did that work.)
 ///
-/// The account starts with one reserve and holds at most twenty, so that much earlier dissipation may be spent again. Energy
+/// The account starts with one reserve and contains at most twenty, so that much earlier dissipation may be spent again. Energy
 /// that the hand has put into a virtual body is due back to it: the account may hold the body's kinetic and spring energy in
 /// addition. The power is at most P = (E − E_floor)/τ: the account approaches half the reserve without passing it, and forces
-/// fade no faster than the device's slew rate. Where more power is wanted, the controller adds the damping
+/// fade no faster than the device's slew rate. Where more power is requested, the controller adds the damping
 /// α = (w·ẋ − P)/|ẋ|². An account below its floor is refilled by a little more damping. Where the device does not render that
 /// much damping, the wrench itself is scaled down, and recovers within 50 ms; otherwise a light grip would be shaken.
 #[derive(Clone, Copy, Debug)]
@@ -167,7 +167,7 @@ impl Passivity {
         (self.accounts, self.gain) = ([self.reserve; 2], 1.0);
     }
 
-    /// Returns the lowest value of the account so far [J]; it is the full reserve, and says nothing, while the device has not moved.
+    /// Returns the lowest value of the account so far [J]; it is the full reserve, and gives no information, while the device has not moved.
     pub fn lowest(&self) -> f64 {
         self.lowest
     }

@@ -177,7 +177,7 @@ fn at_rest(kitchen: &Kitchen, piece: &Piece, pan: &Pose, mass: f64) -> Payload {
     }
 }
 
-/// Returns oil and water as point masses where they lie.
+/// Returns oil and water as point masses where they are.
 fn liquids(kitchen: &Kitchen) -> Payload {
     let (bed, state) = (&kitchen.pan_model().liquids.bed, &kitchen.pan_state().liquids);
     let at = |i: usize| state.oil.mass[i] + state.water.mass[i];

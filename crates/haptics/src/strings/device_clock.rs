@@ -21,7 +21,7 @@ impl DeviceClock {
         self.is_new_session = true;
     }
 
-    /// Takes the time of a sample [µs] that the host received at a time of its own clock [s]. Returns the time since the last sample
+    /// Takes the time of a sample [µs] that the host received at a time of its clock [s]. Returns the time since the last sample
     /// of the session [s], or `None` if the sample is not later than that one. The first sample of a session is 0 s after it.
     pub fn advance(&mut self, sample_us: u32, host_s: f64) -> Option<f64> {
         if std::mem::take(&mut self.is_new_session) {

@@ -12,7 +12,7 @@ use saute_kitchen::dynamics::Pose;
 
 /// Residual of the pose above which a stored calibration is discarded [m] (chosen: ten times the residual of strings and jig).
 const FITS: f64 = 0.5e-3;
-/// Residual of a running device that is possible beside calibration and stretch [m] (chosen: ten counts of 20 µm).
+/// Residual of a running device that is possible in addition to calibration and stretch [m] (chosen: ten counts of 20 µm).
 const POSSIBLE: f64 = 0.2e-3;
 /// Multiple of the calibration's own residual that is possible away from the jig [-] (chosen: three standard deviations).
 const CALIBRATION_ERROR: f64 = 3.0;

@@ -14,9 +14,9 @@ const STEPS: usize = 12;
 const CONVERGED_M: f64 = 1e-8;
 /// Damping over the mean of the diagonal [-] (chosen: regularises singular poses and slows no other).
 const DAMPING: f64 = 1e-5;
-/// Longest translation step [m] (chosen: within it the linearisation holds).
+/// Longest translation step [m] (chosen: within it the linearisation is valid).
 const LONGEST_STEP: f64 = 0.05;
-/// Largest rotation step [rad] (chosen: within it the linearisation holds).
+/// Largest rotation step [rad] (chosen: within it the linearisation is valid).
 const LARGEST_TURN: f64 = 0.2;
 /// Share of the residual that the drift estimate absorbs per update [-] (chosen: a time constant of 100 s at 1 kHz; hands move
 /// faster, strings creep more slowly).

@@ -1,4 +1,4 @@
-//! The tensions that are commanded: preload, wrench, and every limit between the wanted wrench and the motors.
+//! The tensions that are commanded: preload, wrench, and every limit between the requested wrench and the motors.
 
 use crate::strings::geometry::Geometry;
 use crate::strings::tension::{TensionSolver, Tensions};
@@ -46,7 +46,7 @@ impl Pull {
         Self { solver, preload, force_n, slew, engaged: 0.0, sent: least, before: least }
     }
 
-    /// Restarts from the least tensions, which a device holds when it is armed.
+    /// Restarts from the least tensions, which a device keeps when it is armed.
     pub fn rest(&mut self) {
         let least = [in_mn(self.solver.rule().min); STRINGS];
         (self.engaged, self.sent, self.before) = (0.0, least, least);
@@ -94,7 +94,7 @@ impl Pull {
         tension.map(|t| least + share * (t - least))
     }
 
-    /// Returns tensions on the way to the wanted ones that no string passes faster than the slew rate allows [mN].
+    /// Returns tensions on the way to the requested ones that no string passes faster than the slew rate allows [mN].
     ///
     /// All strings go the same share of their way: between two allowed sets of tensions all are allowed.
     fn within_slew(&self, wanted: &[f64; STRINGS], most_mn: u16, dt: f64) -> [u16; STRINGS] {

@@ -1,4 +1,4 @@
-//! The simulated SPIDAR, run as a process of its own.
+//! The simulated SPIDAR, run as a separate process.
 
 use std::io::{BufRead, BufReader, Write};
 use std::net::SocketAddr;

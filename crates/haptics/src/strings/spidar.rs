@@ -26,7 +26,7 @@ const SILENCE_S: f64 = 0.1;
 const HELLO_S: f64 = 0.1;
 /// Interval between two hellos after a refusal [s] (chosen: the cause needs a person to change it).
 const RETRY_S: f64 = 1.0;
-/// Longest wait that a device may ask for [s] (chosen: a person would look for a fault by then).
+/// Longest wait that a device may request [s] (chosen: a person would look for a fault by then).
 const LONGEST_WAIT_S: f64 = 5.0;
 /// Every so many hellos one is of version 1, which an older device answers (chosen: found within half a second).
 const OLDER_EVERY: u32 = 5;
@@ -131,7 +131,7 @@ impl<L: Link> Spidar<L> {
 
     fn receive(&mut self, message: &Message) -> bool {
         match (message, self.phase) {
-            // What a stopped device still says changes nothing.
+            // Messages of a stopped device change nothing.
             (_, Phase::Stopped(_)) => {}
             (Message::Caps(caps), Phase::Seeking) => self.accept_capabilities(caps),
             (Message::Refused(refused), _) => self.take_refusal(refused),
@@ -191,7 +191,7 @@ impl<L: Link> Spidar<L> {
             return false;
         };
         self.received_at = self.clock;
-        // Without current the strings may be slack: their lengths then say nothing about the pan.
+        // Without current the strings may be slack: their lengths then give no information about the pan.
         if matches!(sample.state, DeviceState::Armed | DeviceState::Running) {
             self.locator.locate(sample, passed);
         }
@@ -205,7 +205,7 @@ impl<L: Link> Spidar<L> {
         true
     }
 
-    /// Puts what a sample says into the output.
+    /// Puts the values of a sample into the output.
     fn report(&mut self, sample: &Sample) {
         let pulled = sample.tension_mn.map(|t| f64::from(t) * 1e-3);
         self.output = HapticSample {
@@ -305,7 +305,7 @@ impl<L: Link> HapticDevice for Spidar<L> {
         self.output
     }
 
-    /// Sends the stops of the session; a device that has been stopped, or never asked for, is sent none.
+    /// Sends the stops of the session; a device that has been stopped, or never requested, is sent none.
     fn stop(&mut self) {
         self.health = Health::Stopped;
         self.output.buttons = 0;

@@ -42,7 +42,7 @@ impl StringRig {
         lines
     }
 
-    /// Returns true if all end points lie within `distance` of those of another rig [m].
+    /// Returns true if all end points are within `distance` of those of another rig [m].
     pub fn is_near(&self, other: &Self, distance: f64) -> bool {
         let ends = |rig: &Self| rig.motor.into_iter().chain(rig.attachment);
         ends(self).zip(ends(other)).all(|(a, b)| (a - b).length() <= distance)

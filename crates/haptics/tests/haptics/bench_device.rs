@@ -1,4 +1,4 @@
-//! A bench device: it implements the protocol in memory, with a prescribed pose and visible tensions.
+//! A test device: it implements the protocol in memory, with a prescribed pose and visible tensions.
 
 use std::collections::VecDeque;
 use std::io;
@@ -106,7 +106,7 @@ impl Bench {
         change(&mut self.0.lock().unwrap().caps);
     }
 
-    /// Restarts the random numbers of lies.
+    /// Restarts the random numbers of false counts.
     pub fn seed(&self, seed: u64) {
         self.0.lock().unwrap().random = Random(seed);
     }
@@ -190,7 +190,7 @@ impl State {
         Pose { position, rotation: last.rotation.slerp(self.pose.rotation, share) }
     }
 
-    /// Returns the count that the device tells instead of the true one.
+    /// Returns the count that the device reports instead of the true one.
     fn told(&mut self, count: i32) -> i32 {
         match self.lie {
             Lie::LargestCounts => i32::MAX,

@@ -1,4 +1,4 @@
-//! Promise: however a program ends, its device is told to stop three times. Processes of their own, because signals end them.
+//! Promise: however a program ends, its device is sent a stop three times. Separate processes, because signals end them.
 
 use std::net::{SocketAddr, UdpSocket};
 use std::os::unix::process::ExitStatusExt;
@@ -32,7 +32,7 @@ impl Device {
         self.socket.local_addr().unwrap()
     }
 
-    /// Answers until a condition holds; returns false after a minute.
+    /// Answers until a condition is true; returns false after a minute.
     fn until(&mut self, enough: impl Fn(&Self) -> bool) -> bool {
         let begun = Instant::now();
         while begun.elapsed() < Duration::from_secs(60) {
@@ -71,7 +71,7 @@ fn start(address: SocketAddr) -> ControlLoop {
     ControlLoop::start(Box::new(device), &library::feel().unwrap(), 0).unwrap()
 }
 
-/// A program with a loop, and a thread that does nothing else than wait. It is no test of its own.
+/// A program with a loop, and a thread that does nothing else than wait. It is not itself a test.
 #[test]
 #[ignore = "the program that the other tests start and end"]
 fn program_with_a_loop() {

@@ -1,4 +1,4 @@
-//! Promise: a file with the name of a networked device does not hide the device. A process of its own, because it changes the folder.
+//! Promise: a file with the name of a networked device does not hide the device. A separate process, because it changes the folder.
 
 use std::process::Command;
 

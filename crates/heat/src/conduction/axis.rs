@@ -92,7 +92,7 @@ impl Axis {
 
     /// Returns face measure ÷ distance between node `i` and the next [1/m], [-] or [m].
     ///
-    /// The face lies half-way between the nodes. The value times the measure across the axis is the shape of the edge [m].
+    /// The face is half-way between the nodes. The value times the measure across the axis is the shape of the edge [m].
     pub fn link(&self, i: usize) -> f64 {
         let (a, b) = (self.nodes[i], self.nodes[i + 1]);
         self.surface(0.5 * (a + b)) / (b - a)

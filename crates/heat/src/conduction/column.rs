@@ -22,7 +22,7 @@ pub enum Between {
 /// use saute_heat::conduction::super_step::Rates;
 /// use saute_heat::conduction::tensor::TensorBody;
 ///
-/// // Nodes 0 and 1 are the two sides of the contact; 10 mm of meat lie above it.
+/// // Nodes 0 and 1 are the two sides of the contact; 10 mm of meat are above it.
 /// let axis = Axis::straight(vec![0.0, 0.0, 5e-3, 10e-3]);
 /// let between = vec![Between::Contact(400.0), Between::Layer(0), Between::Layer(0)];
 /// let body = TensorBody::stacked(vec![axis], Some(0), Column { between, plate: 1e4 });

@@ -22,7 +22,7 @@ pub type FaceBoundary = (usize, End, Boundary);
 ///
 /// It gives the same rates as the edges of [`TensorBody::layered_graph`] under [`crate::Rule::ShapeFunctions`], to
 /// rounding. A plane is the set of nodes with one index along the vertical axis; its properties are means over its layers.
-/// Up to two axes lie across the vertical one.
+/// Up to two axes are across the vertical one.
 ///
 /// The centre of a sphere after a step of its surface temperature:
 ///

@@ -7,7 +7,7 @@
 //!
 //! Cell meshes: the nodes are samples on a closed surface, copies of them in layers inwards (0.35 mm first, growing
 //! 1.4-fold), and a body-centred lattice inside; each node has a Voronoi cell. Facet area over distance is
-//! non-negative and exact for linear fields. Next to sharp edges samples lie in mirrored pairs, so that cells end
+//! non-negative and exact for linear fields. Next to sharp edges samples are in mirrored pairs, so that cells end
 //! where faces do.
 //!
 //! A steak of 120 × 80 × 25 mm with a rippled outline and fine levels at both faces:

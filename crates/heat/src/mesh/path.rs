@@ -12,7 +12,7 @@ pub struct Station {
     pub centre: [f64; 3],
     /// Unit vectors of the section's two coordinates; their cross product points along the path [-].
     pub across: [[f64; 3]; 2],
-    /// The local section: the same nodes at other points, with a Delaunay triangulation of its own, so that no cotangent
+    /// The local section: the same nodes at other points, with its own Delaunay triangulation, so that no cotangent
     /// weight is negative.
     pub section: Section,
 }

@@ -35,7 +35,7 @@ pub struct Section {
 impl Section {
     /// Returns a mesh of an outline with nodes `spacing` apart inside and a ring at depth `rim` [m].
     ///
-    /// The nodes of the ring lie on the inward normals of the boundary nodes. No obtuse angle then faces the boundary, and
+    /// The nodes of the ring are on the inward normals of the boundary nodes. No obtuse angle then faces the boundary, and
     /// all cotangent weights are non-negative.
     ///
     /// # Errors
@@ -201,7 +201,7 @@ fn push_apart(points: &mut Vec<[f64; 2]>, p: [f64; 2], apart: f64) {
     }
 }
 
-/// Returns the points of a hexagonal lattice about the origin that lie inside the outline [m].
+/// Returns the points of a hexagonal lattice about the origin inside the outline [m].
 fn hexagonal_lattice(outline: &Outline, spacing: f64) -> Vec<[f64; 2]> {
     let reach = outline.reach();
     let row_height = spacing * libm::sqrt(3.0) / 2.0;

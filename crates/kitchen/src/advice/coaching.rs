@@ -1,7 +1,7 @@
 //! What happens and why, and the next cue to look, listen or feel for: chosen by rule from readings of the kitchen.
 //!
 //! The cues are those of a cook without a thermometer. Where the model computes what they show (water that boils off, browning,
-//! smoke, the core), the rule reads it; how it looks, sounds or feels is what cooks say, and chosen.
+//! smoke, the core), the rule reads it; how it looks, sounds or feels is from reports of cooks, and chosen.
 
 use super::{Advice, BROWN_ENOUGH, HOT_C, SMOKE_SEEN_MG_S, Situation, WARM_ENOUGH_C, WET_BELOW_C};
 use crate::pan::heater::HeaterKind;
@@ -14,15 +14,15 @@ pub const BROWNS_FROM_C: f64 = 140.0;
 const BOILS_FROM_C: f64 = 90.0;
 /// Browning index from which a crust is seen [-] (chosen: the faces count as browned from there).
 const CRUST_SEEN: f64 = 0.5;
-/// Share of a piece's fat that has left it from which it is said to render [-] (chosen: the pan glistens), and share of its mass
+/// Share of a piece's fat that has left it from which it is reported to render [-] (chosen: the pan glistens), and share of its mass
 /// that is fat from which that is worth a word [-] (chosen: marbled meat has more, lean meat less).
 const RENDERED: f64 = 0.01;
 const FATTY: f64 = 0.08;
-/// Distance of the core from its goal below which its touch tells [K] (chosen: half a class of doneness), and share of the goal
-/// of a change that tells alike [-] (chosen).
+/// Distance of the core from its goal below which its touch shows it [K] (chosen: half a class of doneness), and share of the goal
+/// of a change that shows the same [-] (chosen).
 const NEAR_K: f64 = 5.0;
 const NEAR_SHARE: f64 = 0.6;
-/// Core from which pressed juice stands on the upper face [°C] (chosen: myosin lets go of water from about 50 °C).
+/// Core from which pressed juice is on the upper face [°C] (chosen: myosin lets go of water from about 50 °C).
 const JUICE_FROM_C: f64 = 48.0;
 
 /// What happens now, and with it why.
@@ -54,7 +54,7 @@ pub enum Happening {
         /// Temperature of the underside [°C].
         underside_c: f64,
     },
-    /// The underside is dry: nothing holds it at 100 °C any more.
+    /// The underside is dry: evaporation no longer keeps it at 100 °C.
     FaceDries {
         /// Temperature of the underside [°C].
         underside_c: f64,
@@ -104,7 +104,7 @@ pub enum Cue {
     EdgeBrowns,
     /// Look: steam rises at the sides.
     SteamAtSides,
-    /// Look: beads of juice stand on the upper face.
+    /// Look: beads of juice on the upper face.
     JuiceBeads,
     /// Feel: it springs back under a finger.
     Firmer,
@@ -243,7 +243,7 @@ impl Readings {
         if self.situation.since_flip_s.is_some() { self.of_the_inside() } else { Cue::EdgeBrowns }
     }
 
-    /// What tells of the inside: the further it is, the nearer to the goal.
+    /// The cue of the inside: the further it is, the nearer to the goal.
     fn of_the_inside(&self) -> Cue {
         match self.advice {
             _ if self.curls => Cue::CurlsOpaque,

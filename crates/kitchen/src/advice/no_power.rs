@@ -23,7 +23,7 @@ impl NoPower {
             () if !on || kitchen.hob_drawn_w() > 0.0 => None,
             () if kitchen.cloth().is_some() => Some(Self::Cloth),
             () if pan.limited => Some(Self::Limit),
-            // The pan is as hot as the hob holds it.
+            // The pan is as hot as the hob keeps it.
             () if kitchen.hob_holds().is_some() && kitchen.hob().detects(&pan.pose) => None,
             () if pan.pose.lift > 0.0 => Some(Self::Lifted),
             () => Some(Self::OffRing),

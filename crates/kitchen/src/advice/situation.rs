@@ -229,7 +229,7 @@ impl Advice {
 pub fn advise(kitchen: &Kitchen, piece: &Piece, goal: Option<Goal>) -> Vec<Advice> {
     let hob = kitchen.hob();
     let all = Situation::of(kitchen, piece).advice(goal).into_iter().map(|one| one.on(hob));
-    // A dial with few steps may have none between where it stands and what is wished.
+    // A dial with few steps may have none between its position and the wished one.
     let is_new = |one: &Advice| one.hob_w().is_none_or(|w| libm::fabs(w - kitchen.hob_w()) > 0.5);
     all.filter(|one| hob.coil.is_some() || is_new(one)).collect()
 }

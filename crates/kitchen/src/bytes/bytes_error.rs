@@ -37,7 +37,7 @@ pub enum BytesError {
     /// Bytes were changed.
     #[error("the kitchen is damaged: its bytes are not those that were stored; store it again")]
     Damaged,
-    /// The data files say something else now.
+    /// The data files have changed since.
     #[error("{what} is not the one with which the kitchen was stored: use the --data folder of then")]
     OtherData {
         /// What differs, as `the food "mine"`.

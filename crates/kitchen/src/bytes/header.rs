@@ -35,7 +35,7 @@ pub(super) fn append_sealed(bytes: &mut Vec<u8>, length: usize, write: impl FnOn
     bytes[checksum..body].copy_from_slice(&hash.to_le_bytes());
 }
 
-/// Returns the body after a header that holds.
+/// Returns the body after a valid header.
 pub(super) fn opened(bytes: &[u8]) -> Result<&[u8], BytesError> {
     let mut rest = Rest(bytes);
     if rest.take(MAGIC.len()).map_err(|_| BytesError::NoKitchen)? != MAGIC {

@@ -8,7 +8,7 @@
 //! The bytes begin with a header: magic number, version of the format, version of the program and a checksum. Then come the hashes of
 //! the data files that the kitchen is built from, and the state, in [postcard](https://postcard.jamesmunns.com/). Bytes of another
 //! version, of other data, or damaged bytes are refused with a reason. The checksum finds damage and chance; it is no signature, and the
-//! tables of the rigid-body solver are believed once it holds.
+//! tables of the rigid-body solver are trusted if it matches.
 //!
 //! ```
 //! use saute_kitchen::{Command, Kitchen, Library, kelvin};

@@ -209,7 +209,7 @@ mod tests {
         assert_eq!(restored.pan.peak[0].to_bits(), odd[0].to_bits());
     }
 
-    /// Such bytes are never written; their checksum holds all the same.
+    /// Such bytes are never written; their checksum matches all the same.
     #[test]
     fn parts_that_do_not_belong_together_are_refused() {
         let library = Library::embedded().expect("embedded data");

@@ -145,7 +145,7 @@ impl Library {
 
 /// Hash of the text of a file, as that of a file without a surface.
 pub(crate) fn text_hash(text: &str) -> u64 {
-    // Line ends of another system do not change what a file says.
+    // Line ends of another system do not change the content of a file.
     let without_surface: &[u8] = &[];
     hash_of([text.replace('\r', "").as_bytes(), without_surface])
 }

@@ -18,7 +18,7 @@ pub(crate) fn file_hashes(
 ) -> BTreeMap<String, u64> {
     let hash = |path: &String, text: &String| {
         let surface = surfaces.get(path).map(surface_bytes).unwrap_or_default();
-        // Line ends of another system do not change what a file says.
+        // Line ends of another system do not change the content of a file.
         let text = text.replace('\r', "");
         let text = if path.starts_with("foods/") { without_words(&text) } else { text };
         hash_of([text.as_bytes(), &surface])

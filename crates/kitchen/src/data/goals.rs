@@ -70,7 +70,7 @@ pub struct GoalDescription {
 }
 
 impl GoalDescription {
-    /// Returns true if it says anything about a food with the kinetics of an id.
+    /// Returns true if it states anything about a food with the kinetics of an id.
     pub fn is_for(&self, kinetics: &str) -> bool {
         self.kinetics.iter().any(|id| id == kinetics)
     }

@@ -34,7 +34,7 @@ pub(crate) struct DonenessFile {
     pub(crate) scale: Vec<Scale>,
 }
 
-/// How far a body may be scaled where its file does not say [-] (chosen: a small one and a large one of a kind).
+/// How far a body may be scaled where its file does not state it [-] (chosen: a small one and a large one of a kind).
 const LEAST_SCALE: f64 = 0.5;
 const MOST_SCALE: f64 = 2.0;
 
@@ -83,7 +83,7 @@ impl Library {
         Self::with(&[])
     }
 
-    /// What the program carries, with files of the user's added or put in place of its own.
+    /// What the program carries, with files of the user added or in their place.
     ///
     /// Each entry is a path like `foods/my-steak.toml`, `pans/…`, `recipes/…`, `kinetics/…` or `doneness.toml`, and its
     /// text.
@@ -108,7 +108,7 @@ impl Library {
         self.set_aside.get(path).map(String::as_str)
     }
 
-    /// Returns why an entry is not in its table: its file is broken, else what is said of one that has no file.
+    /// Returns why an entry is not in its table: its file is broken, else the text for one without a file.
     pub fn absence(&self, folder: &str, id: &str, without_file: &str) -> String {
         match self.set_aside(&format!("{folder}/{id}.toml")) {
             Some(cause) => format!("cannot be used: {cause}"),
@@ -152,7 +152,7 @@ impl Library {
         Ok(())
     }
 
-    /// The scale that a food states for itself is sound, has an id of its own and a change of the food's kinetics.
+    /// The scale that a food states for itself is sound, has its own id and a change of the food's kinetics.
     pub(crate) fn check_own_scale(
         &self,
         food: &FoodDescription,

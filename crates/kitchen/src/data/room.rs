@@ -1,4 +1,4 @@
-//! The room's air and everything `data/kitchen.toml` says.
+//! The room's air and all content of `data/kitchen.toml`.
 
 use saute_food::water::saturation_density;
 use saute_food::{FreeAir, sourced_table};
@@ -322,7 +322,7 @@ impl Room {
         1e-3 * self.contact.oil_g / (self.contact.oil_density_kg_m3 * floor)
     }
 
-    /// Air above and beside food in an open pan.
+    /// Air above and around food in an open pan.
     ///
     /// ρ∞ = ρ_room + ṁ/V̇ up to saturation at the air's temperature; the walls' temperature is the mean of T⁴ over pan and
     /// room, weighted by the view factor.
@@ -353,7 +353,7 @@ impl Room {
         )
     }
 
-    /// Air above and beside food in a pan at `pan` [K] by the rules of 2013.
+    /// Air above and around food in a pan at `pan` [K] by the rules of 2013.
     pub(crate) fn plume_2013(&self, pan: f64) -> (FreeAir, FreeAir) {
         let still = self.still_air_2013();
         let excess = (pan - still.temperature).max(0.0);

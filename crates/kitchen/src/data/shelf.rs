@@ -96,7 +96,7 @@ pub(crate) fn data_files() -> BTreeMap<String, String> {
     files
 }
 
-/// Returns the picture of a shipped food, which is beside its file; none for a food that the program does not ship.
+/// Returns the picture of a shipped food, which is next to its file; none for a food that the program does not ship.
 pub(crate) fn food_picture(id: &str) -> Option<&'static [u8]> {
     DATA.get_file(format!("foods/{id}.png")).map(File::contents)
 }

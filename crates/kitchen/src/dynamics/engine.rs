@@ -31,7 +31,7 @@ pub(super) struct Engine {
 }
 
 impl Engine {
-    /// The engine, with scratch memory of its own.
+    /// The engine, with its own scratch memory.
     pub(super) fn new() -> Self {
         Self {
             pipeline: PhysicsPipeline::new(),

@@ -3,7 +3,7 @@
 use glam::{DQuat, DVec3};
 use saute_food::Solid;
 
-/// Support function: reach of a solid from its origin along a unit direction of its own frame [m].
+/// Support function: reach of a solid from its origin along a unit direction in its own frame [m].
 pub fn reach(solid: &Solid, along: DVec3) -> f64 {
     let farthest =
         |points: &mut dyn Iterator<Item = DVec3>| points.map(|p| p.dot(along)).fold(f64::NEG_INFINITY, f64::max);

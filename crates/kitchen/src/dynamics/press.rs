@@ -33,7 +33,7 @@ pub(super) struct Press {
     newtons: f64,
     /// Present share of the time of its onset [-].
     onset: f64,
-    /// True if the hand has asked for it in this step.
+    /// True if the hand has requested it in this step.
     asked: bool,
     /// Pieces that move with the hand: the pressed one and those that it touches, directly or through others.
     burdened: BTreeSet<u32>,

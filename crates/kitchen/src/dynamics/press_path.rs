@@ -24,7 +24,7 @@ pub(super) fn press(world: &World, key: u32, newtons: f64, for_s: f64) -> Vec<Le
     vec![leg(Frame::Pan, down, 0.2, Act::Press { key, newtons, for_s }), leg(Frame::Pan, away, 0.12, Act::Pass)]
 }
 
-/// Pose of the blade on top of a body, in the pan's frame; on a small one lies its front, and the rest is clear of it.
+/// Pose of the blade on top of a body, in the pan's frame; on a small one its front, and the rest is clear of it.
 pub(super) fn on_top(world: &World, key: u32, facing: DQuat) -> Option<Pose> {
     let back = BLADE_HALF.x - world.solid(key).map_or(BLADE_HALF.x, radius).min(BLADE_HALF.x);
     Some(Pose { position: top(world, key)? - facing * DVec3::X * back, rotation: facing })

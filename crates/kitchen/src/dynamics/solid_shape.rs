@@ -13,7 +13,7 @@ pub fn shapes(solid: &Solid) -> Vec<(SolverPose, SharedShape)> {
     let length = |v: f64| (v * scale::PER_METRE) as f32;
     let here = SolverPose::IDENTITY;
     match solid {
-        // The solver's cylinders stand along y.
+        // The solver's cylinders are along y.
         Solid::Cylinder { radius, half_height } => {
             let upright = SolverPose::from_rotation(Rotation::from_rotation_x(core::f32::consts::FRAC_PI_2));
             vec![(upright, SharedShape::cylinder(length(*half_height), length(*radius)))]
@@ -37,7 +37,7 @@ pub fn shapes(solid: &Solid) -> Vec<(SolverPose, SharedShape)> {
 
 /// Largest number of triangles whose convexity is looked at [-] (chosen: the look costs less than the decomposition).
 const MOST_LOOKED_AT: usize = 2000;
-/// Farthest that a corner of a convex surface may stand out of a face, over the size of the surface [-] (chosen: a few
+/// Farthest that a corner of a convex surface may protrude from a face, over the size of the surface [-] (chosen: a few
 /// times the rounding of single precision).
 const FLAT: f32 = 1e-5;
 

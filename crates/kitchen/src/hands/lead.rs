@@ -31,7 +31,7 @@ const REACH: f64 = 1.5;
 /// Longest duration of laying down; the food is dropped after it [s] (chosen).
 const LAYING_S: f64 = 2.0;
 
-/// The pose at the edge of the hand's reach where it lies beyond.
+/// The pose at the edge of the hand's reach where it is beyond.
 fn within_reach(to: &Pose) -> Pose {
     Pose { position: to.position.clamp(DVec3::splat(-REACH), DVec3::splat(REACH)), ..*to }
 }

@@ -1,6 +1,6 @@
-//! The ranges of what hands may ask for, stated once in the units of a recipe. Whatever gives a kitchen a command passes here: recipes,
+//! The ranges of what hands may request, stated once in the units of a recipe. Whatever gives a kitchen a command passes here: recipes,
 //! Python, sessions, links, phones and devices. Recipes and Python also keep to the ranges of masses, of tilt and toss and of the pan's
-//! place, for which the kitchen has wider bounds of its own.
+//! place, for which the kitchen has wider bounds.
 //!
 //! | command | what is checked here | what its execution checks |
 //! |---|---|---|
@@ -70,7 +70,7 @@ pub const PLACE_MM: Limits = limits(-200.0, 200.0, 0.0);
 /// Place of the pan relative to the ring's centre along each axis [mm] (chosen: within reach of an arm).
 pub const PAN_MM: Limits = limits(-350.0, 350.0, 0.0);
 
-/// Share of a range by which a value may lie beyond it [-] (chosen: rounding of units).
+/// Share of a range by which a value may be beyond it [-] (chosen: rounding of units).
 const ROUNDING: f64 = 1e-9;
 /// Miss of a unit quaternion from which it is made one [-] (chosen: above that of 32-bit numbers).
 const NOT_UNIT: f64 = 1e-4;
@@ -90,12 +90,12 @@ impl Limits {
 }
 
 impl Command {
-    /// Refuses what lies beyond the ranges.
+    /// Refuses values beyond the ranges.
     pub(crate) fn check_ranges(&self) -> Result<(), Refused> {
         match self {
             Self::Put { at, .. } => place("put.at_mm", *at),
             Self::Move { to, .. } => place("move.to_mm", *to),
-            // A knife beside the food has a reason of its own.
+            // A knife outside the food has a separate reason.
             Self::Halve { at, .. } if at.is_finite() => Ok(()),
             Self::Halve { .. } => Err(HALVE_AT_MM.refusal("halve.at_mm")),
             Self::Cool { for_s } => COOL_S.check("cool.for_s", *for_s),

@@ -57,7 +57,7 @@ pub struct BathModel {
     data: BathData,
 }
 
-/// Water that stands deeper than a puddle: the part of the film that food can stand in.
+/// Water that is deeper than a puddle: the part of the film that food can stand in.
 #[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Serialize)]
 pub struct Pool {
     /// Mass [kg]; 0 without a pool.

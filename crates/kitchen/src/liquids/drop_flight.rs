@@ -82,7 +82,7 @@ impl Vessel {
 }
 
 impl DropFlight {
-    /// Launches a drop at a time [s] with a mass [kg] from a place. `chance` holds three random numbers in 0–1 for speed,
+    /// Launches a drop at a time [s] with a mass [kg] from a place. `chance` contains three random numbers in 0–1 for speed,
     /// elevation and azimuth; `out` is the direction out from under the covering food.
     pub(crate) fn thrown(
         (thrown_s, mass): (f64, f64),
@@ -183,7 +183,7 @@ mod tests {
         assert!(mist < drop && drop < pop && pop < 0.30 && drop > 0.05, "{mist} {drop} {pop}");
     }
 
-    /// A flight ends where the vessel says so, and nowhere before.
+    /// A flight ends where it meets the vessel, and nowhere before.
     #[test]
     fn a_drop_flies_until_it_meets_floor_wall_or_what_the_pan_stands_on() {
         let mut seen = Vec::new();

@@ -4,7 +4,7 @@
 //! the potential of its surface. The speed is limited to that of free fall through the same potential, u < √(2 ΔΠ).
 //!
 //! Each tick makes one forward and one backward Gauss–Seidel sweep over the faces; each face is solved implicitly for its
-//! two nodes. A face never passes more than equalises the two surfaces or more than the donor holds. For any step mass is
+//! two nodes. A face never passes more than equalises the two surfaces or more than the donor contains. For any step mass is
 //! conserved to rounding, no thickness becomes negative, and levelling creates no new extremum of the surface.
 
 use crate::pan::bed::{Bed, BedEdge, Mouth};

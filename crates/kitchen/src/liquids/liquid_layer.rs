@@ -205,7 +205,7 @@ impl LiquidModel {
         liquids
     }
 
-    /// Adds oil evenly over the floor; `metal` holds the heat capacity of each node [J/K].
+    /// Adds oil evenly over the floor; `metal` contains the heat capacity of each node [J/K].
     pub fn pour_oil(&self, liquids: &mut Liquids, dose: Dose, metal: &[f64], temperature: &mut [f64]) {
         for i in 0..self.floor_nodes {
             let part = Dose { mass: dose.mass * self.bed.areas[i] / self.floor_area, ..dose };

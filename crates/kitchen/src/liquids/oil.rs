@@ -113,12 +113,12 @@ pub struct OilDescription {
     pub emulsion: Option<Emulsion>,
 }
 
-/// A kind of oil, ready to be reckoned with.
+/// A kind of oil, ready for computation.
 #[derive(Clone, Debug)]
 pub struct Oil {
     /// Name in recipes.
     pub id: String,
-    /// What its file says.
+    /// The content of its file.
     pub description: OilDescription,
     /// Specific heat [J/(kg·K)].
     pub specific_heat: f64,

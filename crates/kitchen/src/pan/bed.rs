@@ -38,7 +38,7 @@ pub struct RimFace {
     pub lip: [f64; 3],
 }
 
-/// Geometry of the surface on which liquids lie and flow.
+/// Geometry of the surface on which liquids rest and flow.
 #[derive(Clone, Debug)]
 pub struct Bed {
     /// Nodes in the pan's frame; the origin is the centre of the floor [m].
@@ -96,7 +96,7 @@ impl Bed {
         });
         let lengths = section.boundary_lengths();
         let rim = lengths.iter().enumerate().filter(|(_, length)| **length > 0.0).map(|(node, &length)| {
-            // The outermost nodes lie on the rim; the lip is half a cell further out.
+            // The outermost nodes are on the rim; the lip is half a cell further out.
             let beyond = 0.5 * section.areas[node] / length;
             let (lip, _, narrower) = place(&section.points[node], beyond);
             RimFace { node: node as u32, mouth: Mouth { face: length * narrower, length: beyond }, lip }

@@ -65,14 +65,14 @@ sourced_table! {
 }
 
 /// By how much the floor must warm until the load's heat capacity counts as learnt [K], and the time without warming after which
-/// it begins anew [s] (chosen: the floor below a steak that was put in or turned recovers by less).
+/// it begins again [s] (chosen: the floor below a steak that was put in or turned recovers by less).
 const LEARNT_K: f64 = 20.0;
 const STILL_S: f64 = 20.0;
 /// By how much a floor may cool until it no longer counts as held [K] (chosen: a steak that is put in costs less).
 const LOST_K: f64 = 50.0;
 /// How near a floor is that counts as held [K] (chosen: what the dial promises).
 const REACHED_K: f64 = 5.0;
-/// Temperature to hold that water cannot have [K] (chosen: a hob does not tell 99 °C from boiling).
+/// Temperature to hold that water cannot have [K] (chosen: a hob does not distinguish 99 °C from boiling).
 const BOILING_K: f64 = saute_food::ZERO_C + 98.0;
 /// Floor above which water does not last [K], load that counts as none [W], and the time after which the pan then holds no liquid
 /// [s] (chosen: what boils takes kilowatts, and hot oil gives off more).
@@ -88,13 +88,13 @@ const DRY_S: f64 = 45.0;
 pub struct HoldControl {
     /// Temperature to hold [K]; none if the hob gives the power at which it is set.
     target: Option<f64>,
-    /// The sensor, and what it tells of a pan that gets a set power.
+    /// The sensor, and what it reports of a pan that gets a set power.
     limit: OverheatLimit,
     /// The pan as it is inferred; none while no pan is detected.
     pan: Option<ObservedPan>,
     /// What is learnt of the load.
     learnt: Learnt,
-    /// Where it stands.
+    /// Its state.
     holding: Holding,
     /// Time since the power was set [s].
     since_s: f64,
@@ -104,7 +104,7 @@ pub struct HoldControl {
     withheld: f64,
 }
 
-/// Where a hob that holds a temperature stands.
+/// State of a hob that keeps a temperature.
 #[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq, Serialize)]
 pub enum Holding {
     /// The pan is not as hot yet.
@@ -172,7 +172,7 @@ pub(crate) struct HoldLoad<'a> {
     pub glass: f64,
     /// Mean temperature of the heated ring; none if the hob detects no pan [K].
     pub ring: Option<f64>,
-    /// True if water boils in the pan: for what the hob says, never for what it gives.
+    /// True if water boils in the pan: for what the hob reports, never for what it gives.
     pub boils: bool,
     /// Temperature of the room [K].
     pub room: f64,
@@ -208,7 +208,7 @@ impl HoldControl {
         *self = Self { target, power, holding, ..*self };
     }
 
-    /// Where it stands; none if it holds no temperature.
+    /// Its state; none if it keeps no temperature.
     pub(crate) fn holding(&self) -> Option<Holding> {
         self.target.map(|_| self.holding)
     }

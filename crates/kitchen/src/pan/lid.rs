@@ -1,4 +1,4 @@
-//! The lid: it holds hot, moist air over the food. Vapour condenses on it and drips back; steam escapes only when the
+//! The lid: it keeps hot, moist air over the food. Vapour condenses on it and drips back; steam escapes only when the
 //! space under the lid is full at atmospheric pressure.
 //!
 //! The air under the lid is one well-mixed control volume with heat capacity, vapour and one temperature, which also

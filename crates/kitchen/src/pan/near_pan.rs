@@ -19,7 +19,7 @@ const LYING: f64 = 1.0e-3;
 /// Largest cosine between the normals of a patch and of the surface it faces [-] (chosen: 60°).
 const FACING: f64 = -0.5;
 /// Compliance: gap beyond that of the lowest tenth that closes under the weight [m] (chosen: a 25 mm slab of 10–20 kPa
-/// yields by 0.3 mm under its own weight, and the lowest tenth of a hand-cut face lies 0.2 mm below its mean).
+/// yields by 0.3 mm under its own weight, and the lowest tenth of a hand-cut face is 0.2 mm below its mean).
 const GIVE: f64 = 0.6e-3;
 /// The same by the rules of 2013, beyond the face's mean [m].
 const GIVE_2013: f64 = 0.3e-3;

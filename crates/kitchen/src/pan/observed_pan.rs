@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use crate::pan::pan_class::{FLOOR, PanClass, RINGS};
 use crate::pan::under::Under;
 
-/// The pan as the electronics see it: an observer of the class that they were told.
+/// The pan as the electronics estimate it: an observer of the assumed class.
 ///
 /// Each ring of the class takes its share of the power, conducts to its neighbours, loses heat to glass and air, and a
 /// load takes heat evenly from the floor, a liquid by how hot each place is. What the coil measures, the mean of the heated ring, corrects the rings and the
@@ -20,7 +20,7 @@ pub(crate) struct ObservedPan {
     pub(crate) load_w: f64,
 }
 
-/// What the electronics know in one tick.
+/// Known quantities of the electronics in one tick.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Known<'a> {
     /// Class of the pan.
@@ -105,7 +105,7 @@ impl ObservedPan {
         }
     }
 
-    /// Heat flow from a ring to glass, air and the rings beside it [W].
+    /// Heat flow from a ring to glass, air and the rings next to it [W].
     fn leaving(&self, known: &Known, i: usize) -> f64 {
         let (class, t) = (known.class, self.rings[i]);
         let [to_glass, to_air] = known.losses(i);

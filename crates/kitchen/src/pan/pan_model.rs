@@ -89,7 +89,7 @@ pub struct PanSolver {
     heat: Vec<f64>,
     /// Heat of an element into the glass under each floor node [J].
     into_glass: Vec<f64>,
-    /// Metal of a pan that stands elsewhere [K], and the heat that it would get [J].
+    /// Metal of a pan that is elsewhere [K], and the heat that it would get [J].
     away: [Vec<f64>; 2],
     /// Heat capacity of metal and oil at each node [J/K].
     capacity: Vec<f64>,
@@ -126,7 +126,7 @@ pub struct PanLoad<'a> {
 /// Gravity in the frame of a level pan at rest [m/s²].
 pub const LEVEL: [f64; 3] = [0.0, 0.0, -saute_food::GRAVITY];
 
-/// Distance of a pan that stands elsewhere [m] (chosen: nothing of a stove reaches there).
+/// Distance of a pan that is elsewhere [m] (chosen: no heat of a stove reaches there).
 const AWAY: f64 = 1e3;
 /// Upper bound of convection and radiation from both faces of a wall [W/(m²·K)] (chosen: a very hot wall); limits the
 /// stable step.
@@ -500,7 +500,7 @@ impl PanModel {
         }
     }
 
-    /// A stove that detects no pan heats itself and the room while the pan stands elsewhere.
+    /// A stove that detects no pan heats itself and the room while the pan is elsewhere.
     fn heat_nothing(
         &self,
         state: &mut PanState,

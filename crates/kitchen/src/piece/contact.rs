@@ -48,7 +48,7 @@ pub struct PatchGap {
     pub wetness: f64,
 }
 
-/// Returns the wet share of a face whose node holds a share of its raw water [-].
+/// Returns the wet share of a face whose node contains a share of its raw water [-].
 pub fn wetness(held: f64) -> f64 {
     ((held - WETS[0]) / (WETS[1] - WETS[0])).clamp(0.0, 1.0)
 }
@@ -74,7 +74,7 @@ impl FaceContact {
         let dry = gap.vapour_conductivity_w_mk / thickness;
         let wet = if patch.wetness > 0.0 { self.wet(gap, thickness, patch.pan) } else { 0.0 };
         let rest = patch.wetness * wet + (1.0 - patch.wetness) * dry;
-        // A lifted patch stands on no asperities.
+        // A lifted patch rests on no asperities.
         let lying = (1e-3 * gap.gap_mm / thickness).min(1.0);
         let moist = patch.wetness + (1.0 - patch.wetness) * gap.crust_asperities;
         let asperities = gap.asperity_w_m2k * moist * self.pressed(gap) * lying * lying;

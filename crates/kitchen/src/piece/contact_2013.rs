@@ -13,7 +13,7 @@ pub(crate) fn mean_gap(gap: &Rules2013, since: f64, pressure: f64) -> f64 {
     1e-3 * free / pressed
 }
 
-/// Wet share of a face whose node holds a share of its raw water: all or nothing [-].
+/// Wet share of a face whose node contains a share of its raw water: all or nothing [-].
 pub(crate) fn wetness(held: f64) -> f64 {
     f64::from(u8::from(held > WET_FROM))
 }

@@ -1,6 +1,6 @@
 //! Media around a piece in the pan: steam below lifted patches, water and oil in which it stands.
 //!
-//! A patch in a medium exchanges heat with it beside the pan. Both conductances act on one [`Touch`]; after the tick the
+//! A patch in a medium exchanges heat with it in addition to the pan. Both conductances act on one [`Touch`]; after the tick the
 //! heat is divided between them exactly: q_m = h_m A Δt (T_m − T_eff) + q h_m / (h_p + h_m), with T_eff the mean of both
 //! temperatures weighted by the conductances.
 
@@ -178,7 +178,7 @@ impl Piece {
         self.media.in_water = patches;
     }
 
-    /// Heat from the steam that rises below the piece to the patches that do not lie; no more than the steam holds.
+    /// Heat from the steam that rises below the piece to the patches that do not lie; no more than the steam contains.
     fn stand_in_steam(&mut self, mean: f64, room: &Room) {
         let near = core::mem::take(&mut self.on_pan.near.patches);
         let lifted = |piece: &Self, n: &crate::pan::near_pan::NearPatch| {

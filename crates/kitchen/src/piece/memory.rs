@@ -10,7 +10,7 @@ pub const MOST_BYTES: f64 = if cfg!(target_arch = "wasm32") { 128e6 } else { 352
 /// Memory of a node of food that fries [bytes] (measured with `saute cook`, peaks: 735 in 100 shrimps, 675 in 14 steaks of 60 mm; half
 /// as much before they are in the pan).
 const PER_NODE: f64 = 700.0;
-/// Memory of a piece beside its nodes: collision shape, descriptions [bytes] (measured with `saute cook` on 200 small coins of carrot).
+/// Memory of a piece without its nodes: collision shape, descriptions [bytes] (measured with `saute cook` on 200 small coins of carrot).
 const PER_PIECE: f64 = 0.1e6;
 /// Memory of a triangle of a food's own surface, of which each piece has a copy [bytes] (chosen: corners, indices, skin).
 const PER_TRIANGLE: f64 = 200.0;
@@ -25,11 +25,11 @@ pub struct Load {
 /// More pieces than fit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TooMuch {
-    /// Number of pieces that were asked for [-].
+    /// Number of pieces that were requested [-].
     pub asked: usize,
     /// Number of them that fit [-].
     pub fit: usize,
-    /// Memory of those that were asked for [bytes].
+    /// Memory of those that were requested [bytes].
     pub bytes: f64,
     /// Number of pieces that are there or were ordered before [-].
     pub before: usize,
@@ -62,7 +62,7 @@ impl Load {
     ///
     /// # Errors
     ///
-    /// If they do not fit beside those before, or if the food has no piece of that size.
+    /// If they do not fit in addition to those before, or if the food has no piece of that size.
     pub fn add(&mut self, id: &str, spec: &PieceSpec, food: &FoodDescription, count: usize) -> Result<(), NoRoom> {
         let each = needed(Body::estimated_nodes(food, spec)?, food);
         let in_memory = (MOST_BYTES - self.bytes).max(0.0) / each;

@@ -64,7 +64,7 @@ impl Place {
 pub(crate) enum Under {
     /// Air, or the wires of a rack.
     Air,
-    /// Wood, with layers of its own below each piece.
+    /// Wood, with its own layers below each piece.
     Wood,
     /// The hob's glass at a temperature [K].
     Glass(f64),

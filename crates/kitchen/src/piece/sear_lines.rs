@@ -38,7 +38,7 @@ const DRY: f64 = 0.65;
 
 /// Parallel lines on a face, in the rest frame of the body as seen from +z.
 ///
-/// A point (x, y) lies on a line if x·d_y − y·d_x − phase is within half a width of a multiple of the pitch.
+/// A point (x, y) is on a line if x·d_y − y·d_x − phase is within half a width of a multiple of the pitch.
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
 pub struct SearLines {
     /// Unit vector along the lines, its x not negative [-].
@@ -54,7 +54,7 @@ pub struct SearLines {
     /// Browning gained on these ridges, on the lines and between them [-]. Their area mean is the gain of the face's
     /// mean.
     pub browning: [f64; 2],
-    /// Charring likewise [-].
+    /// Charring, in the same way [-].
     pub charring: [f64; 2],
 }
 
@@ -103,7 +103,7 @@ impl SearLines {
 /// History of a piece on ridges.
 #[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 pub struct SearRecord {
-    /// Lines of the lower and upper face of the rest shape; `share` holds the mean browning gained so far.
+    /// Lines of the lower and upper face of the rest shape; `share` contains the mean browning gained so far.
     faces: [Vec<SearLines>; 2],
     /// Lower face at the last update, and its mean browning.
     seen: Option<(usize, f64)>,
@@ -340,7 +340,7 @@ fn on_face(model: &FoodModel, face: Face) -> impl Iterator<Item = usize> {
     model.patches_below([0.0, 0.0, if face == Face::Top { -1.0 } else { 1.0 }])
 }
 
-/// Index of a face in [`SearRecord`]; a side has no lines of its own and shares the index of the lower face.
+/// Index of a face in [`SearRecord`]; a side has no separate lines and shares the index of the lower face.
 fn index(face: Face) -> usize {
     usize::from(face == Face::Top)
 }
@@ -362,7 +362,7 @@ mod tests {
         pose
     }
 
-    /// Returns true if a point of the rest shape lies on a line, by the rule of [`SearLines`].
+    /// Returns true if a point of the rest shape is on a line, by the rule of [`SearLines`].
     fn on_line(lines: &SearLines, [x, y]: [f64; 2]) -> bool {
         let [dx, dy] = lines.direction;
         let off = (x * dy - y * dx - lines.phase).rem_euclid(lines.pitch);

@@ -9,8 +9,8 @@ const MOST_WORK: f64 = 5e5;
 /// Temperature at which the steps are counted [°C] (chosen: as food comes from the refrigerator).
 const RAW_C: f64 = 5.0;
 
-/// Checks that a tick of a raw piece takes little work; drying and heating change it by a small factor, and ice asks for up
-/// to six times as many steps until it has thawed. Who orders a mesh finer than the default asks for more: its nodes grow
+/// Checks that a tick of a raw piece takes little work; drying and heating change it by a small factor, and ice requires up
+/// to six times as many steps until it has thawed. A mesh finer than the default requires more: its nodes grow
 /// with the cube and its steps with the square of the fineness.
 ///
 /// # Errors

@@ -8,7 +8,7 @@ use crate::dynamics::{PanShape, Pose};
 use crate::piece::piece_state::Piece;
 
 impl Piece {
-    /// Height of its lowest patch over the surface of the pan, which has the pose `pan` [m]; none beside the pan.
+    /// Height of its lowest patch over the surface of the pan, which has the pose `pan` [m]; none outside the pan.
     pub(super) fn lowest_over(&self, surface: &PanShape, pan: &Pose) -> Option<f64> {
         let seen = self.pose.seen_from(pan);
         let over = |p: &saute_food::PatchPose| surface.over(seen.to_world(DVec3::from_array(p.position)));
@@ -56,7 +56,7 @@ impl Piece {
     }
 }
 
-/// Upward unit normal of the plane through places with weights, by least squares of their heights; none if they lie in a
+/// Upward unit normal of the plane through places with weights, by least squares of their heights; none if they are in a
 /// line.
 fn plane(places: &[(DVec3, f64)]) -> Option<DVec3> {
     let whole: f64 = places.iter().map(|(_, weight)| weight).sum();

@@ -32,7 +32,7 @@ struct Coarse {
 }
 
 impl Reductions {
-    /// Builds what it does not know of a kitchen, and forgets the pieces that are gone; returns its pan.
+    /// Builds what it does not have of a kitchen, and forgets the pieces that are gone; returns its pan.
     ///
     /// # Errors
     /// If a coarse mesh cannot be built.
@@ -86,7 +86,7 @@ impl Reductions {
     }
 }
 
-/// Unevenness of the faces on the coarse mesh [m]: the gap of each patch conducts as the mean of the gaps that it stands for.
+/// Unevenness of the faces on the coarse mesh [m]: the gap of each patch conducts as the mean of the gaps that it represents.
 fn uneven(reduction: &Reduction, piece: &Piece, room: &Room) -> Arc<Vec<f64>> {
     let [lies, least] = [room.contact.gap_mm, room.contact.least_gap_mm].map(|mm| 1e-3 * mm);
     let columns = piece.model.mesh().swept().map_or(0, saute_heat::SweptMesh::nodes_per_level);

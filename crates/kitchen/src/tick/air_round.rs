@@ -8,7 +8,7 @@ use crate::kitchen::{Fixed, Kitchen};
 use crate::piece::piece_state::{Piece, Place};
 
 impl Kitchen {
-    /// Air above, below and beside a piece. By the rules of 2013 it takes up no vapour.
+    /// Air above, below and around a piece. By the rules of 2013 it takes up no vapour.
     pub(crate) fn air_round(&self, fixed: &Fixed, piece: &Piece) -> [FreeAir; 3] {
         match piece.model.rules() {
             Rules::Full => self.moist_air_round(fixed, piece),

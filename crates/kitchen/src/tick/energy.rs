@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-/// Energy account since the start [J]. Each term is the sum of its own fluxes or a difference of its own state.
+/// Energy account since the start [J]. Each term is the sum of its own fluxes or a difference of its state.
 #[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Serialize)]
 pub struct Energy {
     /// Electrical energy from the hob.

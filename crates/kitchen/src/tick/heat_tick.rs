@@ -117,7 +117,7 @@ impl Kitchen {
         }
     }
 
-    /// The hob states where it stands.
+    /// The hob reports its state.
     fn tell_of_hold(&mut self) {
         let kind = match self.hold.holding() {
             Some(Holding::Reached) => EventKind::DialReached,

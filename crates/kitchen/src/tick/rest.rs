@@ -14,7 +14,7 @@ impl Kitchen {
     }
 
     /// Advances the kitchen to its next tick as [`Self::step`] does, but leaves the pan as it is where [`Self::only_rests`]: for a rest of
-    /// whose pan nothing is asked any more.
+    /// whose pan no value is needed any more.
     pub fn step_rest(&mut self) {
         if !self.only_rests() {
             return self.step();

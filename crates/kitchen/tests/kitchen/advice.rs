@@ -1,4 +1,4 @@
-//! Promise: a cook who does what the advice says, and nothing else, ends with a steak of the class that was wished.
+//! Promise: a cook who follows the advice, and does nothing else, ends with a steak of the class that was wished.
 
 use saute_fixtures::campaign::pairs;
 use saute_kitchen::advice::{Advice, Goal, Situation, advise, class_goal};
@@ -31,7 +31,7 @@ fn food() -> String {
     "steak".to_owned()
 }
 
-/// Does what an advice says; returns true if nothing is left to do.
+/// Follows an advice; returns true if nothing is left to do.
 fn follow(kitchen: &mut Kitchen, advice: Advice) -> bool {
     let command = match advice {
         Advice::PutIn { .. } => Command::Put { food: food(), at: [0.0; 2], heap: false },

@@ -1,5 +1,5 @@
 //! Promise: whatever number is in a command, the kitchen carries it out within its ranges or refuses it and stays as it was: no
-//! panic, no value that is no number, no frozen food, and an energy balance that holds.
+//! panic, no value that is no number, no frozen food, and a closed energy balance.
 
 use glam::{DQuat, DVec3};
 use saute_kitchen::dynamics::{Pose, Tool};

@@ -168,7 +168,7 @@ fn a_toss_waits_for_the_turner() {
     }
 }
 
-/// Under what is too heavy for a hand the turner fails, says so, and the food stays as it lies.
+/// Under what is too heavy for a hand the turner fails, reports it, and the food stays as it lies.
 #[test]
 fn a_blocked_turner_fails_to_flip() {
     let library = library();
@@ -252,7 +252,7 @@ fn a_hand_that_holds_the_pan_feels_the_weight_of_what_lies_in_it_and_more_of_it_
     let wrench = kitchen.pan_wrench(&FoodVelocities::of(&kitchen), FRAME_S);
     let weight = GRAVITY * (kitchen.pieces()[0].mass() + kitchen.pan_state().oil_mass());
     assert!((wrench.force.z + weight).abs() < 0.01 * weight, "{wrench:?}, {weight} N");
-    // The steak lies to the right of the centre, so that the pan wants to turn down there.
+    // The steak lies to the right of the centre, so that the pan tends to turn down there.
     assert!(wrench.torque.y > 0.015 * GRAVITY * kitchen.pieces()[0].mass(), "{wrench:?}");
 
     let up = Pose { position: kitchen.held_pan().position + glam::DVec3::Z * 0.1, ..kitchen.held_pan() };

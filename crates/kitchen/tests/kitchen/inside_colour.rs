@@ -6,7 +6,7 @@ use saute_recipe::{Cook, Recipe};
 /// Redness a* at the reddest place of the cut across the middle of the long axis [-].
 fn reddest(piece: &Piece) -> f64 {
     let mesh = piece.model.mesh();
-    // The crust has a colour of its own.
+    // The crust has a separate colour.
     let inside = |node: &usize| piece.state.browning[*node] < 0.01 && mesh.position(*node)[0].abs() < 5e-3;
     let middle = (0..mesh.node_count()).filter(inside);
     middle.map(|node| piece.model.node_colour(&piece.state, node).0[1]).fold(f64::MIN, f64::max)

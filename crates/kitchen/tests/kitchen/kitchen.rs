@@ -258,7 +258,7 @@ fn impossible_numbers_in_data_files_are_refused_where_they_stand() {
     }
 }
 
-/// A condition that holds already fires at once, whatever the value.
+/// A condition that is true already fires at once, whatever the value.
 #[test]
 fn a_condition_that_is_equal_fires_at_once() {
     let library = library();

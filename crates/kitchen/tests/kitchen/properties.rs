@@ -79,7 +79,7 @@ fn draw() -> impl Strategy<Value = Draw> {
         })
 }
 
-/// The kitchen of a draw, with a piece whose sizes lie at the drawn places of the allowed ranges.
+/// The kitchen of a draw, with a piece whose sizes are at the drawn places of the allowed ranges.
 fn kitchen(library: &Library, draw: &Draw) -> Kitchen {
     let pans: Vec<&String> = library.pans.keys().collect();
     let foods: Vec<&String> = library.foods.keys().collect();

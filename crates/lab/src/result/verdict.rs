@@ -55,7 +55,7 @@ pub struct Verdict {
 }
 
 impl Verdict {
-    /// Returns true if the value misses its tolerance without that being known, or holds although a miss is recorded.
+    /// Returns true if the value misses its tolerance without a recorded miss, or is within it although a miss is recorded.
     pub fn falls_short(&self) -> bool {
         self.pass == Some(self.known_miss.is_some())
     }

@@ -13,7 +13,7 @@ pub fn run(case: &Case, clock: impl Fn() -> f64) -> LabReport {
     run_watched(case, clock, &mut Watch::none())
 }
 
-/// As [`run`], with a watch that is told the fields on the way; the case that it is compared with is not watched.
+/// As [`run`], with a watch that receives the fields on the way; the case that it is compared with is not watched.
 pub fn run_watched(case: &Case, clock: impl Fn() -> f64, watch: &mut Watch) -> LabReport {
     let mut report = run_one(case, &clock, watch);
     report.compared = case.compare.as_ref().map(|other| Box::new(run_one(other, &clock, &mut Watch::none())));

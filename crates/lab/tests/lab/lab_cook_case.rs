@@ -35,7 +35,7 @@ fn trend(more: &str) -> String {
     format!("[[trend]]\nquantity = \"pan\"\npointer = \"/pan_c/end\"\nunit = \"°C\"\n{more}\n")
 }
 
-/// The pan warms for 10 s, then stays about as it is: readings at times and at steps lie in that order.
+/// The pan warms for 10 s, then stays about as it is: readings at times and at steps are in that order.
 #[test]
 fn a_band_reads_the_summary_at_its_moment() {
     let moments = [
@@ -73,7 +73,7 @@ fn a_band_may_subtract_another_number() {
     assert!(missing.falls_short(), "{missing:?}");
 }
 
-/// More power makes the pan hotter: "not falling" holds, "not rising" fails by the whole rise.
+/// More power makes the pan hotter: "not falling" passes, "not rising" fails by the whole rise.
 #[test]
 fn a_trend_goes_along_the_values_of_the_sweep() {
     let trends = [
@@ -115,7 +115,7 @@ fn a_guard_leaves_out_the_cooks_beyond_its_limit() {
     assert!(verdicts(&swept(&trend(missing)))[0].falls_short());
 }
 
-/// Bands of a sweep are judged for each value, trends for each value of `each`; both say which.
+/// Bands of a sweep are judged for each value, trends for each value of `each`; both name it.
 #[test]
 fn a_sweep_judges_every_value_and_each_variant() {
     let pans = PAN.replace("'''\n[[step]]\nhob_w", "'''\n[pan]\nkind = \"@pan@\"\n[[step]]\nhob_w");

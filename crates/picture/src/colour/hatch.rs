@@ -10,7 +10,7 @@ use crate::colour::map::Tone;
 pub enum Pattern {
     /// None.
     Plain = 0,
-    /// Dots in rows that stand on gaps.
+    /// Dots in rows above gaps.
     Dots = 1,
     /// Level lines.
     Levels = 2,
@@ -73,7 +73,7 @@ impl Pattern {
 }
 
 /// The pattern of every entry of a table of classes: entries of one colour are a class, and the tones of a scale with
-/// so many classes say how it is drawn. A table that is not stepped has none.
+/// so many classes determine how it is drawn. A table that is not stepped has none.
 pub fn patterns(table: &[[u8; 3]; 256], stepped: bool) -> [u8; 256] {
     if !stepped {
         return [0; 256];

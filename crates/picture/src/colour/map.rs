@@ -66,7 +66,7 @@ pub enum Tone {
     Raw,
     /// Warm and red.
     Rare,
-    /// Between rare and medium, where a scale knows it.
+    /// Between rare and medium, where a scale has it.
     MediumRare,
     /// Pink.
     Medium,

@@ -8,7 +8,7 @@ use crate::colour::map::ColourMap;
 const ENTRIES: usize = 256;
 
 /// Returns the maps in one common table, each with an equal part of it. A single map stays as it is; of several, the
-/// bounds of classes lie within an entry of their part, which is 2 K for four scales of temperatures.
+/// bounds of classes are within an entry of their part, which is 2 K for four scales of temperatures.
 pub fn side_by_side(maps: Vec<ColourMap>) -> Vec<ColourMap> {
     if maps.len() < 2 {
         return maps;

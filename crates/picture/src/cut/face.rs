@@ -84,7 +84,7 @@ impl CutFace<'_> {
         points.into_iter().map(|(point, rest)| self.vertex(self.nodes(level, &point), point.share, rest)).collect()
     }
 
-    /// A level of an upright slice: each point knows its depth below both faces and how far they are browned.
+    /// A level of an upright slice: each point has its depth below both faces and how far they are browned.
     fn crusted(&self, level: usize, points: impl IntoIterator<Item = (CutPoint, Vec3)>) -> Vec<FoodVertex> {
         let last = self.mesh.levels.len() - 1;
         // A wedge is thicker at one end.
@@ -189,7 +189,7 @@ fn joined(rows: &[Vec<FoodVertex>]) -> Vec<[u32; 3]> {
     triangles
 }
 
-/// How far along its row each point lies (0–1).
+/// How far along its row each point is (0–1).
 fn shares(row: &[FoodVertex]) -> Vec<f32> {
     let place = |v: &FoodVertex| Vec3::from_array(v.rest);
     let (Some(first), Some(last)) = (row.first().map(place), row.last().map(place)) else { return Vec::new() };

@@ -1,4 +1,4 @@
-//! Faces that a cut lays open, in the scene and as pictures of their own.
+//! Faces that a cut lays open, in the scene and as separate pictures.
 
 pub(crate) mod contour;
 pub(crate) mod face;

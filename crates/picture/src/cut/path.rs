@@ -21,7 +21,7 @@ pub(crate) fn path_cut(piece: &Piece, at: f64, view: View, map: Option<&ColourMa
     let sides: Vec<[Vec3; 2]> = (0..n).map(|i| ends(i).map(place)).collect();
     let point = sides.iter().map(|[a, b]| a.lerp(*b, share as f32)).sum::<Vec3>() / n as f32;
     let normal = sides.iter().map(|[a, b]| *b - *a).sum::<Vec3>().try_normalize()?;
-    // Stations of a bent path are not parallel: the plane meets each fibre at a place of its own.
+    // Stations of a bent path are not parallel: the plane meets each fibre at a different place.
     let meets = |[a, b]: [Vec3; 2]| {
         let way = (b - a).dot(normal);
         if way > 0.0 { (point - a).dot(normal) / way } else { share as f32 }

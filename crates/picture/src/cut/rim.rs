@@ -11,7 +11,7 @@ use crate::skin::surface::{UNEVEN, drawn, fineness, outward_normals, rim_inset, 
 /// Distance from the surface over which the cut face follows its rounded and uneven rim, over the radius of the rim [-]
 /// (chosen: further in a cut shows every point where it is; wide enough that nothing folds).
 const FOLLOWS: f32 = 4.0;
-/// Depth below a big face over which it follows the uneven face, over the unevenness [-] (chosen likewise).
+/// Depth below a big face over which it follows the uneven face, over the unevenness [-] (chosen in the same way).
 const FACE_FOLLOWS: f32 = 2.0;
 /// Edges of the outline farther than this from the plane do not meet it as drawn [m] (chosen: an edge and its shift).
 const REACH: f64 = 10.0e-3;
@@ -81,7 +81,7 @@ impl<'a> CutRim<'a> {
         Self { model, mesh, plane, cut, edges, outline, outward: outward_normals(section) }
     }
 
-    /// One level of the face: which nodes feed each point, and where in the rest frame it lies [m], in order along the
+    /// One level of the face: which nodes feed each point, and where in the rest frame it is [m], in order along the
     /// cut.
     pub(crate) fn row(&self, level: usize) -> Vec<(CutPoint, Vec3)> {
         if level == 0 || level + 1 == self.mesh.levels.len() {

@@ -1,4 +1,4 @@
-//! The cut face of a slice whose faces stand in steps: it ends where its drawn surface meets the plane of the cut, and
+//! The cut face of a slice whose faces have steps: it ends where its drawn surface meets the plane of the cut, and
 //! every column of it follows the step above or below.
 
 use glam::{Vec2, Vec3};

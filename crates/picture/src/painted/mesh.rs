@@ -34,7 +34,7 @@ impl Vertices for Present {
 }
 
 impl Mesh {
-    /// Returns a mesh without the triangles that have no area or lie outside of the vertices.
+    /// Returns a mesh without the triangles that have no area or are outside of the vertices.
     pub(super) fn new(vertices: Vec<FoodVertex>, triangles: Vec<[u32; 3]>) -> Self {
         let mut mesh = Self { vertices, triangles };
         let mut triangles = std::mem::take(&mut mesh.triangles);

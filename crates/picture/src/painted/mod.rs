@@ -1,7 +1,7 @@
 //! The foods as coloured surfaces: the drawn skins with the colour of the flesh at every vertex, for files that hold no
 //! textures.
 //!
-//! A colour is that of the core's palette, with seams of fat and second tissues where they lie and with lines that ridges
+//! A colour is that of the core's palette, with seams of fat and second tissues where they are and with lines that ridges
 //! seared. What the renderer adds (grain, gloss, light) is not in it. Skins are refined until a seam spans several vertices.
 
 mod mesh;

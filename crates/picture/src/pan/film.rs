@@ -9,7 +9,7 @@ use saute_scene::input::{FILM_SIZE, FilmPicture, OIL_RANGE, WATER_RANGE};
 
 use crate::pace::Pace;
 
-/// Caches where the texels lie on the pan's mesh, and the picture while it is valid.
+/// Caches where the texels are on the pan's mesh, and the picture while it is valid.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct PanFilm {
     /// The pan to which the places belong.
@@ -62,7 +62,7 @@ const FOAMING: f64 = 0.06e-3;
 /// Density of water in a film [kg/m³].
 const WATER_DENSITY: f64 = 1000.0;
 
-/// Where each texel lies on the pan's mesh; none off the floor.
+/// Where each texel is on the pan's mesh; none off the floor.
 fn places(model: &PanModel) -> Vec<Option<Located>> {
     let radius = model.description.floor.radius_mm * 1e-3;
     let at = |k: u32| (2.0 * (f64::from(k) + 0.5) / f64::from(FILM_SIZE) - 1.0) * radius;

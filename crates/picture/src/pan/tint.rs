@@ -11,12 +11,12 @@ use crate::pace::Pace;
 
 /// Ticks between two pictures (chosen: ten seconds; everything still is redrawn for each that differs).
 const LOOK_TICKS: u64 = 100;
-/// Looks at foods and film for which there is one at the tint at most (chosen: likewise, where those are apart).
+/// Looks at foods and film for which there is one at the tint at most (chosen: the same, where those are apart).
 const LOOKS: u64 = 30;
 /// Temperatures that differ by less look the same [K] (chosen).
 const SAME: f64 = 2.0;
 
-/// Caches where the texels lie on the pan's mesh, and the picture while it is valid.
+/// Caches where the texels are on the pan's mesh, and the picture while it is valid.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct PanTint {
     /// The pan to which the places belong.
@@ -64,7 +64,7 @@ fn texel(share: [f64; 3]) -> [u8; 4] {
 /// for the nearest node takes long).
 const OUTMOST: f64 = 0.985;
 
-/// Where each texel lies on the pan's mesh; of those beyond its rim the place on the way to the middle.
+/// Where each texel is on the pan's mesh; of those beyond its rim the place on the way to the middle.
 fn places(model: &PanModel) -> Vec<Located> {
     let wall = &model.description.wall;
     let floor = model.description.floor.radius_mm;

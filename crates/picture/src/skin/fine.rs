@@ -1,6 +1,6 @@
 //! A finer surface over a body that is carried along stations: smooth between the nodes, which feed it by weights.
 //!
-//! The rim nodes of the stations form a grid, around the body and along it. The fine grid lies on cubic curves through
+//! The rim nodes of the stations form a grid, around the body and along it. The fine grid is on cubic curves through
 //! them (Catmull and Rom 1974). The head end closes to a blunt tip; the tail fan is split into blades.
 
 use core::f32::consts::TAU;
@@ -11,7 +11,7 @@ use saute_kitchen::heat::{Station, SweptMesh};
 
 /// Fine vertices for each rim node around the body [-] (chosen: no corner of a silhouette shows at 1280×720).
 const AROUND: usize = 3;
-/// Distance of the fine rings along the body [m], and the most of them between two stations [-] (chosen likewise).
+/// Distance of the fine rings along the body [m], and the most of them between two stations [-] (chosen in the same way).
 const APART: f32 = 1.6e-3;
 const MOST_BETWEEN: usize = 4;
 /// Rings that close an end [-] (chosen: a round tip).

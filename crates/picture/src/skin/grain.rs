@@ -6,7 +6,7 @@ use saute_kitchen::food::body::form::Form;
 use saute_kitchen::food::tissue::noise::uniform;
 use saute_scene::input::{BORDER_RANGE, BrowningPalette, FleshTexture, GrainVolume, WITHIN_RANGE};
 
-/// Cells across a body whose tissues lie along its axis (chosen: 0.2 mm cells in a leek ring).
+/// Cells across a body whose tissues are along its axis (chosen: 0.2 mm cells in a leek ring).
 const TISSUE_CELLS: u32 = 112;
 /// Protein from which flesh without a second tissue is muscle (chosen: no plant that is fried has as much).
 const MUSCLE_PROTEIN: f64 = 0.10;

@@ -13,7 +13,7 @@ const GAP: f32 = 0.006;
 pub(crate) fn opened(piece: &Piece, look: FoodLook, cut: SliceLook) -> [FoodLook; 2] {
     let normal = look.world_from_rest.transform_vector3(cut.normal).with_z(0.0).normalize_or(Vec3::X);
     let across = Vec3::new(-normal.y, normal.x, 0.0);
-    // The hinge lies away from the cook, who is at −y.
+    // The hinge is away from the cook, who is at −y.
     let away = if across.y >= 0.0 { 1.0 } else { -1.0 };
     let half_width = 0.5 * piece.model.size()[0].min(piece.model.size()[1]) as f32;
     let hinge = look.world_from_rest.transform_point3(cut.point) + across * (away * half_width);

@@ -9,7 +9,7 @@ const LEAVES_AT_CUT: f64 = 0.2;
 /// Steps of the juice [g] (chosen: a finer change is not seen).
 const STEP: f64 = 0.05;
 
-/// Juice round a slice on the board [g]: what stands on its lower face, and what leaves at a cut.
+/// Juice round a slice on the board [g]: what is on its lower face, and what leaves at a cut.
 pub(crate) fn juice_on_board(piece: &Piece) -> f32 {
     let Layout::Upright(mesh) = piece.model.mesh().layout() else { return 0.0 };
     if !piece.lies_on_board() {

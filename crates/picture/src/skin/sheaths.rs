@@ -1,6 +1,6 @@
-//! The surface of a slice across a shaft: its sheaths stand in steps, as they slipped when it was cut.
+//! The surface of a slice across a shaft: its sheaths form steps, as they slipped when it was cut.
 //!
-//! The slip is drawn; heat sees the sheaths flush. What stands out below is hidden by what the slice lies on.
+//! The slip is drawn; heat sees the sheaths flush. What protrudes below is hidden by what the slice lies on.
 
 use glam::{Vec2, Vec3};
 use saute_kitchen::food::tissue::noise::uniform;
@@ -10,7 +10,7 @@ use saute_kitchen::heat::SweptMesh;
 use crate::skin::fine::{Fine, Reads, normals};
 use crate::skin::surface::{rim_inset, rim_radius, uneven};
 
-/// Levels at either end of which each has its row on the side, and how many lie between rows farther in (chosen: browning ends
+/// Levels at either end of which each has its row on the side, and how many are between rows farther in (chosen: browning ends
 /// near the faces, and steps on both faces cost triangles enough).
 const SIDE_DENSE: usize = 3;
 const SIDE_APART: usize = 5;
@@ -21,7 +21,7 @@ const SLIPS: f64 = 0.7;
 /// Sheaths thinner than this are drawn with the next [m] (chosen: less than two rounded edges).
 const THINNEST: f32 = 0.9e-3;
 
-/// True if the faces of a piece stand in steps: a natural slice with sheaths.
+/// True if the faces of a piece have steps: a natural slice with sheaths.
 pub(crate) fn stands_in_steps(model: &FoodModel) -> bool {
     let sheaths = model.description().form == Form::Ring && !model.tissue_field().is_plain();
     sheaths && model.natural().is_some_and(|form| form.slip_mm > 0.0)
@@ -93,7 +93,7 @@ impl Ring<'_> {
             let outer = k + 1 == sheaths.len();
             let slip = self.slip_of(k, outer);
             let inner = k.checked_sub(1).map(|k| &sheaths[k]);
-            // Outer edge, where it is rounded off, its inner edge likewise; the last one ends in the middle.
+            // Outer edge, where it is rounded off, its inner edge in the same way; the last one ends in the middle.
             if !outer {
                 let lower = self.row(|ring, j| ring.inside(j, sheath[j], slip - lowered(top, ROUNDED[0]), level));
                 self.join(before, lower, top);
@@ -190,7 +190,7 @@ impl Ring<'_> {
         if top { self.strip(outer, inner) } else { self.strip(inner, outer) }
     }
 
-    /// Joins two rows; the second lies higher on the side.
+    /// Joins two rows; the second is higher on the side.
     fn strip(&mut self, a: u32, b: u32) {
         let count = self.edge.len() as u32;
         for k in 0..count {

@@ -10,7 +10,7 @@ use saute_kitchen::heat::SweptMesh;
 /// Slant at the rims over the bulge at mid-height [-] (chosen: a knife leans a little).
 const SLANT: f32 = 0.6;
 
-/// How far the side stands out at a level [m], and its slope over the height [-]; both 0 in a plain piece.
+/// How far the side protrudes at a level [m], and its slope over the height [-]; both 0 in a plain piece.
 pub(crate) fn bulge(model: &FoodModel, mesh: &SweptMesh, level: usize, out: Vec3) -> [f32; 2] {
     let Some(form) = model.natural() else { return [0.0; 2] };
     let share = |index: u64| uniform(model.seed(), index) as f32;

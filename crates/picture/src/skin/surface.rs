@@ -29,7 +29,7 @@ pub(crate) const CUT_MOISTURE: f64 = 0.75;
 /// Least extent of a piece to which both apply; with a smaller one they shrink [m] (chosen: a thick steak).
 const TUNED_FOR: f64 = 0.022;
 
-/// The drawn surface of one piece: which node feeds each vertex, and where it lies.
+/// The drawn surface of one piece: which node feeds each vertex, and where it is.
 #[derive(Clone, Debug)]
 pub struct Skin {
     /// What the renderer caches.
@@ -39,7 +39,7 @@ pub struct Skin {
     normals: Vec<[f32; 3]>,
     /// Place on the body of each vertex; empty where the look does not depend on it.
     bodies: Vec<[f32; 2]>,
-    /// Nodes of the lower and the upper face at whose edge each vertex of a slice's side lies; none on the faces.
+    /// Nodes of the lower and the upper face at whose edge each vertex of a slice's side is; none on the faces.
     edges: Vec<Option<[u32; 2]>>,
     /// Nodes that feed each vertex of a finer skin, by weights; empty where `nodes` feeds them.
     blends: Vec<Reads>,
@@ -223,7 +223,7 @@ impl Skin {
             let seen = vertex(model, model.appearance(state, node), moisture, field, place, normal);
             FoodVertex { seared: seared(node) as f32, juice: juice[node] as f32, ..seen }
         };
-        // The side of a slice tells the browning of its faces: it creeps over the edge.
+        // The side of a slice shows the browning of its faces: it creeps over the edge.
         let crept = |k: usize| self.edges[k].map(|nodes| nodes.map(|node| state.browning[node as usize] as f32));
         let body = |k: usize| match self.edges.get(k).and_then(|_| crept(k)) {
             Some([lower, upper]) => [upper, lower],
@@ -339,7 +339,7 @@ pub(crate) fn vertex(
 ) -> FoodVertex {
     let first_tissue = Appearance { tissue: 0.0, ..a };
     let lab = |lab: saute_kitchen::food::Lab| lab.0.map(|v| 0.01 * v as f32);
-    // A film of water stands on raw flesh; cooked flesh is matt, and fried flesh sheds it (chosen).
+    // A film of water is on raw flesh; cooked flesh is matt, and fried flesh sheds it (chosen).
     let done = a.changed[model.change_count() - 1];
     let matt = (1.0 - 0.5 * done) * (1.0 - 0.9 * (2.5 * a.browning).min(1.0));
     let wet = ((moisture - 0.25) / 0.75).clamp(0.0, 1.0) * matt;
@@ -361,7 +361,7 @@ pub(crate) fn vertex(
     }
 }
 
-/// Where a node of a body that is carried along stations lies: share of the length, and belly (−1) to back (1).
+/// Where a node of a body that is carried along stations is: share of the length, and belly (−1) to back (1).
 pub(crate) fn on_body(model: &FoodModel, node: usize) -> [f32; 2] {
     let Layout::Along(mesh, stations) = model.mesh().layout() else { return [0.0; 2] };
     let n = mesh.nodes_per_level();
@@ -403,7 +403,7 @@ fn key(piece: &Piece) -> u64 {
 /// Extent of the texture over which pieces are spread [m] (chosen: several periods of its largest pattern).
 const TEXTURE_EXTENT: f32 = 0.4;
 
-/// Where in the texture of its flesh a piece lies [m].
+/// Where in the texture of its flesh a piece is [m].
 fn texture_place(seed: u64) -> Vec3 {
     let share = |axis: u64| (mix(seed ^ mix(0x7e97_0000 + axis)) >> 40) as f32 / (1u64 << 24) as f32;
     Vec3::new(share(0), share(1), share(2)) * TEXTURE_EXTENT

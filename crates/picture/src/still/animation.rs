@@ -17,7 +17,7 @@ pub enum Format {
 }
 
 impl Format {
-    /// The format that a file's name asks for by its ending; none for another one.
+    /// The format that the ending of a file's name requests; none for another one.
     pub fn of(name: &std::path::Path) -> Option<Self> {
         match name.extension()?.to_str()?.to_ascii_lowercase().as_str() {
             "gif" => Some(Self::Gif),

@@ -62,7 +62,7 @@ pub fn still(gpu: &Gpu, kitchen: &Kitchen, options: &StageOptions, size: [u32; 2
     picture(gpu, &input, size, Quality::Smooth)
 }
 
-/// Draws a scene once, with a renderer of its own: what an earlier picture left would show.
+/// Draws a scene once, with a separate renderer: what an earlier picture left would show.
 pub fn picture(gpu: &Gpu, input: &SceneInput, size: [u32; 2], quality: Quality) -> Picture {
     let mut renderer = SceneRenderer::new(&gpu.device, &gpu.queue);
     let rgba = renderer.render_to_image(&gpu.device, &gpu.queue, input, size, quality);

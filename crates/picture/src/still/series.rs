@@ -27,7 +27,7 @@ impl Series {
         Ok(Self { cook, gpu, options, size })
     }
 
-    /// Cooks on to an instant [s], which must not lie before the last one, and draws it; none if the recipe ends
+    /// Cooks on to an instant [s], which must not be before the last one, and draws it; none if the recipe ends
     /// earlier.
     pub fn at(&mut self, at_s: f64) -> Result<Option<Picture>, ShotError> {
         if !advance_to(&mut self.cook, at_s)? {

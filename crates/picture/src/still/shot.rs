@@ -236,7 +236,7 @@ pub fn shot_of(mut cook: Cook, at_s: f64, options: ShotOptions, size: [u32; 2]) 
     Ok(drawn(&gpu, &cook.kitchen, &options, size))
 }
 
-/// Draws a kitchen as the options ask.
+/// Draws a kitchen as the options state.
 pub(crate) fn drawn(gpu: &Gpu, kitchen: &Kitchen, options: &ShotOptions, size: [u32; 2]) -> Picture {
     let stage = options.stage(kitchen);
     let input = Stage::default().scene(kitchen, &stage, &Default::default());

@@ -46,7 +46,7 @@ impl Seen {
         })
     }
 
-    /// Mean encoded grey (0–1) of the pixels whose ray meets a plane `z` [m] at a place that is asked for.
+    /// Mean encoded grey (0–1) of the pixels whose ray meets a plane `z` [m] at a place that is requested.
     fn grey(&self, z: f32, wanted: impl Fn(Vec3) -> bool) -> f64 {
         let on_plane = |(eye, ray): (Vec3, Vec3)| eye + ray * ((z - eye.z) / ray.z);
         let greys: Vec<f64> =
@@ -168,7 +168,7 @@ fn a_picture_in_tiles_is_the_picture_drawn_at_once() {
         let more = apart.iter().filter(|d| **d > 1).count() as f64 / apart.len() as f64;
         let mean = apart.iter().map(|d| f64::from(*d)).sum::<f64>() / apart.len() as f64;
         println!("{quality:?}: {:.2} % of the values more than 1 apart, mean {mean:.4}", 100.0 * more);
-        // Seams of triangles and spots of oil of a pixel fall on a sample or beside it by rounding of the projection.
+        // Seams of triangles and spots of oil of a pixel fall on a sample or next to it by rounding of the projection.
         assert!(more <= 0.01 && mean <= 0.1, "{quality:?}: {more} of the values more than 1 apart, mean {mean}");
     }
 }

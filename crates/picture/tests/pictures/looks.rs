@@ -120,7 +120,7 @@ fn bless(name: &str, got: &Picture) {
     std::fs::write(blessed_file(name), png_bytes(got).expect("encodes")).expect("writes");
 }
 
-/// What is to be said of a picture that looks different.
+/// The report on a picture that looks different.
 fn compare(name: &str, got: &Picture) -> Option<String> {
     let Some(expected) = blessed(name) else {
         return Some(format!("{name}: there is no picture to compare with: {}", blessed_file(name).display()));

@@ -10,7 +10,7 @@ mod truth;
 
 use saute_picture::still::headless::{Gpu, GpuError};
 
-/// The graphics adapter; without one it says so, and the test that asked has nothing to look at.
+/// The graphics adapter; without one it prints a note, and the calling test has nothing to look at.
 fn adapter() -> Option<Gpu> {
     match Gpu::open() {
         Ok(gpu) => Some(gpu),

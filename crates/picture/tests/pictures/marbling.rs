@@ -1,4 +1,4 @@
-//! Promise: the marbling that is seen is the marbling that conducts: a node holds as much fat as the picture shows in
+//! Promise: the marbling that is seen is the marbling that conducts: a node contains as much fat as the picture shows in
 //! its volume, and a piece as much as its description states.
 
 use saute_fixtures::campaign::pairs;
@@ -8,7 +8,7 @@ use saute_picture::skin::surface::Skin;
 use saute_recipe::Recipe;
 use saute_scene::input::{GrainVolume, WITHIN_RANGE};
 
-/// Places along each side of a triangle at which the picture is read, and how many lie upon each other in every half of
+/// Places along each side of a triangle at which the picture is read, and how many are on each other in every half of
 /// a layer (chosen: 0.2 mm apart and less, where seams are some 0.5 to 1 mm wide).
 const ALONG: usize = 26;
 const UPWARDS: usize = 3;
@@ -49,7 +49,7 @@ fn fatty(within: f64) -> f64 {
 }
 
 /// Mean share of fat that is seen in the volume of each node: of each triangle the third that is nearest to the node's
-/// corner, half way to the levels beside it.
+/// corner, half way to the levels next to it.
 fn seen(model: &FoodModel, grain: &GrainVolume) -> Vec<f64> {
     let mesh = model.mesh().swept().expect("a slice");
     let mut sums = vec![[0.0; 2]; mesh.node_count()];
@@ -76,7 +76,7 @@ fn seen(model: &FoodModel, grain: &GrainVolume) -> Vec<f64> {
 }
 
 /// Places spread evenly over a triangle as shares of its corners, each with a corner nearest to it and the area that it
-/// stands for there [m²]; what lies on the border between corners belongs to each of them in part.
+/// represents there [m²]; what is on the border between corners belongs to each of them in part.
 fn places([a, b, c]: [[f64; 2]; 3]) -> Vec<([f64; 3], usize, f64)> {
     let third = ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 6.0;
     let mut found = Vec::new();

@@ -85,7 +85,7 @@ fn every_kind_of_skin_encloses_its_food_and_looks_outwards() {
     }
 }
 
-/// The lower face of lean beef, of which the core tells a mean colour: the mean of what is painted there is that.
+/// The lower face of lean beef, of which the core gives a mean colour: the mean of what is painted there is that.
 #[test]
 fn the_colour_of_a_browned_face_is_that_of_the_core() {
     let kitchen = fried("beef-lean", [0.08, 0.06, 0.02], 120);

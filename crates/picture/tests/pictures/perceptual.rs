@@ -6,7 +6,7 @@ use saute_picture::Picture;
 
 /// Largest difference that passes (chosen: twice what a driver makes that rounds every channel another way, 0.23 and
 /// 0.60; a tenth more browning, the least change that has to be seen, is 2.8 at the worst hundredth, and a tenth of a
-/// stop 0.9 in the mean. `visible_changes_fail_and_rounding_passes` holds both sides).
+/// stop 0.9 in the mean. `visible_changes_fail_and_rounding_passes` tests both sides).
 pub const MOST_MEAN: f64 = 0.4;
 pub const MOST_PERCENTILE: f64 = 1.6;
 

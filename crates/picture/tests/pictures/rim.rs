@@ -21,7 +21,7 @@ use crate::adapter;
 const SIZE: [u32; 2] = [2048, 1536];
 /// Distance of the eye [m] (chosen: 50 pixels a millimetre).
 const DISTANCE: f32 = 0.048;
-/// How far beside the rim both sides are read [pixels] (chosen: past the pixel that the rim itself crosses).
+/// How far from the rim both sides are read [pixels] (chosen: past the pixel that the rim itself crosses).
 const BESIDE: f32 = 1.2;
 /// From place to place along the rim [pixels].
 const APART: f32 = 10.0;
@@ -64,14 +64,14 @@ impl Rim {
             let [x, y] = self.scene.camera.project(p, size.x / size.y)?;
             Some(Vec2::new(0.5 + 0.5 * x, 0.5 - 0.5 * y) * size)
         };
-        // The colour of the pixel at a place, and how far beside the rim its middle lies.
+        // The colour of the pixel at a place, and how far from the rim its middle is.
         let read = |at: Vec2, aside: Vec2, rim: Vec2| {
             let inside = at.cmpge(Vec2::ZERO).all() && at.cmplt(size).all();
             let start = 4 * (at.y as usize * SIZE[0] as usize + at.x as usize);
             let away = (at.floor() + 0.5 - rim).dot(aside.normalize());
             inside.then(|| (Lab::from_srgb8([rgba[start], rgba[start + 1], rgba[start + 2]]), f64::from(away)))
         };
-        // A crust is so thin that its colour changes beside the rim, and a seam so sharp that it does not change
+        // A crust is so thin that its colour changes next to the rim, and a seam so sharp that it does not change
         // evenly: a step is there both between the nearest pixels and where both sides are followed to the rim itself.
         let sides = |rim: Vec2, aside: Vec2| {
             let (near, far) = (read(rim + aside, aside, rim)?, read(rim + 2.5 * aside, aside, rim)?);
@@ -79,7 +79,7 @@ impl Rim {
             Some([near.0, Lab([0, 1, 2].map(|i| near.0.0[i] - back * (far.0.0[i] - near.0.0[i])))])
         };
         let (mut steps, mut next) = (Vec::new(), 0.0);
-        // The wall of a step is seen edge-on: only one side of such a rim is in the picture, and a reading beside its foot
+        // The wall of a step is seen edge-on: only one side of such a rim is in the picture, and a reading next to its foot
         // or its crest falls on what is behind.
         let wall = |pair: &[Vec3]| (pair[1].z - pair[0].z).abs() > pair[1].truncate().distance(pair[0].truncate());
         let walls: Vec<Vec2> =
@@ -89,7 +89,7 @@ impl Rim {
             let (Some(from), Some(to)) = (pixel(pair[0]), pixel(pair[1])) else { continue };
             let Some(along) = (to - from).try_normalize() else { continue };
             let across = along.perp() * BESIDE;
-            // Places lie evenly along the whole rim, whatever the lengths of its edges.
+            // Places are spread evenly along the whole rim, whatever the lengths of its edges.
             let length = from.distance(to);
             while next < length {
                 let at = from + along * next;

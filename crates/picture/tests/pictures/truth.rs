@@ -1,4 +1,4 @@
-//! Promise: pictures tell the truth: the temperature view decodes to the field of the core, and the look follows it.
+//! Promise: pictures are true: the temperature view decodes to the field of the core, and the look follows it.
 
 use std::sync::OnceLock;
 
@@ -140,7 +140,7 @@ fn flat_views_of_every_field_decode_to_the_cores_values() {
             let near = [cut, (random(0) - 0.5) * 0.06, 0.004 + random(1) * (thickness - 0.008)];
             let (at, point) = seen(piece, &pose, &options.camera, &Plane::Cut(cut), near);
             let value = |dz: f64| model.at(&field, [point[0], point[1], point[2] + dz]).expect("inside").min(map.to);
-            // Lethality changes tenfold in a millimetre, so half a pixel moves it: what lies that near counts.
+            // Lethality changes tenfold in a millimetre, so half a pixel moves it: what is that near counts.
             let reach = if view == View::Lethality { 5e-4 } else { 0.0 };
             let truth = [-reach, 0.0, reach].map(value);
             let (low, high) = (truth.into_iter().fold(f64::MAX, f64::min), truth.into_iter().fold(f64::MIN, f64::max));
@@ -151,7 +151,7 @@ fn flat_views_of_every_field_decode_to_the_cores_values() {
     }
 }
 
-/// Classes differ by patterns as well as by colours, but a picture for measuring holds nothing but its classes'
+/// Classes differ by patterns as well as by colours, but a picture for measuring contains nothing but its classes'
 /// colours.
 #[test]
 fn lit_doneness_is_hatched_and_flat_doneness_is_not() {

@@ -1,4 +1,4 @@
-//! Which part of a log is compared: from the put to the end of the cook, unless it is asked for otherwise.
+//! Which part of a log is compared: from the put to the end of the cook, unless requested otherwise.
 
 use saute_recipe::action::ActionKind;
 use saute_recipe::{Recipe, Trigger};

@@ -1,4 +1,4 @@
-//! What a fitted kitchen would have shown all along: curves beside the log.
+//! What a fitted kitchen would have shown all along: curves next to the log.
 
 use saute_kitchen::TICKS_PER_S;
 use serde::{Deserialize, Serialize};

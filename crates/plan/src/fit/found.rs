@@ -93,7 +93,7 @@ impl FitResult {
         }
     }
 
-    /// Returns the kitchen that was found with the data of a library, as factors on the shipped data: a library that holds an earlier
+    /// Returns the kitchen that was found with the data of a library, as factors on the shipped data: a library that contains an earlier
     /// fit has its factors in it already.
     pub fn at_home(&self, library: &Library, log: &str) -> KitchenAtHome {
         let (assumed, earlier) = (library.hob.efficiency(), &library.at_home);

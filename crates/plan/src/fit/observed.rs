@@ -13,7 +13,7 @@ pub const PAN_SIGMA: f64 = 5.0;
 pub const WEIGHT_SIGMA: f64 = 1.5e-3;
 /// Width of a class's bounds as the eye sees them [K] (chosen: the colour between two classes is read by eye).
 const CLASS_SIGMA: f64 = 2.0;
-/// Most samples of a quantity that are compared [-] (chosen: more say nothing new, as neighbours share their errors).
+/// Most samples of a quantity that are compared [-] (chosen: more add no information, as neighbours share their errors).
 const MOST_SAMPLES: usize = 60;
 
 /// A quantity that was measured.

@@ -134,7 +134,7 @@ impl Predicting {
     }
 }
 
-/// How a cook stands to the time of a sample.
+/// Whether a cook has reached the time of a sample.
 enum Reached {
     NotYet,
     Now,

@@ -13,7 +13,7 @@ use super::observed::{Observed, Sample};
 use super::parameters::{COUNT, Logs, Parameters};
 use super::predict::{FitError, Job};
 
-/// Step of the transformed parameters for the differences [-] (chosen: changes of 2 % stand well above the rounding of a tick and below
+/// Step of the transformed parameters for the differences [-] (chosen: changes of 2 % are well above the rounding of a tick and below
 /// the curvature).
 const STEP: f64 = 0.02;
 /// A round whose step is smaller than this share of the standard deviations ends a level [-] (chosen).

@@ -23,7 +23,7 @@ const HAIR_S: f64 = 1e-6;
 /// Fall of the core below its peak after which the carry-over is over [K] (chosen: twenty times the noise of a core).
 const FALLEN_K: f64 = 0.2;
 
-/// A kitchen on coarse meshes that runs ahead with what was asked.
+/// A kitchen on coarse meshes that runs ahead with the action of the question.
 #[derive(Clone, Debug)]
 pub struct Ahead {
     kitchen: ReducedKitchen,
@@ -38,7 +38,7 @@ pub struct Ahead {
 }
 
 impl Ahead {
-    /// Carries the present over to the coarse meshes and does what is asked; none where that is not possible now.
+    /// Carries the present over to the coarse meshes and does the action of the question; none where that is not possible now.
     ///
     /// # Errors
     /// If a coarse mesh cannot be built.
@@ -104,7 +104,7 @@ impl Ahead {
         if core < room + RAW_K { LONGEST_RAW_S } else { LONGEST_REST_S }
     }
 
-    /// Looks as far from a later present of the kitchen, which it has passed: what it knows from there on stays, and only the rest is still
+    /// Looks as far from a later present of the kitchen, which it has passed: its results from there on stay, and only the rest is still
     /// to run. Nothing happens without the piece.
     pub fn look_further(&mut self, kitchen: &Kitchen) {
         let Some(piece) = kitchen.piece(&self.ask.food) else { return };

@@ -1,6 +1,6 @@
 //! How far a forecast on coarse meshes may be from a full cook.
 //!
-//! `data/forecast.toml` holds, for each question, the quantile of the errors of many forecasts against full cooks at some
+//! `data/forecast.toml` contains, for each question, the quantile of the errors of many forecasts against full cooks at some
 //! times ahead. `docs/forecast.md` states how they were found.
 
 use serde::Deserialize;
@@ -13,7 +13,7 @@ pub const SPANS_S: [f64; 3] = [60.0, 120.0, 300.0];
 /// `data/forecast.toml` as it is written.
 const TEXT: &str = include_str!("../../../../data/forecast.toml");
 
-/// Half the width of the band around the answer to a question: as many forecasts as the [`Bands`] state lie within it.
+/// Half the width of the band around the answer to a question: as many forecasts as the [`Bands`] state are within it.
 #[derive(Clone, Debug, Deserialize, PartialEq)]
 #[serde(deny_unknown_fields)]
 pub struct Band {
@@ -45,7 +45,7 @@ pub enum Confidence {
 #[derive(Clone, Debug, Deserialize, PartialEq)]
 #[serde(deny_unknown_fields)]
 pub struct Bands {
-    /// Share of forecasts that lie within the band [-].
+    /// Share of forecasts within the band [-].
     pub within: f64,
     band: Vec<Band>,
 }

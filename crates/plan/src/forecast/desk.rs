@@ -1,9 +1,9 @@
 //! Keeps the forecasts of one piece fresh, in small parts of work.
 //!
-//! A round asks some or all questions from one present, on coarse meshes; the next begins from a newer present. While nothing is done, "as
-//! it is" goes on from where it is instead, and begins anew every half minute. It runs the full model beside, from the present at which
+//! A round answers some or all questions from one present, on coarse meshes; the next begins from a newer present. While nothing is done, "as
+//! it is" goes on from where it is instead, and begins again every half minute. It also runs the full model, from the present at which
 //! something was done last, and ten seconds further every ten seconds. The desk has no
-//! clock: the shell gives it the present when it [`wants`](Desk::wants) it, and calls [`Desk::advance`] while it has time.
+//! clock: the shell gives it the present when it needs it ([`Desk::wants`]), and calls [`Desk::advance`] while it has time.
 
 use std::sync::Arc;
 
@@ -19,7 +19,7 @@ use crate::forecast::question::{Ask, Question};
 
 /// Age at which "as it is" with the full model looks further [s].
 const EXACT_AGE_S: f64 = 10.0;
-/// Age at which "as it is" on coarse meshes begins anew, if its core is still that of the kitchen [s] (chosen: its other errors have not grown
+/// Age at which "as it is" on coarse meshes begins again, if its core is still that of the kitchen [s] (chosen: its other errors have not grown
 /// by then, and the work of beginning is spread over many rounds).
 const COURSE_AGE_S: f64 = 30.0;
 /// Difference of the core from that of "as it is" up to which that is still the course of the kitchen [K] (chosen: between two samples
@@ -35,7 +35,7 @@ const ROUND_PARTS: u64 = 3;
 /// A finished forecast.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct Foreseen {
-    /// What it says.
+    /// Its content.
     pub outlook: Outlook,
     /// What had been done when it began, as the shell counts it.
     pub done: u64,
@@ -53,7 +53,7 @@ impl Foreseen {
     }
 }
 
-/// What the desk wants from the shell.
+/// What the desk needs from the shell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Wanted {
     /// Time for its work.
@@ -64,7 +64,7 @@ pub enum Wanted {
     Nothing,
 }
 
-/// The desk: what is asked, what is under way and what was found.
+/// The desk: questions, running forecasts and results.
 #[derive(Clone, Debug, Default)]
 pub struct Desk {
     watched: Option<(String, Option<Arc<Scale>>)>,
@@ -94,7 +94,7 @@ impl Desk {
         }
     }
 
-    /// Returns what it wants, given the frame of the present kitchen and a count of what was done there so far.
+    /// Returns what it needs, given the frame of the present kitchen and a count of what was done there so far.
     pub fn wants(&self, frame: u64, done: u64) -> Wanted {
         if self.watched.is_none() {
             return Wanted::Nothing;
@@ -144,7 +144,7 @@ impl Desk {
         Ok(())
     }
 
-    /// Lets the full model look further from a later present that it has passed; returns false if it has to begin anew.
+    /// Lets the full model look further from a later present that it has passed; returns false if it has to begin again.
     fn looks_further(&mut self, kitchen: &Kitchen, done: u64) -> bool {
         let (Some((then, was_done)), Some(exact)) = (self.exact_from, &mut self.exact) else { return false };
         let age_s = kitchen.frame().saturating_sub(then) as f64 * FRAME_S;
@@ -168,7 +168,7 @@ impl Desk {
         self.exact.as_mut().filter(|exact| !exact.is_done())
     }
 
-    /// What a round asks; nothing while a hand moves food: on coarse meshes it would stay where it is.
+    /// The forecasts of a round; nothing while a hand moves food: on coarse meshes it would stay where it is.
     fn asked(&mut self, kitchen: &Kitchen, asks: &[Ask], done: u64) -> Result<Vec<Ahead>, BuildError> {
         let mut course = self.course_from(kitchen, done);
         if kitchen.is_moving_food() {
@@ -182,7 +182,7 @@ impl Desk {
         Ok(asks.iter().rev().filter_map(of).collect())
     }
 
-    /// Takes "as it is" on coarse meshes, to look further from a later present; none if it has to begin anew.
+    /// Takes "as it is" on coarse meshes, to look further from a later present; none if it has to begin again.
     fn course_from(&mut self, kitchen: &Kitchen, done: u64) -> Option<Ahead> {
         let (mut course, was_done) = self.course.take()?;
         let by_s = kitchen.frame().saturating_sub(course.outlook().frame) as f64 * FRAME_S;
@@ -259,7 +259,7 @@ impl Desk {
     }
 }
 
-/// Returns true if a kitchen has come, `by_s` after the present of "as it is", to where that said.
+/// Returns true if a kitchen has come, `by_s` after the present of "as it is", to the state in that forecast.
 fn is_course_of(outlook: &Outlook, kitchen: &Kitchen, by_s: f64) -> bool {
     kitchen.piece(&outlook.food).is_some_and(|piece| (piece.core() - outlook.core_at(by_s)).abs() <= SAME_K)
 }

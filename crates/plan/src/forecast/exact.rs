@@ -8,7 +8,7 @@ use crate::forecast::question::Ask;
 /// How far "as it is" runs the full model [s].
 pub const EXACT_S: f64 = 60.0;
 
-/// A kitchen that runs on from the present with what was asked. Its states are those of the kitchen itself, bit for bit, as
+/// A kitchen that runs on from the present with the action of the question. Its states are those of the kitchen itself, bit for bit, as
 /// long as nothing else is done there.
 #[derive(Clone, Debug)]
 pub struct Exact {
@@ -20,7 +20,7 @@ pub struct Exact {
 }
 
 impl Exact {
-    /// Forks a kitchen and does what is asked; none where that is not possible now.
+    /// Forks a kitchen and does the action of the question; none where that is not possible now.
     ///
     /// # Errors
     /// If the kitchen refuses it.
@@ -52,13 +52,13 @@ impl Exact {
     }
 
     /// Looks as far from a later present that it has passed, up to which nothing else was done: `by_s` later, a multiple of the time between
-    /// two samples. What it knows from there on stays, and only the rest is still to run.
+    /// two samples. Its results from there on stay, and only the rest is still to run.
     pub fn look_further(&mut self, by_s: f64) {
         self.ticks -= (by_s / TICK_S).round() as u64;
         self.outlook.begin_later(by_s, (by_s / FRAME_S).round() as u64);
     }
 
-    /// Returns true once it has run as far as it was asked for.
+    /// Returns true once it has run as far as requested.
     pub fn is_done(&self) -> bool {
         self.ticks == self.last
     }

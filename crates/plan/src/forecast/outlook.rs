@@ -1,4 +1,4 @@
-//! What a forecast says: the course of a piece from now on.
+//! The result of a forecast: the course of a piece from now on.
 
 use saute_kitchen::food::change::doneness::Measure;
 use saute_kitchen::food::readings::FaceReading;
@@ -38,7 +38,7 @@ pub struct Peak {
 /// The course of a piece from the present on.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct Outlook {
-    /// What was asked.
+    /// The question.
     pub question: Question,
     /// Name of the piece.
     pub food: String,

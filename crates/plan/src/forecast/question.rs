@@ -1,4 +1,4 @@
-//! What one may do now, and what comes of it is asked.
+//! Actions that one may take now, whose results are forecast.
 
 use std::sync::Arc;
 
@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 /// Power that lower heat leaves, relative to the present one [-] (chosen: a clear step on every hob).
 const LOWER_SHARE: f64 = 0.5;
-/// By how much lower heat lowers the temperature that the hob holds [K] (chosen: the same, where a pan is held).
+/// By how much lower heat lowers the temperature that the hob keeps [K] (chosen: the same, where a pan is held).
 const LOWER_K: f64 = 30.0;
 
 /// What is done with a piece now.
@@ -21,7 +21,7 @@ pub enum Question {
     Flip,
     /// It is taken out and rests on the board.
     TakeOut,
-    /// The hob gets half its power, or holds 30 K less.
+    /// The hob gets half its power, or keeps 30 K less.
     LowerHeat,
 }
 

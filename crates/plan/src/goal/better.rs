@@ -18,14 +18,14 @@ pub enum Better {
     PullEarlier {
         /// How far the core is beyond the aim, in the unit of the scale [K or points of %].
         by: f64,
-        /// How much earlier [s]; none if the state does not tell.
+        /// How much earlier [s]; none if the state does not show it.
         by_s: Option<f64>,
     },
     /// Leave it in longer.
     PullLater {
         /// How far the core is below the aim, in the unit of the scale [K or points of %].
         by: f64,
-        /// How much longer [s]; none if the state does not tell.
+        /// How much longer [s]; none if the state does not show it.
         by_s: Option<f64>,
     },
     /// Leave it in much longer: it was far from done.
@@ -114,11 +114,11 @@ const NEAR_AIM: f64 = 2.0;
 const FLIP_EVERY_S: f64 = 30.0;
 /// Flips from which more of them gain little [-] (chosen: the band of plans with four is nearly that of plans with twelve).
 const MANY_FLIPS: usize = 4;
-/// Time beyond which a change of the time in the pan is told without it [s] (chosen: the core does not rise evenly for that long).
+/// Time beyond which a change of the time in the pan is given without it [s] (chosen: the core does not rise evenly for that long).
 const FAR_S: f64 = 300.0;
 /// Distance of a core from its aim from which it was far from done where no time is known [K or points of %] (chosen: two classes).
 const FAR_OFF: f64 = 20.0;
-/// What takes one off the other: times are told in steps of this [s] (chosen: nobody pulls by the second).
+/// What takes one off the other: times are given in steps of this [s] (chosen: nobody pulls by the second).
 const STEP_S: f64 = 5.0;
 
 impl Better {

@@ -21,7 +21,7 @@ pub(crate) fn grey_band(piece: &Piece, goal: &Goal) -> [f64; 2] {
         let at = |point: usize| share(if from_top { POINTS - 1 - point } else { point });
         (0..POINTS).take_while(|point| beyond(at(*point))).count()
     };
-    // The body's lower face lies on top once it was turned over.
+    // The body's lower face is on top once it was turned over.
     let runs = [run(piece.upside_down()), run(!piece.upside_down())];
     let thickness = piece.model.thickness(&piece.state);
     // Where all of the line is beyond, each face has its half of it.

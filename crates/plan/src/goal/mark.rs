@@ -1,4 +1,4 @@
-//! How well a cook went, as a person is told it: 0 to 100. (The [score](crate::goal::score) is what plans are searched by; it has no
+//! How well a cook went, as it is shown to a person: 0 to 100. (The [score](crate::goal::score) is what plans are searched by; it has no
 //! lower end and is shown to nobody.)
 //!
 //! mark = 30·core + 40·even + 20·crust + 10·care, each part between 0 and 1:
@@ -7,7 +7,7 @@
 //! |---|---|
 //! | core | 1 − miss / 8 K, the distance of the core from the band that meets the goal; of a change, 5 points of % are 1 K |
 //! | even | the share that counts over the full share of the goal, which verified plans reach |
-//! | crust | browned share of the paler face over what is wanted, times 1 − (charred beyond what may be) / 20 % |
+//! | crust | browned share of the paler face over the goal, times 1 − (charred beyond what may be) / 20 % |
 //! | care | (310 °C − hottest place of the pan) / 40 K: oils flash at 310–320 °C |
 //!
 //! What a goal does not judge gives its weight to *even*. A goal that is met has at least 80, one that is missed at most 79, a

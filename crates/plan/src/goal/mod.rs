@@ -1,4 +1,4 @@
-//! What a cook is wanted to give ([`Goal`]), what it gave ([`Outcome`]), how good that is ([`Score`]), and what would have made it
+//! What a cook is to give ([`Goal`]), what it gave ([`Outcome`]), how good that is ([`Score`]), and what would have made it
 //! better ([`Judgement`]).
 
 mod better;

@@ -6,12 +6,12 @@
 //! | term | unit | meaning |
 //! |---|---|---|
 //! | share | % | of the section in the class of the goal; for a goal of the faces, of them that is browned |
-//! | missing crust | points of % | how much less than wanted of the faces is browned, on the face with less of it |
+//! | missing crust | points of % | how much less than the goal of the faces is browned, on the face with less of it |
 //! | charred | % | of the faces |
 //! | miss of the core | K (points of %: a fifth of the weight) | distance from the band that meets the goal |
 //! | core − aim | the same | distance from the value that is aimed at |
 //! | mass loss | % | |
-//! | heat above 295 °C | K | of the hottest place of the pan; oils flash at 310–320 °C, and a hob may give 10 % more than it says |
+//! | heat above 295 °C | K | of the hottest place of the pan; oils flash at 310–320 °C, and a hob may give 10 % more than it states |
 //! | flips | number | work of the hand |
 //!
 //! A goal that judges no core has no miss of it and no aim.
@@ -34,7 +34,7 @@ const OFF_AIM: f64 = 0.5;
 const LOST: f64 = 0.1;
 const HOT: f64 = 0.5;
 /// Temperature of the hottest place of a pan that no cook should pass [°C]: oils flash at 310–320 °C, and a hob may give 10 % more than it
-/// says. Above it the window speaks of danger, whatever a plan says.
+/// states. Above it the window warns of danger, whatever a plan states.
 pub const HOT_C: f64 = 295.0;
 const FLIP: f64 = 0.1;
 const FIRE: f64 = 100.0;

@@ -28,21 +28,21 @@ pub enum TargetError {
     NoSuchClass {
         /// Id of the scale.
         scale: String,
-        /// What was asked for.
+        /// What was requested.
         class: String,
         /// Its classes.
         known: String,
     },
 }
 
-/// Temperatures that a core may be wanted to reach [°C] (chosen: from warmer than the refrigerator to below boiling).
+/// Temperatures that may be the target of a core [°C] (chosen: from warmer than the refrigerator to below boiling).
 const CORE_C: [f64; 2] = [30.0, 98.0];
-/// Half of the band that counts as on target around a wanted temperature [K] (chosen: half of the narrowest class of the
+/// Half of the band that counts as on target around a target temperature [K] (chosen: half of the narrowest class of the
 /// chefs' scale).
 const HALF_BAND_K: f64 = 2.5;
-/// Largest miss of a wanted temperature [K] (chosen: what a good probe resolves).
+/// Largest miss of a target temperature [K] (chosen: what a good probe resolves).
 const CORE_MISS_K: f64 = 1.0;
-/// Charred share of the faces above which a cook is burnt where its goal does not say [%] (chosen: some black edges are part of a
+/// Charred share of the faces above which a cook is burnt where its goal does not state it [%] (chosen: some black edges are part of a
 /// crust).
 const BURNT_PCT: f64 = 5.0;
 /// Aim inside a class, as a share of its width above the lower end [-], and its largest distance from that end [K or
@@ -69,12 +69,12 @@ impl FromStr for Wish {
 /// Full share of a goal that states none [%] (chosen: verified plans of steaks reach about half of the section).
 const USUAL_FULL_PCT: f64 = 50.0;
 
-/// What a cook is wanted to give. Values of the core are in the unit of the scale [°C or %].
+/// What a cook is to give. Values of the core are in the unit of the scale [°C or %].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Goal {
     /// The target in words: `medium`, `core 54 °C`.
     pub name: String,
-    /// The scale that the target is a class of; for a temperature one of its own.
+    /// The scale that the target is a class of; for a temperature a separate one.
     pub scale: Scale,
     /// Index of the class.
     pub class: usize,
@@ -82,13 +82,13 @@ pub struct Goal {
     pub aim: f64,
     /// Lowest and highest value of the core that meets the goal.
     pub core: [f64; 2],
-    /// Browned share of the faces that is wanted [%].
+    /// Target browned share of the faces [%].
     pub crust_pct: f64,
     /// What the share that counts is a share of.
     pub counts: Counted,
     /// True if the core must be in the class; otherwise only the share counts.
     pub core_counts: bool,
-    /// Share that is wanted at least [%].
+    /// Least target share [%].
     pub least_share_pct: f64,
     /// Share that a cook can reach who does it best [%]: it has full marks.
     pub full_share_pct: f64,

@@ -1,4 +1,4 @@
-//! What a person asks a plan for, in plain words and numbers: it becomes an [`Order`] where a library is.
+//! What a person requests of a plan, in plain words and numbers: it becomes an [`Order`] where a library is.
 
 use std::sync::Arc;
 
@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 use crate::goal::{Goal, TargetError, Wish};
 use crate::schedule::{JobError, Order};
 
-/// What a person asks a plan for.
+/// What a person requests of a plan.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct Asked {
     /// Id of the food.
@@ -53,7 +53,7 @@ pub enum AskedError {
     Job(#[from] JobError),
 }
 
-/// Returns the scales of doneness that say anything about a food, in their order: those made for it, else the general ones.
+/// Returns the scales of doneness that apply to a food, in their order: those made for it, else the general ones.
 pub fn scales_for<'a>(library: &'a Library, food: &str) -> Vec<&'a Arc<Scale>> {
     let Some(food) = library.foods.get(food) else { return Vec::new() };
     let Some(kinetics) = library.kinetics.get(&food.kinetics) else { return Vec::new() };

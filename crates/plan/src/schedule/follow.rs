@@ -1,7 +1,7 @@
 //! A plan that a person cooks: which steps are done, which is next, and how late each was.
 //!
 //! Steps keep their times whatever happens: a late one moves no other. Foods are counted, since each can go into the pan, be turned and
-//! come out only once a step; a power counts for the first open step that wants about that power and is not far ahead. The step that takes
+//! come out only once a step; a power counts for the first open step with about that power and is not far ahead. The step that takes
 //! the food out also switches the hob off: it is done when both are.
 
 use crate::schedule::{Deed, Plan, Step};
@@ -30,7 +30,7 @@ pub enum Hand {
     Out,
 }
 
-/// How a step stands.
+/// Status of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Standing {
     /// It was done, so much after its time; before it where negative [s].
@@ -52,18 +52,18 @@ pub enum Left {
     Hob,
 }
 
-/// A step with how it stands.
+/// A step with its status.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Followed {
     /// The step.
     pub step: Step,
-    /// How it stands.
+    /// Its status.
     pub standing: Standing,
     /// What is left of it while it is open.
     pub left: Left,
 }
 
-/// Powers closer than this to what a step wants count, as a share and at least [W] (chosen: a slider is set by eye).
+/// Powers closer than this to that of a step count, as a share and at least [W] (chosen: a slider is set by eye).
 const NEAR_SHARE: f64 = 0.05;
 const NEAR_W: f64 = 25.0;
 /// A power counts for a step from this time before it on [s] (chosen: who turns the knob early means the next step, not the one after).
@@ -71,7 +71,7 @@ pub(super) const EARLY_S: f64 = 30.0;
 /// From this much after its time a step is late, and before it early [s] (chosen: a hand needs a moment).
 pub const LATE_S: f64 = 3.0;
 
-/// Returns the steps of a plan with how they stand at a time [s], given what was done for a number of pieces, in order.
+/// Returns the steps of a plan with their status at a time [s], given what was done for a number of pieces, in order.
 pub fn follow(plan: &Plan, done: &[Done], pieces: usize, now_s: f64) -> Vec<Followed> {
     let (steps, pieces) = (plan.steps(), pieces.max(1));
     let times = done_times(&steps, done, pieces, now_s);

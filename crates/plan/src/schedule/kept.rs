@@ -1,4 +1,4 @@
-//! How well a person kept to a plan in the end: what there is to say of it beside the judgement.
+//! How well a person kept to a plan in the end: what is reported of it in addition to the judgement.
 
 use crate::goal::Outcome;
 use crate::schedule::follow::{Followed, LATE_S, Standing};
@@ -26,7 +26,7 @@ const NEAR_K: f64 = 1.5;
 const NEAR_PCT: f64 = 8.0;
 
 impl Kept {
-    /// Measures what a cook gave by the plan, given the steps as they stand at the end; none where steps are not known.
+    /// Measures what a cook gave by the plan, given the steps with their status at the end; none where steps are not known.
     pub fn of(plan: &Plan, steps: Option<&[Followed]>, gave: &Outcome) -> Self {
         if is_as_promised(&plan.promised, gave) {
             return Self::AsPlanned;

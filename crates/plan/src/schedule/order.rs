@@ -39,11 +39,11 @@ pub struct Order {
 /// than this).
 pub const CRUST_PCT: f64 = 60.0;
 
-/// Flips of a plain plan at most [-] (chosen: a turn every three minutes, as the coach asks for, warms evenly and is not missed).
+/// Flips of a plain plan at most [-] (chosen: a turn every three minutes, as the coach advises, warms evenly and is not missed).
 pub const PLAIN_FLIPS: usize = 3;
 
 impl Order {
-    /// Returns the crust that a food is wanted to have unless the cook says otherwise [%]: none for foods that are not fried for
+    /// Returns the crust that is the target for a food unless the cook states another [%]: none for foods that are not fried for
     /// their crust.
     pub fn usual_crust_pct(form: Form) -> f64 {
         match form {

@@ -43,8 +43,8 @@ const NEXT_CRUST: f64 = 10.0;
 const AGAIN: usize = 1;
 /// Gain of the score from which the search goes on with the same stride [points] (chosen).
 const GAIN: f64 = 0.7;
-/// Crust that the search wants on top of the goal's, with its spacing and on reduced meshes [points of %] (measured on a dozen finalists: the
-/// first brown up to 5 points too much, the second 18 to 24, since a column stands for a larger area).
+/// Crust that the search requires in addition to the goal's, with its spacing and on reduced meshes [points of %] (measured on a dozen finalists: the
+/// first brown up to 5 points too much, the second 18 to 24, since a column represents a larger area).
 const MORE_CRUST: f64 = 5.0;
 const MORE_CRUST_REDUCED: f64 = 20.0;
 /// Expected rise of the core during the rest before there is an experience, as a share of the aim [-], and what is added to
@@ -121,7 +121,7 @@ impl Planner {
         let model = order.check(&library, FULL)?;
         let pieces = order.count.unwrap_or(1);
         let nodes = pieces as u64 * model.mesh().node_count() as u64;
-        // Where bodies lie still, only one slice cooks as in a kitchen.
+        // Where bodies are still, only one slice cooks as in a kitchen.
         let is_slice = pieces == 1
             && order.thickness_mm() >= REDUCED_FROM_MM
             && Reduction::of(&model).map_err(SetupError::from)?.is_some();
@@ -225,7 +225,7 @@ impl Planner {
         self.tried.iter().reduce(|best, next| if self.rank(next.1) > self.rank(best.1) { next } else { best })
     }
 
-    /// The best of the drafts that were not cooked on the full mesh yet; if the goal wants crust, with a further one for more of it, so that one
+    /// The best of the drafts that were not cooked on the full mesh yet; if the goal requires crust, with a further one for more of it, so that one
     /// meets the goal if the coarse mesh browned too much.
     fn next_finalists(&self) -> Vec<Draft> {
         let mut chosen: Vec<Draft> = Vec::new();
@@ -245,7 +245,7 @@ impl Planner {
         chosen
     }
 
-    /// Rank of a result on the coarse mesh: faces as they are wanted first, then a pan that does not become too hot, then the score.
+    /// Rank of a result on the coarse mesh: faces as the goal requires first, then a pan that does not become too hot, then the score.
     /// The core is left to the finish.
     fn rank(&self, result: &JobResult) -> ([bool; 2], Score) {
         let is_core = |s: &Shortfall| matches!(s, Shortfall::Undercooked | Shortfall::Overcooked);
@@ -378,7 +378,7 @@ impl Planner {
         (Shortfall::of(&result.outcome, &self.order.goal).len(), usize::from(!stays_cool(result)))
     }
 
-    /// Wants more crust of the coarse mesh than so far: more than the goal's by what it browned too much [points of %], and some.
+    /// Requires more crust of the coarse mesh than so far: more than the goal's by what it browned too much [points of %], and some.
     fn want_more_crust(&mut self, paler: f64) {
         let Self { order, search: Order { goal, .. }, tried, .. } = self;
         let more = (paler + MORE_CRUST).max(goal.crust_pct + MORE_CRUST - order.goal.crust_pct);
@@ -389,7 +389,7 @@ impl Planner {
     }
 }
 
-/// A goal with more crust [points of %], if it wants any.
+/// A goal with more crust [points of %], if it requires any.
 fn with_more_crust(goal: &Goal, more: f64) -> Goal {
     let crust_pct = if goal.crust_pct > 0.0 { (goal.crust_pct + more).min(100.0) } else { 0.0 };
     Goal { crust_pct, ..goal.clone() }

@@ -79,7 +79,7 @@ impl Search {
     ///
     /// # Errors
     ///
-    /// If what is asked makes no order.
+    /// If the request makes no order.
     pub fn new(asked: &Asked, library: Arc<Library>) -> Result<Self, AskedError> {
         let planner = Planner::new(asked.order(&library)?, Arc::clone(&library))?;
         let usual_jobs = if asked.plain { PLAIN_JOBS } else { USUAL_JOBS };

@@ -1,4 +1,4 @@
-//! What a cook sees, hears and feels at a step, told from the numbers of the planned cook.
+//! What a cook sees, hears and feels at a step, derived from the numbers of the planned cook.
 
 use saute_kitchen::Library;
 use saute_kitchen::advice::SMOKE_SEEN_MG_S;

@@ -1,7 +1,7 @@
-//! Who speaks while a person cooks a plan: the guide alone while the plan is kept to, the advice again once it is not.
+//! Which advice is shown while a person cooks a plan: the guide alone while the plan is kept to, the advice again once it is not.
 //!
-//! Advice knows the readings of the present, not the plan: its orders (other powers, take it out now) contradict the plan's steps a
-//! little early or late. While the plan is kept to, only what it tells without an order is left, and danger.
+//! Advice uses the readings of the present, not the plan: its orders (other powers, take it out now) contradict the plan's steps a
+//! little early or late. While the plan is kept to, only its texts without an order are left, and danger.
 
 use saute_kitchen::advice::Advice;
 
@@ -13,7 +13,7 @@ use crate::schedule::{Deed, Plan};
 /// hand that hesitates).
 pub const LEFT_S: f64 = 15.0;
 
-/// How a person stands to a plan.
+/// How a person follows a plan.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Keeping {
     /// The plan is kept to.
@@ -25,7 +25,7 @@ pub enum Keeping {
 }
 
 impl Keeping {
-    /// Returns how a person stands to a plan at a time [s], given its steps as they stand and what was done, in order.
+    /// Returns how a person follows a plan at a time [s], given its steps with their status and what was done, in order.
     pub fn of(plan: &Plan, steps: &[Followed], done: &[Done], now_s: f64) -> Self {
         let late = |f: &&Followed| matches!(f.standing, Standing::Open(in_s) if in_s <= -LEFT_S);
         if let Some(missed) = steps.iter().find(late) {
@@ -38,7 +38,7 @@ impl Keeping {
         }
     }
 
-    /// Returns what is left of advice, the guide of the plan beside it: everything once the plan is not kept to, else no order but those
+    /// Returns what is left of advice, next to the guide of the plan: everything once the plan is not kept to, else no order but those
     /// that avert danger.
     pub fn leaves(self, advice: &[Advice]) -> Vec<Advice> {
         let is_left = |one: &&Advice| self != Self::Kept || !one.is_due() || is_danger(one);
@@ -51,7 +51,7 @@ fn is_danger(advice: &Advice) -> bool {
     matches!(advice, Advice::TooHot { hottest_c, .. } if *hottest_c > HOT_C)
 }
 
-/// The power that a plan wants, where the hob has long had another one [W].
+/// The power that a plan requires, where the hob has long had another one [W].
 fn other_power(plan: &Plan, done: &[Done], now_s: f64) -> Option<f64> {
     let (set_s, set) = done.iter().rev().find_map(|d| match d.what {
         Hand::Hob(w) => Some((d.at_s, Some(w))),

@@ -1,5 +1,5 @@
 //! Promise: fitted to logs of a simulated cook with noise, "my kitchen" finds the true values within its 90 % intervals as often as it
-//! says. Truths are drawn from the prior, noise from the stated standard deviations, both from one seed.
+//! states. Truths are drawn from the prior, noise from the stated standard deviations, both from one seed.
 
 use saute_fixtures::draws::Draws;
 use std::sync::Arc;
@@ -41,7 +41,7 @@ at_s = 700
 end = true
 "#;
 
-/// Trials of `./test.sh`; the campaign makes as many as `SAUTE_FIT_TRIALS` says.
+/// Trials of `./test.sh`; the campaign makes as many as `SAUTE_FIT_TRIALS` states.
 const TRIALS: usize = 3;
 
 fn library() -> Arc<Library> {
@@ -116,7 +116,7 @@ fn true_values_lie_within_the_stated_intervals() {
     if trials >= 100 {
         assert!(hits.iter().all(|n| (85..=95).contains(&(100 * n / trials))), "{hits:?} of {trials}");
     } else {
-        // Of 9 values, 6 or more lie inside with a probability above 0.99 if each does with 0.9.
+        // Of 9 values, 6 or more are inside with a probability above 0.99 if each does with 0.9.
         assert!(3 * all >= 2 * 3 * trials, "{hits:?} of {trials}");
     }
 }

@@ -1,5 +1,5 @@
 //! Promise: a finished cook is judged by its goal with the numbers that show why: a shipped medium steak meets the task of 2013, an
-//! overcooked one does not and is told to come out earlier, with a grey band that is as thick as its profile says.
+//! overcooked one does not and gets the advice to come out earlier, with a grey band that is as thick as its profile states.
 
 use saute_kitchen::food::Rules;
 use saute_kitchen::{
@@ -73,7 +73,7 @@ fn band(piece: &Piece, beyond_c: f64) -> f64 {
 fn an_overcooked_steak_misses_its_goal_with_a_reason_that_has_numbers_and_a_good_one_does_not() {
     let library = Library::embedded().expect("embedded data");
     let [medium, study] = ["medium", "study-2013"].map(|id| goal(&library, id));
-    // What chars in so long a time costs more points than the core; here the core is asked for.
+    // What chars in so long a time costs more points than the core; here the core is tested.
     let medium = Goal { most_charred_pct: 100.0, ..medium };
     let mut missed = 0;
     for out_s in [880, 1160] {

@@ -1,4 +1,4 @@
-//! Promise: logs are read as makers' programs, loggers, phones and spreadsheets write them, and what is not stated is told or asked.
+//! Promise: logs are read as makers' programs, loggers, phones and spreadsheets write them, and what is not stated is reported or requested.
 
 use saute_plan::fit::log::log_error::{LogError, Question};
 use saute_plan::fit::log::log_file::LogFile;

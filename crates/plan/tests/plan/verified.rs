@@ -1,6 +1,6 @@
 //! Promise: a plan is what its recipe gives: cooked on the full mesh by the runner of recipes, the core comes within 1 K and the
 //! share on target within 3 points of what was promised; no plan is worse than the shipped recipe of its title; and none that
-//! meets its goal lets a place of the pan become so hot that the window speaks of danger.
+//! meets its goal lets a place of the pan become so hot that the window warns of danger.
 //!
 //! `combinations.csv` names the plans. The quick ones are part of every run; `SAUTE_PLANS=all` runs all of them, and
 //! `SAUTE_PLANS=3,7` these lines. Each prints a row of the table in docs/planning.md.
@@ -16,7 +16,7 @@ use saute_plan::schedule::{Job, Order, PLAIN_FLIPS, Plan, Planner, Stage};
 use saute_recipe::{Action, Cook, FoodAction, Recipe, StoppedBy};
 
 const COMBINATIONS: &str = include_str!("combinations.csv");
-/// Flips of `saute plan` unless others are asked for.
+/// Flips of `saute plan` unless others are requested.
 const FLIPS: usize = 12;
 
 /// A line of the list.

@@ -11,7 +11,7 @@ use saute_kitchen::piece::piece_state::Piece;
 pub enum FoodAction {
     /// Puts it into the pan.
     Put {
-        /// Place of its centre relative to the pan's; several foods lie around it [m].
+        /// Place of its centre relative to the pan's; several foods are laid around it [m].
         at: [f64; 2],
         /// True if it is dropped from above onto the foods in the pan.
         heap: bool,
@@ -32,7 +32,7 @@ pub enum FoodAction {
         /// Duration [s].
         for_s: f64,
     },
-    /// Moves it to a place in the pan; several foods lie around that place [m].
+    /// Moves it to a place in the pan; several foods are laid around that place [m].
     Move([f64; 2]),
 }
 

@@ -21,7 +21,7 @@ pub struct Repeat {
 pub enum RepeatEnd {
     /// After so many repetitions [-].
     Times(u32),
-    /// Once a condition holds, at any tick; without a repetition if it holds from the start.
+    /// Once a condition is true, at any tick; without a repetition if it is true from the start.
     Until(Condition),
 }
 

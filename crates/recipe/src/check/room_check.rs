@@ -13,7 +13,7 @@ use crate::recipe::{ALL, Step, Target};
 const LEAST_COVER: f64 = 0.4;
 
 impl Check<'_> {
-    /// Refuses pieces that need more memory than a kitchen has beside those before.
+    /// Refuses pieces that need more memory than a kitchen has in addition to those before.
     pub(super) fn check_memory(
         &self,
         load: &mut Load,
@@ -22,7 +22,7 @@ impl Check<'_> {
         count: Option<u64>,
     ) -> Checked<()> {
         let food = &self.library.foods[&one.kind];
-        // What else is wrong with a piece is said where it is built.
+        // What else is wrong with a piece is reported where it is built.
         let Err(NoRoom::TooMuch { excess, .. }) = load.add(&one.id, &one.spec(), food, count.unwrap_or(1) as usize)
         else {
             return Ok(());

@@ -130,7 +130,7 @@ impl<'a> Sequence<'a> {
         Ok(())
     }
 
-    /// Returns true if a condition holds for any food of a target.
+    /// Returns true if a condition is true for any food of a target.
     fn any(&self, target: &Target, condition: impl Fn(FoodState) -> bool) -> bool {
         target.foods.iter().any(|id| self.foods.get(id.as_str()).is_some_and(|food| condition(*food)))
     }

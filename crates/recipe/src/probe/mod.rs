@@ -114,7 +114,7 @@ impl Probes {
         Ok(number)
     }
 
-    /// Moves one to another point of its own piece; its series starts again, because the old one belongs to another
+    /// Moves one to another point of the same piece; its series starts again, because the old one belongs to another
     /// point.
     pub fn shift(&mut self, kitchen: &Kitchen, number: usize, point: SeenPoint) {
         let Some(probe) = self.get_mut(number) else { return };

@@ -1,6 +1,6 @@
 //! Sessions: what happened in a kitchen, kept as commands with their frames, and played again bit by bit.
 //!
-//! A [`Recording`] holds what a session began with (a recipe's text; [`set_out`] writes one for a choice of food and pan), each
+//! A [`Recording`] contains what a session began with (a recipe's text; [`set_out`] writes one for a choice of food and pan), each
 //! command of a person or a device with the frame at which it took effect, foods that were added or removed, and a hash of the
 //! kitchen's state every ten simulated seconds. A [`Replay`] plays it and states where it departs. [`file`](self::session_file) encodes a
 //! recording as a `.saute` file that grows by appending.

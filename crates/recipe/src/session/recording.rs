@@ -59,7 +59,7 @@ impl Recording {
         }
     }
 
-    /// Says in which kitchen at home it was recorded; none if anything has happened in it.
+    /// Sets the kitchen at home in which it was recorded; none if anything has happened in it.
     pub(super) fn restore_home(&mut self, home: String) -> Option<()> {
         let is_first = self.entries.is_empty() && self.hashes.is_empty() && self.reached == 0;
         self.beginning.home = Some(home).filter(|_| is_first && self.beginning.home.is_none());

@@ -1,7 +1,7 @@
 //! Session files (`.saute`): a first line of text, then records that are appended one after another, each with its length and a checksum.
 //!
-//! A program that is killed leaves at most a part of a last record. Reading stops at the first record that does not hold, and says so;
-//! what is before it opens. Undone entries stay in the file until it is written anew: a record states how many of them count.
+//! A program that is killed leaves at most a part of a last record. Reading stops at the first invalid record, with a message;
+//! what is before it opens. Undone entries stay in the file until it is written again: a record states how many of them count.
 
 use std::borrow::Cow;
 
@@ -62,7 +62,7 @@ pub enum SessionError {
 /// The end of a session file that was not read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Damage {
-    /// Number of bytes before it: what holds [-].
+    /// Number of bytes before it: the valid part [-].
     pub sound: usize,
     /// Number of bytes from there on [-].
     pub lost: usize,
@@ -171,7 +171,7 @@ impl Recording {
         Ok(Opened { recording, damage: (lost > 0).then_some(Damage { sound, lost, is_beyond }) })
     }
 
-    /// Adds what the body of a record says.
+    /// Adds the content of the body of a record.
     fn read_body(&mut self, body: &[u8], counts: &mut Counts) -> Result<(), Unread> {
         if let Some(stored) = StoredEntries::of(body) {
             return self.read_entries(stored, counts);
@@ -185,7 +185,7 @@ impl Recording {
         if is_undone && !counts.again(self.entries()) { Err(Unread::Beyond) } else { Ok(()) }
     }
 
-    /// Adds what a record says; `None` if it does not follow from those before.
+    /// Adds the content of a record; `None` if it does not follow from those before.
     fn read(&mut self, record: Record) -> Option<()> {
         match record {
             // Only the first record begins; entries are read one by one.
@@ -232,7 +232,7 @@ fn write(bytes: &mut Vec<u8>, record: &Record) {
     bytes.extend_from_slice(&body);
 }
 
-/// Takes the body of the next record whose checksum holds; `None` at the end and at damage.
+/// Takes the body of the next record whose checksum matches; `None` at the end and at damage.
 fn next_body<'a>(rest: &mut &'a [u8]) -> Option<&'a [u8]> {
     let (head, after) = rest.split_at_checked(RECORD_HEAD)?;
     let length = u32::from_le_bytes(head[..4].try_into().ok()?);

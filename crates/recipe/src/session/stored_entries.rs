@@ -9,7 +9,7 @@ use crate::session::session_file::sound;
 pub const MOST_ENTRIES: usize = 500_000;
 /// Largest number of entries that are no poses [-] (chosen: a key each second for half a day; each becomes a step of the replay).
 pub const MOST_ACTS: usize = 50_000;
-/// Largest number of foods that are added [-] (chosen: five full pans; each asks for a mesh).
+/// Largest number of foods that are added [-] (chosen: five full pans; each needs a mesh).
 pub const MOST_ADDED: usize = 500;
 
 /// Entries that are looked at again where some were undone, in all [-] (chosen: a thousand undos of a session of a hundred thousand
@@ -25,12 +25,12 @@ pub fn limits() -> String {
 }
 
 impl Recording {
-    /// Returns true if more happened than a file of a session holds: it ends before the first entry that is too much.
+    /// Returns true if more happened than a file of a session may contain: it ends before the first entry that is too much.
     pub fn is_full(&self) -> bool {
         self.first_beyond().is_some()
     }
 
-    /// Returns the last instant that a file holds: the present one, unless the session is full.
+    /// Returns the last instant in a file: the present one, unless the session is full.
     pub(super) fn storable(&self) -> Moment {
         let Some(entries) = self.first_beyond() else { return self.moment() };
         let Entry { frame, after_steps, .. } = self.entries()[entries];

@@ -52,7 +52,7 @@ impl Cook {
     }
 }
 
-/// What a session tells of its cook, for a recipe.
+/// What a session states about its cook, for a recipe.
 #[derive(Clone, Debug)]
 pub struct Told<'a> {
     /// What was done.

@@ -203,7 +203,7 @@ fn corners_of_the_ranges_drawn_at_random_can_be_cooked_in() {
     const CORNERS: u64 = 25;
     const DRAWS: u64 = 400;
     let files = files();
-    // A seed of its own: the corners are the same in each run (chosen: the day on which they were drawn first).
+    // A fixed seed: the corners are the same in each run (chosen: the day on which they were drawn first).
     let mut draws = Draws(20_261_126);
     let mut below = |most: usize| draws.below(most as u64) as usize;
     let mut cooked = 0;

@@ -1,4 +1,4 @@
-//! Promise: food may begin frozen, and on a finer mesh than the default; what cannot freeze is refused where it stands.
+//! Promise: food may begin frozen, and on a finer mesh than the default; what cannot freeze is refused at its line.
 
 use saute_kitchen::{Library, celsius};
 use saute_recipe::{Cook, Recipe, Summary};
@@ -68,7 +68,7 @@ fn what_cannot_freeze_is_refused_with_a_remedy() {
     assert!(far.to_string().contains("food.initial_c"), "{far}");
     let mesh = refused(&text("beef-lean", "", "coarseness = 0.1"), &library);
     assert!(mesh.to_string().contains("food.coarseness"), "{mesh}");
-    // A food of one's own that says nothing of freezing.
+    // A user's food that states nothing about freezing.
     let shipped = include_str!("../../../../data/foods/beef-lean.toml");
     let (head, rest) = shipped.split_once("[freezing]").expect("a table");
     let own = format!("{head}{}", &rest[rest.find("[sorption]").expect("the next table")..]);

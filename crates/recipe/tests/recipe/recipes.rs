@@ -416,7 +416,7 @@ fn a_group_lies_side_by_side_is_turned_and_taken_out_as_one() {
     assert!(!pieces[0].upside_down());
 }
 
-/// The group's condition holds when that of its last piece does, not that of its first.
+/// The group's condition is true when that of its last piece is, not that of its first.
 #[test]
 fn a_condition_on_a_group_waits_for_its_last_piece() {
     let text = with(&[

@@ -210,7 +210,7 @@ fn random_sessions_are_played_again_bit_by_bit_from_their_files() {
         assert_eq!(cook.departure(), None, "session {session}");
         assert_eq!(cook.kitchen.state_hash(), live.here.kitchen.state_hash(), "session {session}");
         serde_json::to_string(&cook.summary(0.0)).expect("numbers");
-        // The whole file, written anew, states the same.
+        // The whole file, written again, states the same.
         let anew = Recording::from_file(&live.recording.to_file()).expect("opens").recording;
         assert_eq!((anew.entries(), anew.hashes()), (read.entries(), read.hashes()));
         entries += read.entries().len();

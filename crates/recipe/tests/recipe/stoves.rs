@@ -1,4 +1,4 @@
-//! Promise: a recipe chooses its stove; what that stove cannot do is refused where it stands, and sessions keep the stove.
+//! Promise: a recipe chooses its stove; what that stove cannot do is refused at its line, and sessions keep the stove.
 
 use saute_kitchen::{Kitchen, Library, celsius};
 use saute_recipe::{Cook, Recipe, Recording, Replay};

@@ -81,7 +81,7 @@ impl Eye {
         Self { clip_from_world, size, scale: 0.5 * size.y * clip_from_world.row(1).truncate().length() }
     }
 
-    /// Pixels that a body with these corners covers; none where it lies beyond an edge of the picture.
+    /// Pixels that a body with these corners covers; none where it is beyond an edge of the picture.
     fn covered_by(&self, corners: impl Iterator<Item = Vec3>) -> DirtyRect {
         let (mut rect, mut beyond) = (DirtyRect::NOTHING, u8::MAX);
         for corner in corners {
@@ -91,7 +91,7 @@ impl Eye {
         if beyond == 0 { rect } else { DirtyRect::NOTHING }
     }
 
-    /// The edges of the picture beyond which a point lies, a bit for each, and one for the plane of the eye.
+    /// The edges of the picture beyond which a point is, a bit for each, and one for the plane of the eye.
     fn edges_before(&self, point: Vec3) -> u8 {
         let clip = self.clip_from_world * point.extend(1.0);
         let inside = [clip.w + clip.x, clip.w - clip.x, clip.w + clip.y, clip.w - clip.y, clip.w];

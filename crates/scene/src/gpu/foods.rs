@@ -343,7 +343,7 @@ fn buffer(device: &wgpu::Device, contents: &[u8], usage: wgpu::BufferUsages) -> 
     device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: Some("food"), contents, usage })
 }
 
-/// What grew in the flesh; a volume that does not hold what it says is taken as even and lean.
+/// What grew in the flesh; a volume whose size is not the stated one is taken as even and lean.
 fn grain_texture(device: &wgpu::Device, queue: &wgpu::Queue, grain: &GrainVolume) -> wgpu::TextureView {
     let limit = device.limits().max_texture_dimension_3d;
     let full = grain.size.iter().map(|&n| n as usize).product::<usize>() == grain.cells.len();

@@ -12,7 +12,7 @@ use crate::light::shadow::ShadowView;
 pub(crate) struct DirtyParts {
     /// Foods, the pan's floor, the tool.
     pub lively: DirtyRect,
-    /// Steam and what lies round frying foods.
+    /// Steam, and collars round frying foods.
     pub sprites: DirtyRect,
 }
 

@@ -287,7 +287,7 @@ pub(crate) fn draw_spots(pass: &mut wgpu::RenderPass<'_>, pipelines: &ColourPipe
     draw_sprites(pass, &pipelines.fry, &sprites.spots, 0..sprites.spot_vertices);
 }
 
-/// What lies round frying foods, the veils of cut foods, the glass of the lid, then steam.
+/// Collars round frying foods, the veils of cut foods, the glass of the lid, then steam.
 pub(crate) fn draw_veils(
     pass: &mut wgpu::RenderPass<'_>,
     pipelines: &ColourPipelines,

@@ -18,7 +18,7 @@ pub(crate) struct PipelineSet {
 }
 
 impl PipelineSet {
-    /// Compiles the shaders; `textures` is the layout of the bind group that holds the scene's textures.
+    /// Compiles the shaders; `textures` is the layout of the bind group of the scene's textures.
     pub fn new(device: &wgpu::Device, textures: &wgpu::BindGroupLayout) -> Self {
         let factory = PipelineFactory::new(device, textures);
         let (depth, restore) = (factory.depth(device), factory.restore(device));

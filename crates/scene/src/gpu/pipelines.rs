@@ -53,7 +53,7 @@ pub(crate) struct ColourPipelines {
     pub floor: wgpu::RenderPipeline,
     /// The glass of the lid.
     pub lid: wgpu::RenderPipeline,
-    /// What lies round frying foods.
+    /// Collars round frying foods.
     pub fry: wgpu::RenderPipeline,
     /// By what the flesh is made of: made when such a food is first drawn.
     foods: BTreeMap<FleshTexture, FoodPipelines>,

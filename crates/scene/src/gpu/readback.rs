@@ -11,7 +11,7 @@ use crate::renderer::SceneRenderer;
 const LARGEST: u32 = 2560;
 
 /// Overlap of tiles at the best level, and the grid on which they begin [pixels], for a height of the whole picture: the
-/// bloom of a glint in the next tile reaches into this one, and its levels must lie as in the whole.
+/// bloom of a glint in the next tile reaches into this one, and its levels must be placed as in the whole.
 fn overlap(height: u32) -> [u32; 2] {
     let grid = 1 << bloom_levels(height);
     [3 * grid, grid]

@@ -35,7 +35,7 @@ impl ShownFrame {
 pub(crate) enum Work {
     /// Draw it.
     Draw,
-    /// The picture stands.
+    /// The picture stays as it is.
     Nothing,
     /// Draw it once more, with smooth edges.
     Smooth,

@@ -89,7 +89,7 @@ impl MovableKey {
 /// A mesh that keeps its shape and moves.
 struct Posed {
     local: Mesh,
-    /// As it stands now.
+    /// With its present pose.
     posed: Vec<SolidVertex>,
     buffers: SolidBuffers,
 }
@@ -257,13 +257,13 @@ fn flames(device: &wgpu::Device, input: &SceneInput) -> Option<SolidBuffers> {
     burns.then(|| SolidBuffers::new(device, &stove::flames(input.hob.power)))
 }
 
-/// Body and floor of the pan where it stands.
+/// Body and floor of the pan at its place.
 fn pan(device: &wgpu::Device, input: &SceneInput) -> [Posed; 2] {
     let meshes = pan_mesh(&input.pan);
     [meshes.body, meshes.floor].map(|mesh| Posed::new(device, mesh, input.pan.world_from_pan()))
 }
 
-/// Glass and steel of the lid where the pan stands.
+/// Glass and steel of the lid at the place of the pan.
 fn lid(device: &wgpu::Device, input: &SceneInput) -> Option<[Posed; 2]> {
     input.pan.lid?;
     Some(lid_mesh(&input.pan).map(|mesh| Posed::new(device, mesh, input.pan.world_from_pan())))

@@ -10,11 +10,11 @@ use crate::mesh::steam::{PUFFS_MAX, PuffVertex, puffs};
 
 /// All sprites on the device.
 pub(crate) struct SpriteBuffers {
-    /// What lies round foods with the drops in the air first, then steam.
+    /// Collars round foods with the drops in the air first, then steam.
     pub moving: wgpu::Buffer,
     /// Vertices of the first kind, and of both.
     pub ends: [u32; 2],
-    /// Spots of oil, which lie still.
+    /// Spots of oil, which do not move.
     pub spots: wgpu::Buffer,
     pub spot_vertices: u32,
     collar: Collar,
@@ -59,7 +59,7 @@ impl SpriteBuffers {
         sprites
     }
 
-    /// Takes other spots of oil, likewise; returns those that have come or gone.
+    /// Takes other spots of oil in the same way; returns those that have come or gone.
     pub fn update_spots(&mut self, queue: &wgpu::Queue, input: &SceneInput) -> Vec<SpotLook> {
         let seen = matches!(input.colouring, Colouring::Look);
         let wanted = if seen { Arc::clone(&input.spatter.spots) } else { Arc::default() };

@@ -3,7 +3,7 @@
 use crate::gpu::post::Chain;
 use crate::gpu::textures::DEPTH_FORMAT;
 
-/// Holds sRGB-encoded values in a format without sRGB: the shaders encode, so that they control blending and exact
+/// Contains sRGB-encoded values in a format without sRGB: the shaders encode, so that they control blending and exact
 /// colours.
 pub(crate) const COLOUR_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 /// Samples of an anti-aliased pixel.

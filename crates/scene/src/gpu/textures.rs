@@ -267,7 +267,7 @@ fn bind(
     device.create_bind_group(&wgpu::BindGroupDescriptor { label: Some("scene textures"), layout, entries: &entries })
 }
 
-/// Shadow map, whose fine and coarse part lie side by side, and contact map.
+/// Shadow map, whose fine and coarse part are side by side, and contact map.
 fn depth_maps(device: &wgpu::Device, quality: Quality) -> [wgpu::TextureView; 2] {
     let [shadow, contact] = quality.map_sizes();
     [[2 * shadow, shadow], [contact; 2]].map(|size| depth_map(device, size))
@@ -287,7 +287,7 @@ fn depth_map(device: &wgpu::Device, [width, height]: [u32; 2]) -> wgpu::TextureV
     texture.create_view(&wgpu::TextureViewDescriptor::default())
 }
 
-/// Creates a texture that is only sampled; `texels` holds all levels one after another.
+/// Creates a texture that is only sampled; `texels` contains all levels one after another.
 pub(crate) fn sampled_texture(
     device: &wgpu::Device,
     queue: &wgpu::Queue,
@@ -300,7 +300,7 @@ pub(crate) fn sampled_texture(
     sampled_texture_of(device, queue, size, levels, format, dimension, texels)
 }
 
-/// As `sampled_texture`, with the dimension said.
+/// As `sampled_texture`, with a stated dimension.
 pub(crate) fn sampled_texture_of(
     device: &wgpu::Device,
     queue: &wgpu::Queue,

@@ -79,7 +79,7 @@ impl FrameUniform {
     }
 }
 
-/// The balance of the look; what stands round the colours of a field stays as it is.
+/// The balance of the look; what surrounds the colours of a field stays as it is.
 pub(crate) fn balance(input: &SceneInput) -> WhiteBalance {
     if matches!(input.colouring, Colouring::Look) { input.white_balance } else { WhiteBalance::default() }
 }
@@ -94,7 +94,7 @@ pub(crate) fn exposure(input: &SceneInput) -> f32 {
 #[derive(Clone, Copy, Debug, bytemuck::Pod, bytemuck::Zeroable)]
 pub(crate) struct FoodUniform {
     pub world_from_rest: Mat4,
-    /// Where in the textures of flesh it lies [m]; w = 1 where it grew along x.
+    /// Its place in the textures of flesh [m]; w = 1 where it grew along x.
     pub place: Vec4,
     pub grain_origin: Vec4,
     pub grain_scale: Vec4,

@@ -41,7 +41,7 @@ pub struct SearLook {
     pub share: f32,
     /// Browning that came then, on the lines and between them.
     pub browning: [f32; 2],
-    /// Charring likewise.
+    /// Charring, in the same way.
     pub charring: [f32; 2],
 }
 
@@ -54,7 +54,7 @@ pub struct FoodMesh {
     pub triangles: Vec<[u32; 3]>,
     /// Texture of the flesh, finer than the mesh.
     pub texture: FleshTexture,
-    /// Where in the texture it lies, so that no two pieces look alike [m].
+    /// Its place in the texture, so that no two pieces look alike [m].
     pub texture_place: Vec3,
     /// True if it grew along x rather than z: a stick of a root.
     pub grew_along_x: bool,
@@ -158,7 +158,7 @@ pub struct FoodVertex {
     pub field: f32,
     /// Place along the body (0–1), where that matters: a shrimp's segments.
     pub along: f32,
-    /// Belly (−1) to back (1), likewise.
+    /// Belly (−1) to back (1), in the same way.
     pub dorsal: f32,
     /// How dark seared lines are here over their mean on the face.
     pub seared: f32,

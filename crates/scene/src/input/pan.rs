@@ -66,7 +66,7 @@ pub const TINT_RANGE: f32 = 2.0;
 pub const FILM_SIZE: u32 = 64;
 /// Thickness of oil that byte 255 encodes [m] (chosen: deep frying; roots keep thin films apart).
 pub const OIL_RANGE: f32 = 20.0e-3;
-/// Thickness of water that byte 255 encodes [m] (chosen likewise).
+/// Thickness of water that byte 255 encodes [m] (chosen in the same way).
 pub const WATER_RANGE: f32 = 20.0e-3;
 
 /// What the ranges are as constants of the shaders; thickness in millimetres.

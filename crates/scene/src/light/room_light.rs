@@ -36,7 +36,7 @@ pub(crate) struct Sources {
 }
 
 /// Daylight at 5500 K and tungsten at 3000 K under a white balance between them (chosen; the window matches the radiance
-/// in the environment picture; its image is a little warmer than its light, so that it lies on flesh and crust without a
+/// in the environment picture; its image is a little warmer than its light, so that it lights flesh and crust without a
 /// violet cast).
 const DAYLIGHT: Sources = Sources {
     key_direction: WINDOW_DIRECTION,
@@ -84,7 +84,7 @@ impl RoomLight {
         }
     }
 
-    /// Radiance of a white patch that lies flat in the full light of the room [linear sRGB].
+    /// Radiance of a flat white patch in the full light of the room [linear sRGB].
     pub(crate) fn white_patch(self) -> Vec3 {
         let lit = self.sources();
         let other = lit.other_direction.normalize().z * (1.0 - OTHER_WRAP) + OTHER_WRAP;

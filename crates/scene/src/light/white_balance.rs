@@ -19,8 +19,8 @@ pub enum WhiteBalance {
     Warm,
 }
 
-/// Exposure and balance as shot, linear sRGB (chosen: as bright as pictures of food are; a white patch that lies flat in
-/// the full light of window, lamp and room lies on the shoulder of the curve, and is a little warm).
+/// Exposure and balance as shot, linear sRGB (chosen: as bright as pictures of food are; a flat white patch in
+/// the full light of window, lamp and room is on the shoulder of the curve, and is a little warm).
 const AS_SHOT: Vec3 = Vec3::new(0.602, 0.618, 0.629);
 /// Share of the linear sRGB components in the luminance (IEC 61966-2-1 `[@iec-61966-2-1]`).
 const LUMINANCE: Vec3 = Vec3::new(0.2126, 0.7152, 0.0722);

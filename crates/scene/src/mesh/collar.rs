@@ -1,4 +1,4 @@
-//! The collar of bubbles and juice round what fries: a strip along the edge of every foot, as wide as its steam asks.
+//! The collar of bubbles and juice round what fries: a strip along the edge of every foot, as wide as its steam requires.
 
 use std::sync::Arc;
 
@@ -14,7 +14,7 @@ const CELLS_MAX: usize = 12_000;
 /// Vertices of all cells, at most.
 pub(crate) const COLLAR_VERTICES_MAX: usize = CELLS_MAX * 6;
 
-/// The liquid stands this much above the floor [m]: what is in it is drawn over the floor.
+/// The liquid is this much above the floor [m]: what is in it is drawn over the floor.
 const ABOVE: f32 = 4e-4;
 /// The dark film of juice at the foot reaches so far [m] (chosen).
 const FILM: f32 = 3.5e-3;
@@ -27,7 +27,7 @@ const WIDEST: f32 = 8e-3;
 /// bubbles rise through it.
 const FULL_FILM: f32 = 0.12e-3;
 const DOUBLING_DEPTH: f32 = 5e-3;
-/// Share of the collar that stands without a film, in the juice alone (chosen).
+/// Share of the collar that is there without a film, in the juice alone (chosen).
 const DRY: f32 = 0.35;
 
 /// Strips round the foods that lie in the pan, kept from frame to frame as long as nothing moves.
@@ -83,7 +83,7 @@ impl Collar {
 }
 
 impl KeptFoot {
-    /// The foot of a food, found anew if it has moved; true if its collar is another one.
+    /// The foot of a food, found again if it has moved; true if its collar is another one.
     fn updated(old: Option<Self>, food: &FoodLook, pan: &PanLook) -> (Self, bool) {
         let pan_from_rest = pan.world_from_pan().inverse() * food.world_from_rest;
         let kept = old.filter(|kept| stays(&kept.pan_from_rest, &pan_from_rest));

@@ -37,7 +37,7 @@ pub(crate) fn pan_mesh(pan: &PanLook) -> PanMesh {
         })
         .collect();
     if pan.ridges.is_some() {
-        // The plate between ridges lies lower than the foot of the wall.
+        // The plate between ridges is lower than the foot of the wall.
         rings.push(Vec2::new(pan.floor_radius, pan.thickness));
     }
     floor.lathe(&with_normals(&rings), SEGMENTS, &Finish { material: Material::PanFloor, ..metal });
@@ -47,7 +47,7 @@ pub(crate) fn pan_mesh(pan: &PanLook) -> PanMesh {
     PanMesh { body, floor }
 }
 
-/// Ridges across the floor: rounded bars along y whose tops stand `height` above the plate.
+/// Ridges across the floor: rounded bars along y whose tops are `height` above the plate.
 fn raise(mesh: &mut Mesh, pan: &PanLook, [pitch, width, height]: [f32; 3], finish: &Finish) {
     let reach = 0.97 * pan.floor_radius;
     let count = (reach / pitch) as i32;

@@ -25,7 +25,7 @@ const ASIDE: f32 = 0.45;
 const BEFORE_CUT: f32 = 1.9;
 /// What is further above the lowest point does not touch the board [m] (chosen).
 const TOUCHING: f32 = 4e-3;
-/// The ring begins this far under the food, and lies this much above the board [m] (chosen).
+/// The ring begins this far under the food, and is this much above the board [m] (chosen).
 const UNDER: f32 = 2.5e-3;
 const ABOVE: f32 = 6e-4;
 /// Marks a pool for the shader.

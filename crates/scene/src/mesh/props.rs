@@ -12,11 +12,11 @@ pub const BOARD_CENTRE: Vec3 = Vec3::new(0.335, 0.03, 0.016);
 pub const BOARD_SIZE: Vec3 = Vec3::new(0.26, 0.36, 0.022);
 /// Thickness of the folded cloth with a pan on it [m].
 pub const CLOTH_THICKNESS: f32 = 0.008;
-/// A good place for the pan (centre of its underside) when it stands on the cloth beside the hob [m].
+/// A good place for the pan (centre of its underside) when it stands on the cloth next to the hob [m].
 pub const CLOTH_PLACE: Vec3 = Vec3::new(-0.345, -0.02, COUNTER_Z + CLOTH_THICKNESS);
 
 const CLOTH_SIZE: Vec2 = Vec2::new(0.215, 0.235);
-/// Counter and wall: what everything stands on and before; casts no shadow, because the window is in the wall.
+/// Counter and wall: below and behind everything; casts no shadow, because the window is in the wall.
 ///
 /// The counter has a hole for a stove that is let into it.
 pub(crate) fn room(hole: Option<[Vec2; 2]>) -> Mesh {

@@ -86,7 +86,7 @@ impl Mesh {
         });
     }
 
-    /// A box with rounded vertical edges and a small rounded top edge, standing on `base` (centre of its underside).
+    /// A box with rounded vertical edges and a small rounded top edge, on `base` (centre of its underside).
     pub fn slab(&mut self, base: Vec3, size: Vec3, corner: f32, edge: f32, finish: &Finish) {
         // Inset, height under the top (both in edge radii) and how far the normal leans upwards.
         let profile = [(0.0, size.z / edge, 0.0), (0.0, 1.0, 0.0), (0.29, 0.29, 0.5), (1.0, 0.0, 1.0)];

@@ -77,7 +77,7 @@ fn bent(control: [Vec3; 4]) -> Vec<Vec3> {
     (0..=STEPS).map(|i| point(i as f32 / STEPS as f32)).collect()
 }
 
-/// Stations along a path whose width lies about along `side`.
+/// Stations along a path whose width is about along `side`.
 fn rod(path: &[Vec3], side: Vec3, section: impl Fn(f32) -> Vec2) -> Vec<Station> {
     let last = path.len() - 1;
     (0..path.len())

@@ -1,4 +1,4 @@
-// Juice that has come out of flesh stands on its upper face in beads: some of each size, more and larger ones the more
+// Juice that has come out of flesh is on its upper face in beads: some of each size, more and larger ones the more
 // juice lies there, until they run together.
 
 struct Beads {
@@ -23,7 +23,7 @@ fn free(cell: vec2<f32>, seed: f32) -> vec3<f32> {
 
 // Cover in x, slope along both axes in yz of the beads of one size.
 fn beads_of(at: vec2<f32>, spacing: f32, radius: f32, juice: f32, seed: f32) -> vec3<f32> {
-    // Each size lies askew to the others and its rows are shifted, so that no grid is seen.
+    // Each size is askew to the others and its rows are shifted, so that no grid is seen.
     let turned = vec2<f32>(dot(at, vec2<f32>(cos(seed), sin(seed))), dot(at, vec2<f32>(-sin(seed), cos(seed)))) / spacing;
     let place = turned + vec2<f32>(free(vec2<f32>(floor(turned.y), 3.0), seed).x, 0.0);
     let cell = floor(place);

@@ -3,11 +3,11 @@
 
 struct Food {
     world_from_rest: mat4x4<f32>,
-    // Where in the solid textures it lies [m]; w = 1 where it grew along x.
+    // Its place in the solid textures [m]; w = 1 where it grew along x.
     place: vec4<f32>,
-    // w = depth in a seam that the ends of the byte stand for.
+    // w = depth in a seam that the ends of the byte represent.
     grain_origin: vec4<f32>,
-    // 1 / extent of the volume; w = distance from a border that the end of the byte stands for [m].
+    // 1 / extent of the volume; w = distance from a border that the end of the byte represents [m].
     grain_scale: vec4<f32>,
     // L*a*b* / 100; w = browning at which it is golden.
     golden: vec4<f32>,
@@ -79,7 +79,7 @@ fn grown(rest: vec3<f32>, footprint: f32) -> Grown {
     return Grown(fatty, cell.g, cell.b * food.grain_scale.w, cell.a);
 }
 
-// Sets of lines on each face, and what tells of a set.
+// Sets of lines on each face, and the data of a set.
 const SEAR_SETS = 2u;
 const SEAR_ROWS = 3u;
 
@@ -91,8 +91,8 @@ struct Seared {
     share: f32,
 };
 
-// Browning and charring of a face into which ridges seared lines: what came on them lies on the lines, what is more than
-// fits there lies between, and what came elsewhere is as the mesh has it.
+// Browning and charring of a face into which ridges seared lines: what came on them is on the lines, what is more than
+// fits there is between, and what came elsewhere is as the mesh has it.
 fn on_lines(browning: f32, charring: f32, strength: f32, rest: vec3<f32>, normal: vec3<f32>, waver: f32) -> Seared {
     let face = select(0u, SEAR_SETS * SEAR_ROWS, normal.z > 0.0);
     let facing = smoothstep(0.45, 0.85, abs(normal.z));

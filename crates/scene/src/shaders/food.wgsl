@@ -60,7 +60,7 @@ fn grain_of(in: FoodOut, grew: Grown, rest_normal: vec3<f32>) -> Grain {
 
 // How far a crust covers the seams of fat in it (chosen).
 const COVERED = 0.62;
-// Share of the blackening from which fat is spared (chosen: it holds no sugars or proteins that turn to char).
+// Share of the blackening from which fat is spared (chosen: it contains no sugars or proteins that turn to char).
 const FAT_SPARED = 0.30;
 
 // How much of the texture's light and dark is seen: on a fresh cut the juice fills it (chosen).
@@ -70,7 +70,7 @@ const CUT_SHADE = 0.62;
 var<private> laid_open: f32 = 0.0;
 
 fn look_of(in: FoodOut, rest_normal: vec3<f32>) -> Look {
-    // Muscle asks nothing of what grew in it, and lets it stray a little.
+    // Muscle does not depend on what grew in it, and lets it stray a little.
     var grew = Grown(0.0, 0.0, 0.0, 0.0);
     if (texture_kind != MUSCLE) { grew = grown(in.rest, 1.0); }
     let grain = grain_of(in, grew, rest_normal);
@@ -108,7 +108,7 @@ fn world_normal(normal: vec3<f32>) -> vec3<f32> {
     return normalize((food.world_from_rest * vec4<f32>(normal, 0.0)).xyz);
 }
 
-// The part of a slope that lies in the face.
+// The part of a slope that is in the face.
 fn along_face(slope: vec3<f32>, normal: vec3<f32>) -> vec3<f32> {
     return slope - normal * dot(slope, normal);
 }
@@ -240,7 +240,7 @@ const RIPPLES = vec3<f32>(120.0, 120.0, 21.0);
 fn moist(rest: vec3<f32>, normal: vec3<f32>, view: vec3<f32>) -> f32 {
     let place = rest + food.place.xyz;
     let ripple = textureSampleLevel(solid_noise, tile_sampler, place * RIPPLES + 0.23, 0.0).rgb - 0.5;
-    // Juice stands here and is wiped off there.
+    // Juice is here and is wiped off there.
     let patchy = smoothstep(0.40, 0.66, textureSampleLevel(solid_noise, tile_sampler, place.yzx * 19.0 + 0.57, 0.0).a);
     let still = reflect(-view, world_normal(normal + vec3<f32>(0.0, 0.0, 0.38)));
     let rippled = reflect(-view, world_normal(normal - along_face(ripple, normal) * RIPPLE));
@@ -253,7 +253,7 @@ fn lit_cut(cut: FoodOut) -> vec4<f32> {
     var in = cut;
     let rest_normal = normalize(in.normal);
     let waver = 0.0010 * (textureSample(solid_noise, tile_sampler, (in.rest + food.place.xyz) * 190.0).a - 0.5);
-    // An upright slice tells the browning of its faces, above and below, and the depths under them; other bodies tell neither.
+    // An upright slice has the browning of its faces, above and below, and the depths under them; other bodies have neither.
     let upright = in.juice + in.place.w > 0.0;
     if (upright && (texture_kind == MUSCLE || texture_kind == GROUND)) {
         let crust = max(below_face(in.place.y, in.juice, waver), below_face(in.place.z, in.place.w, waver));

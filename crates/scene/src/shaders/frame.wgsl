@@ -1,4 +1,4 @@
-// What every pass knows about the frame, and how a radiance becomes a pixel.
+// Data of the frame for every pass, and how a radiance becomes a pixel.
 
 struct Frame {
     clip_from_world: mat4x4<f32>,

@@ -5,8 +5,8 @@ struct FryOut {
     @location(0) position: vec3<f32>,
     // Drop and spot: place on the disc. Collar: way from the food's edge [m].
     @location(1) corner: vec2<f32>,
-    // Opacity, kind: -1 a collar, whose width [m] stands for the opacity; 2 a drop in the air, 4 a spot of oil, 6 a pool of
-    // juice, whose redness stands for it.
+    // Opacity, kind: -1 a collar, whose width [m] replaces the opacity; 2 a drop in the air, 4 a spot of oil, 6 a pool of
+    // juice, whose redness replaces it.
     @location(2) look: vec2<f32>,
 };
 
@@ -49,7 +49,7 @@ fn bubble_at(place: vec2<f32>, strip: Strip, size: i32) -> vec3<f32> {
     let radius = mix(0.24, 0.46, now.z) * (0.55 + 0.45 * sqrt(age));
     let middle = 0.5 + (now.xy - 0.5) * (1.0 - 2.0 * radius);
     let off = fract(shifted) - middle;
-    // Whether there is one is asked at its middle, so that none is cut off at the strip's end.
+    // Whether there is one is decided at its middle, so that none is cut off at the strip's end.
     let back = vec2<f32>(cos(askew) * off.x + sin(askew) * off.y, cos(askew) * off.y - sin(askew) * off.x) * side;
     let share = strip.share - dot(back, strip.outward) / strip.width;
     // Near the food every place has its bubble; large ones keep close to it.
@@ -101,7 +101,7 @@ fn collar(in: FryOut, pixel: f32) -> vec4<f32> {
     let strip = Strip(in.corner / max(far, 1e-5), far / max(width, 1e-5), width);
     var seen = juice(in, far, strip.outward);
     if (width < 0.0007 || strip.share > 1.3) { return seen; }
-    // Between the bubbles that are seen stand finer ones.
+    // Between the bubbles that are seen are finer ones.
     let fine = FOAM * (FINE_COVER * smoothstep(1.0, 0.3, strip.share));
     seen = seen * (1.0 - fine.a) + fine;
     let place = in_pan(in.position).xy;
@@ -127,7 +127,7 @@ fn drop(in: FryOut) -> vec4<f32> {
     return vec4<f32>(pixel_from_radiance(colour, in.clip.xy).rgb * alpha, alpha);
 }
 
-// A low cap of oil that lies still: faint in its middle, a darker edge, the window in it.
+// A low cap of oil that does not move: faint in its middle, a darker edge, the window in it.
 fn spot(in: FryOut, spread: f32) -> vec4<f32> {
     let away = dot(in.corner, in.corner);
     let normal = normalize(vec3<f32>(in.corner * 0.30, 1.0));
@@ -145,7 +145,7 @@ const JUICE_RED = vec3<f32>(0.095, 0.006, 0.004);
 // Weaker reflections than this are left out: they would lie on the board like milk (chosen).
 const MILK = 0.025;
 
-// A pool of juice on the board: clear and red to brown, with a ragged edge that stands steep.
+// A pool of juice on the board: clear and red to brown, with a ragged edge that is steep.
 fn pool(in: FryOut) -> vec4<f32> {
     let across = length(in.corner);
     let coarse = textureSampleLevel(solid_noise, tile_sampler, in.position * 13.0, 0.0).a - 0.5;

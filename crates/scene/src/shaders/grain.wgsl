@@ -16,16 +16,16 @@ struct Noise {
     fine: vec4<f32>,
 };
 
-// What a solid texture says of a place.
+// Values of a solid texture at a place.
 struct Grain {
     // Added to L*a*b* / 100 before browning.
     shade: vec3<f32>,
     // Where browning is ahead or behind, about -1 to 1, mean 0.
     uneven: f32,
-    // Slope of the relief, rest frame, and of the film that lies over it.
+    // Slope of the relief, rest frame, and of the film that is over it.
     slope: vec3<f32>,
     film_slope: vec3<f32>,
-    // Where a film stands on ridges (0-1).
+    // Where a film is on ridges (0-1).
     ridges: f32,
     // Share of the light that crevices keep (0-1).
     crevice: f32,
@@ -70,7 +70,7 @@ fn patches(noise: Noise) -> f32 {
     return 1.5 * (noise.region.a - 0.5) + 1.5 * (noise.broad.a - 0.5) + 0.8 * (noise.grain.a - 0.5);
 }
 
-// How far seams of fat stray from the grid that holds them, at most [m] (chosen: below its cells, so that the mean stays).
+// How far seams of fat stray from the grid of their values, at most [m] (chosen: below its cells, so that the mean stays).
 const STRAYS = 0.0030;
 
 // Fibres along z in bundles of 0.8 mm, in fascicles of 3.6 mm with pale tissue between some of them.
@@ -133,7 +133,7 @@ fn root(rest: vec3<f32>, grew: Grown, cooked: f32, crust: f32) -> Grain {
     return Grain(shade, uneven, relief(noise, 0.5 * crust) * 0.75, film_relief(noise) * 0.6, ridges_of(noise), crevice, 0.35, 0.0, vec3<f32>(0.0));
 }
 
-// Sheaths of a shaft: each with a tone of its own, dark gaps between, fine veins along the axis.
+// Sheaths of a shaft: each with its own tone, dark gaps between, fine veins along the axis.
 fn sheaths(rest: vec3<f32>, grew: Grown, upright: f32, cooked: f32, crust: f32) -> Grain {
     let noise = noise_at(rest, vec3<f32>(1.0, 1.0, 0.25));
     let turn = atan2(rest.y, rest.x);
@@ -160,7 +160,7 @@ fn shrimp(rest: vec3<f32>, along: f32, dorsal: f32, cooked: f32, crust: f32) -> 
     let segments = along / 0.83 * 6.0 + waver;
     let within = fract(segments);
     let fan = smoothstep(0.80, 0.87, along);
-    // The band lies on the rear half of each segment and thins out towards the belly; seen near by it is made of specks.
+    // The band is on the rear half of each segment and thins out towards the belly; seen near by it is made of specks.
     let band = smoothstep(0.05, 0.62, within) * (1.0 - smoothstep(0.80, 1.0, within));
     let back = smoothstep(-0.75, 0.65, dorsal + 0.6 * (noise.region.a - 0.5));
     let pigment = smoothstep(0.30, 0.72, 0.5 * noise.fine.a + 0.5 * noise.grain.a + 0.22 * (band - 0.5));
@@ -180,7 +180,7 @@ fn shrimp(rest: vec3<f32>, along: f32, dorsal: f32, cooked: f32, crust: f32) -> 
     shade += fan * mix(vec3<f32>(-0.12, 0.02, 0.03), vec3<f32>(-0.10 - 0.05 * rib, 0.07, 0.03), cooked);
     let fibre = (noise.grain.rgb - 0.5) * 0.20;
     let crevice = 1.0 - 0.22 * joint;
-    // Char comes in small freckles on what stands out, not in sheets.
+    // Char comes in small freckles on what protrudes, not in sheets.
     let uneven = patches(noise) + 0.8 * (noise.fine.a - 0.5) - 0.3 * fan;
     return Grain(shade, uneven, relief(noise, 0.5 * crust) * 0.55 + fibre, film_relief(noise) * 0.7, ridges_of(noise), crevice, 0.75 * (1.0 - cooked) + 0.25, 0.0, vec3<f32>(0.0));
 }

@@ -94,7 +94,7 @@ const ROUND = 12;
 const ROUND_SLOPE = 0.45;
 const ROUND_REACH = 0.022;
 
-// 1 inside a food, by the heights of the undersides; near the ground only, as they tell nothing of the tops.
+// 1 inside a food, by the heights of the undersides; near the ground only, as they give no information about the tops.
 fn inside_food(at: vec3<f32>) -> f32 {
     let uv = (at.xy - frame.contact_rect.xy) * frame.contact_rect.zw;
     let height = (at.z - frame.contact_height.x) * frame.contact_height.y;
@@ -137,7 +137,7 @@ fn shadow_on_ground(position: vec3<f32>, normal: vec3<f32>) -> f32 {
     return min(shadow(position, normal), past_contact(position));
 }
 
-// 1 in the open, lower where food hangs just above or stands beside; never dark, as under a cut food the ground is seen
+// 1 in the open, lower where food hangs just above or is next to it; never dark, as under a cut food the ground is seen
 // through its ghost (chosen).
 fn openness(position: vec3<f32>) -> f32 {
     if (contact) { return max(0.3, free_round(position)); }

@@ -65,7 +65,7 @@ fn fs_solid(in: SolidOut) -> @location(0) vec4<f32> {
 const FIRST_STAVE = 4.0;
 var<private> STAVES: array<f32, 8> = array<f32, 8>(0.66, 0.51, 0.24, 0.08, 0.73, 0.77, 0.97, 0.02);
 
-// Planed staves, glued edge to edge: each with a tone and a grain of its own, oiled, worn paler where knives pass.
+// Planed staves, glued edge to edge: each with its own tone and grain, oiled, worn paler where knives pass.
 @fragment
 fn fs_wood(in: SolidOut) -> @location(0) vec4<f32> {
     let view = normalize(frame.eye.xyz - in.position);
@@ -167,7 +167,7 @@ fn escapes_pan(local: vec3<f32>, towards: vec3<f32>) -> f32 {
     return smoothstep(top - 0.012, top + 0.012, height);
 }
 
-// What lies on a place of the floor.
+// What is on a place of the floor.
 struct Film {
     // Thickness of oil and of water [mm].
     oil: f32,
@@ -176,7 +176,7 @@ struct Film {
     foam: f32,
 };
 
-// OIL_MM and WATER_MM, the thickness that the ends of the bytes stand for, and TINT_RANGE are those of `pan.rs`.
+// OIL_MM and WATER_MM, the thickness that the ends of the bytes represent, and TINT_RANGE are those of `pan.rs`.
 
 fn film_on(local: vec3<f32>) -> Film {
     let uv = local.xy / frame.pan_shape.x * 0.5 + 0.5;
@@ -269,7 +269,7 @@ fn fs_metal(in: SolidOut) -> @location(0) vec4<f32> {
     return pixel_from_radiance(radiance, in.clip.xy);
 }
 
-// The real thing is seen through the mirror: nothing is added to it, and it hides what lies behind it.
+// The real thing is seen through the mirror: nothing is added to it, and it hides what is behind it.
 @fragment
 fn fs_occluder() -> @location(0) vec4<f32> {
     return vec4<f32>(0.0, 0.0, 0.0, 1.0);
@@ -292,7 +292,7 @@ const TURBID = 2.2;
 const MIRROR_STEPS = 14;
 const MIRROR_HEIGHT = 0.020;
 
-// Share of what a film mirrors that food beside it hides: the film mirrors the window, and a food in front of it is dark.
+// Share of what a film mirrors that food next to it hides: the film mirrors the window, and a food in front of it is dark.
 fn hidden_by_food(position: vec3<f32>, towards: vec3<f32>) -> f32 {
     if (!fine || towards.z <= 0.05) { return 0.0; }
     var hidden = 0.0;

@@ -1,4 +1,4 @@
-//! The window's side of a fit: what was asked, how far it is, and what was found.
+//! The window's side of a fit: the request, its progress and the result.
 
 use saute_plan::fit::observed::Observed;
 use saute_plan::fit::run::Fitted;
@@ -8,10 +8,10 @@ use super::job::{FitAnswer, FitOrder, Reply};
 use super::why_not::WhyNoFit;
 use crate::work::Helper;
 
-/// How a fit stands.
+/// Status of a fit.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum Standing {
-    /// Nothing was asked.
+    /// Nothing was requested.
     #[default]
     Idle,
     /// It goes on: the share of the work that is done [-].
@@ -35,7 +35,7 @@ pub struct AtHome {
 }
 
 impl AtHome {
-    /// How the fit stands.
+    /// Status of the fit.
     pub fn standing(&self) -> &Standing {
         &self.standing
     }
@@ -65,12 +65,12 @@ impl AtHome {
         self.helper.as_ref().is_some_and(|helper| helper.needs_frames())
     }
 
-    /// Returns true if there is a helper who can be asked.
+    /// Returns true if there is a helper that takes requests.
     pub fn has_helper(&self) -> bool {
         self.helper.is_some()
     }
 
-    /// Asks for a fit, in place of the one before; a new helper if one was hired.
+    /// Requests a fit, in place of the one before; a new helper if one was hired.
     pub fn ask(&mut self, recipe: String, home: Option<String>, observed: Observed, hired: Option<Box<dyn Helper>>) {
         self.helper = hired.or(self.helper.take());
         let Some(helper) = &mut self.helper else { return };

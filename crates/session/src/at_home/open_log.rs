@@ -10,7 +10,7 @@ use saute_recipe::Recipe;
 /// What is chosen for a log.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Columns {
-    /// Its columns, their unit and what the times are; as it says itself where nothing is chosen.
+    /// Its columns, their unit and what the times are; as the log states where nothing is chosen.
     pub choices: Choices,
     /// Time of the cook at which the log begins [s].
     pub shift_s: f64,

@@ -10,14 +10,14 @@ use web_time::{Duration, Instant};
 use super::{FoundForecast, Present};
 use crate::work::worker::Worker;
 
-/// Forecasts of one piece, with foods and pans of its own.
+/// Forecasts of one piece, with its own foods and pans.
 pub struct Foreseeing {
     library: Arc<Library>,
     models: Models,
     desk: Desk,
     /// The present that was taken last.
     present: Option<Taken>,
-    /// What was told of it; none until something was.
+    /// What was reported of it; none until something was.
     told: Option<Told>,
 }
 
@@ -30,7 +30,7 @@ struct Taken {
     done: u64,
 }
 
-/// Frames of the answers that were told, and whether the next present was asked for.
+/// Frames of the answers that were reported, and whether the next present was requested.
 type Told = ([Option<u64>; 5], bool);
 
 impl Foreseeing {
@@ -56,7 +56,7 @@ impl Foreseeing {
         self.present.map_or(Wanted::Nothing, |taken| self.desk.wants(taken.frame + later, taken.done))
     }
 
-    /// What can be told now.
+    /// What can be reported now.
     fn news(&self) -> Told {
         let frame = |question| self.desk.answer(question).map(|answer| answer.outlook.frame);
         let [a, b, c, d] = Question::ALL.map(frame);

@@ -1,7 +1,7 @@
 //! Forecasts of the piece that the panels show, made off the frame ([`work`](crate::work)).
 //!
-//! The window hands over the present kitchen as bytes when the desk on the other side wants it, twice a second at most, and keeps what
-//! comes back. Nobody waits: an answer says from which frame it is, and what had been done by then.
+//! The window hands over the present kitchen as bytes when the desk on the other side needs it, twice a second at most, and keeps what
+//! comes back. Nobody waits: an answer states from which frame it is, and what had been done by then.
 
 pub mod foreseeing;
 mod present;
@@ -32,7 +32,7 @@ struct Present {
     food: String,
     /// Id of the scale in whose classes its section is shared out.
     scale: Option<String>,
-    /// What is asked.
+    /// The questions.
     questions: Vec<Question>,
 }
 
@@ -51,7 +51,7 @@ struct FoundForecast {
     number: u64,
     answers: Vec<Foreseen>,
     exact: Option<Foreseen>,
-    /// True if the round is over: a newer present is wanted.
+    /// True if the round is over: a newer present is needed.
     wants_present: bool,
 }
 
@@ -85,7 +85,7 @@ impl Shown {
     }
 }
 
-/// What was asked last.
+/// The last request.
 #[derive(Clone, Debug)]
 struct Asked {
     watched: Watched,
@@ -96,7 +96,7 @@ struct Asked {
     is_over: bool,
 }
 
-/// The window's side: the helper, what it was asked and what it found.
+/// The window's side: the helper, its request and its results.
 #[derive(Default)]
 pub struct Forecasts {
     helper: Option<Box<dyn Helper>>,
@@ -106,13 +106,13 @@ pub struct Forecasts {
     /// The number from which on orders are about what is watched now.
     since: u64,
     rounds: u64,
-    /// What is to be asked at the end of the tick, and the wall time at which that became due [s].
+    /// The request for the end of the tick, and the wall time at which that became due [s].
     due: Option<(Watched, f64, Shown)>,
     answers: Vec<Foreseen>,
     exact: Option<Foreseen>,
 }
 
-/// An answer as it stands to the instant that is shown.
+/// An answer relative to the instant that is shown.
 #[derive(Clone, Copy, Debug)]
 pub struct Standing<'a> {
     /// What was found.
@@ -141,7 +141,7 @@ impl Standing<'_> {
 impl Forecasts {
     /// Lets a helper make forecasts from now on.
     pub fn employ(&mut self, helper: Box<dyn Helper>) {
-        // Without bands the data are broken, which a test of the core says; then nothing is foreseen.
+        // Without bands the data are broken, which a test of the core reports; then nothing is foreseen.
         *self = Self { helper: Some(helper), bands: Bands::embedded().ok(), ..Self::default() };
     }
 
@@ -196,7 +196,7 @@ impl Forecasts {
         }
     }
 
-    /// Returns true if the desk wants this present.
+    /// Returns true if the desk needs this present.
     fn want(&self, watched: &Watched, shown: Shown, (frame, done): (u64, u64), now_s: f64) -> bool {
         self.asked.as_ref().is_none_or(|asked| {
             let is_new = asked.watched != *watched || asked.done != done || frame < asked.frame || shown > asked.shown;
@@ -216,7 +216,7 @@ impl Forecasts {
     }
 }
 
-/// Returns true if an answer of the helper holds all questions, and the full model's minute.
+/// Returns true if an answer of the helper contains all questions, and the full model's minute.
 pub fn is_whole(answer: &[u8]) -> bool {
     let found = postcard::from_bytes::<FoundForecast>(answer);
     found.is_ok_and(|found| found.answers.len() == Question::ALL.len() && found.exact.is_some())

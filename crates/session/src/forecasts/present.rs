@@ -44,7 +44,7 @@ impl<H: Hands> Session<H> {
         (self.recording.entries().len() + self.marks.len()) as u64
     }
 
-    /// The last answer to a question about the piece that the panels show, as it stands to the shown instant.
+    /// The last answer to a question about the piece that the panels show, relative to the shown instant.
     pub fn foreseen(&self, question: Question) -> Option<Standing<'_>> {
         let food = &self.steak()?.id;
         let of = |answer: &&Foreseen| answer.outlook.question == question && answer.outlook.food == *food;

@@ -29,7 +29,7 @@ pub struct LessonDesk {
     has_begun: bool,
     /// A question that was answered, whose truth is shown until the student goes on.
     shown: Option<usize>,
-    /// Questions whose truth was told.
+    /// Questions whose truth was shown.
     told: Vec<usize>,
     /// The rest that is cooked on in a copy, after the lesson was ended.
     rest: Option<Rest>,
@@ -77,7 +77,7 @@ impl LessonDesk {
         self.result.as_ref()
     }
 
-    /// True while a card asks. That a question waits is known by the session's pause.
+    /// True while a card has a question. The session's pause shows that a question waits.
     pub fn asks(&self) -> bool {
         !self.has_begun || self.shown.is_some() || self.rest.is_some() || self.result.is_some()
     }

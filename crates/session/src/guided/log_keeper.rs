@@ -16,7 +16,7 @@ pub trait LogKeeper {
         false
     }
 
-    /// Keeps the session of a trial beside the rows, or returns why it cannot; none where no session is kept.
+    /// Keeps the session of a trial next to the rows, or returns why it cannot; none where no session is kept.
     fn keep_session(&mut self, _name: &str, _bytes: &[u8]) -> Option<Result<(), String>> {
         None
     }

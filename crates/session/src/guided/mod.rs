@@ -1,4 +1,4 @@
-//! A cook that a study or a lesson leads: it decides what is set out, shown and locked, and asks.
+//! A cook that a study or a lesson leads: it decides what is set out, shown and locked, and puts the questions.
 
 mod lesson_desk;
 pub mod log_keeper;
@@ -20,7 +20,7 @@ pub enum Guided {
 }
 
 impl Guided {
-    /// Returns true while a card asks; time waits behind it.
+    /// Returns true while a card has a question; time waits behind it.
     pub fn asks(&self) -> bool {
         match self {
             Self::Study(desk) => !desk.is_running(),

@@ -6,7 +6,7 @@ use saute_study::class::Locked;
 
 use crate::permits::{Permit, Permits};
 
-/// Those of a study: to cook, to look, what the study itself asks for, and to hear where its protocol says so.
+/// Those of a study: to cook, to look, what the study itself requires, and to hear where its protocol allows it.
 pub fn of_study(hidden: bool, sounds: bool) -> Permits {
     Permits::only(&Permit::ALWAYS)
         .with(Permit::ReadOuts, !hidden)

@@ -1,4 +1,4 @@
-//! Whether this machine holds the speed of a study with its food: it is tried before anybody agrees to anything.
+//! Whether this machine keeps the speed of a study with its food: it is tried before anybody agrees to anything.
 
 use saute_study::{Pace, PaceMeter};
 
@@ -14,7 +14,7 @@ pub enum Readiness {
     Untried,
     /// The food is cooked at the speed of the study, and what is held is measured.
     Tried(TrialRun),
-    /// It holds the speed.
+    /// It keeps the speed.
     Holds(Pace),
     /// No trial is to come, or somebody has tried the machine.
     NotNeeded,

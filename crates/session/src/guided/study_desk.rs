@@ -46,19 +46,19 @@ impl StudyStart {
         Self { study, earlier: Vec::new(), keeper: Box::new(InMemory), readiness: Readiness::Untried }
     }
 
-    /// The same on a machine that somebody has tried: what it holds is kept with each trial as ever.
+    /// The same on a machine that somebody has tried: its speed is stored with each trial as usual.
     #[must_use]
     pub fn on_tried_machine(self) -> Self {
         Self { readiness: Readiness::NotNeeded, ..self }
     }
 
-    /// The same on a machine of which is known how it holds the speed: it is not tried.
+    /// The same on a machine whose pace is known: it is not tried.
     #[must_use]
     pub fn on_machine(self, pace: Pace) -> Self {
         Self { readiness: Readiness::known(pace), ..self }
     }
 
-    /// Goes on after the rows that a log holds.
+    /// Goes on after the rows of a log.
     ///
     /// # Errors
     ///
@@ -162,7 +162,7 @@ impl StudyDesk {
         self.has_declined
     }
 
-    /// What came of the trial before, if the participant is to be told.
+    /// What came of the trial before, if it is to be shown to the participant.
     pub fn told(&self) -> Option<&Measures> {
         self.last.as_ref()
     }
@@ -249,7 +249,7 @@ impl StudyDesk {
         }
     }
 
-    /// Keeps the session of the trial, if the protocol says so and there is a place for it; returns the name of its file.
+    /// Keeps the session of the trial, if the protocol requests it and there is a place for it; returns the name of its file.
     fn keep_session<H: Hands>(&mut self, session: &Session<H>) -> Option<String> {
         let Stage::Trial { phase, trial } = self.study.stage() else { return None };
         if !self.study.protocol().keep_sessions {

@@ -12,7 +12,7 @@ const LIQUID_KG: f64 = 0.1;
 const DROP_KG: f64 = 1e-6;
 /// Least liquid that counts as poured [kg] (chosen: more than drips or melts in a tick).
 const POURED_KG: f64 = 2e-3;
-/// Strengths of what has no mass of its own [-] (chosen: below those of food).
+/// Strengths of what has no mass [-] (chosen: below those of food).
 const LID: f32 = 0.5;
 const TOOL: f32 = 0.15;
 const SCRAPE: f32 = 0.4;
@@ -36,7 +36,7 @@ struct Seen {
 #[derive(Clone, Debug)]
 pub(super) struct Happenings {
     pieces: BTreeMap<u32, Seen>,
-    /// Events that were told so far [-].
+    /// Events that were reported so far [-].
     told: u64,
     has_lid: bool,
     has_cloth: bool,
@@ -129,15 +129,15 @@ fn liquids(kitchen: &Kitchen) -> [f64; 2] {
     [kitchen.pan_state().water_mass(), kitchen.pan_state().oil_mass()]
 }
 
-/// Number of events that the kitchen told of so far [-].
+/// Number of events that the kitchen reported so far [-].
 fn count_told(kitchen: &Kitchen) -> u64 {
     kitchen.events().tallies().map(|tally| tally.count).sum()
 }
 
-/// Share of a tick between two events that it tells of at once [-] (the golden section: never in step).
+/// Share of a tick between two events that it reports at once [-] (the golden section: never in step).
 const APART: f32 = 0.618_034;
 
-/// How an event that the kitchen tells of is heard; several of a tick are spread over it.
+/// How an event that the kitchen reports is heard; several of a tick are spread over it.
 fn told((number, event): (usize, &Told)) -> Option<Event> {
     let (kind, strength) = match event.kind {
         What::Spatter | What::Pop => (EventKind::Spatter, strength(event.amount, DROP_KG)),

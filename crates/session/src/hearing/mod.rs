@@ -1,6 +1,6 @@
 //! A kitchen as input of the synthesiser, and its sound tick by tick.
 //!
-//! All of it is read from the kitchen after each tick. Nothing of it is stored in a kitchen or a session, and nothing is asked of
+//! All of it is read from the kitchen after each tick. Nothing of it is stored in a kitchen or a session, and nothing is required of
 //! the tick: flows and happenings are differences between two looks.
 
 pub mod caption;
@@ -39,7 +39,7 @@ impl Ear {
     }
 
     /// Returns what is heard now, and what happened since the last look. Within a tick flows are those of the last one, and what hands do
-    /// is heard at once. Where time leapt or went back, it begins to listen anew.
+    /// is heard at once. Where time leapt or went back, it begins to listen again.
     pub fn hear(&mut self, kitchen: &Kitchen) -> (Snapshot, Vec<Event>) {
         match kitchen.tick().checked_sub(self.tick) {
             Some(0) => {}

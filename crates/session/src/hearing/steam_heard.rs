@@ -82,7 +82,7 @@ impl SteamHeard {
     }
 }
 
-/// Share of butter's water in the water of the pan [-]; none in a dry pan, where the last share still holds.
+/// Share of butter's water in the water of the pan [-]; none in a dry pan, where the last share is still valid.
 fn butter_share(kitchen: &Kitchen) -> Option<f64> {
     let pan = kitchen.pan_state();
     let water = pan.water_mass();

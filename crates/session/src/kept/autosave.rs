@@ -10,18 +10,18 @@ const KEPT_EVERY: Duration = Duration::from_millis(400);
 
 /// The place in which one cook is kept: a file, or the storage of a browser.
 pub trait CookStore {
-    /// Begins with all that a cook holds, in place of what was kept here before.
+    /// Begins with the content of a cook, in place of what was kept here before.
     ///
     /// # Errors
     ///
-    /// Says why nothing can be kept.
+    /// The reason why nothing can be kept.
     fn begin(&mut self, bytes: &[u8]) -> Result<(), String>;
 
     /// Appends what happened since.
     ///
     /// # Errors
     ///
-    /// Says why nothing more can be kept; a browser tells it some time after.
+    /// The reason why nothing more can be kept; a browser reports it some time after.
     fn append(&mut self, bytes: &[u8]) -> Result<(), String>;
 }
 
@@ -53,7 +53,7 @@ impl Autosave {
     ///
     /// # Errors
     ///
-    /// Says why nothing more is kept.
+    /// The reason why nothing more is kept.
     pub fn follow<H: Hands>(&mut self, session: &mut Session<H>, at_once: bool) -> Result<bool, String> {
         let Some(store) = &mut self.store else { return Ok(false) };
         let Some((line, recording)) = session.unsaved() else { return Ok(false) };

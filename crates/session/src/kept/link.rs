@@ -8,7 +8,7 @@ use saute_recipe::Recording;
 use saute_recipe::session::Opened;
 use std::io::{Read, Write};
 
-/// What a fragment begins with that holds a cook; a version and a dot follow.
+/// What a fragment with a cook begins with; a version and a dot follow.
 const NAME: &str = "cook=";
 
 /// The version of such fragments that this program writes, and the latest that it reads.
@@ -24,14 +24,14 @@ const MOST_CHARACTERS: usize = 100_000;
 /// The longest session that a fragment is unpacked to [bytes] (chosen: far above what packs into the longest; a longer one is no cook).
 const MOST_BYTES: u64 = 4 << 20;
 
-/// Why a fragment holds no cook.
+/// Why a fragment contains no cook.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LinkError {
     /// It was cut off or changed on its way.
     Damaged,
     /// A newer program wrote it.
     Newer,
-    /// It is longer than any that is opened, or holds a longer session.
+    /// It is longer than any that is opened, or contains a longer session.
     TooLong,
 }
 
@@ -53,7 +53,7 @@ pub fn fragment(recording: &Recording) -> String {
     format!("{NAME}{VERSION}.{}", BASE64URL_NOPAD.encode(&sealed))
 }
 
-/// The cook that a fragment holds, with or without `#`; none if it is about something else.
+/// The cook in a fragment, with or without `#`; none if it is about something else.
 ///
 /// # Errors
 ///
@@ -131,7 +131,7 @@ mod tests {
         assert!(fragment(&cook(8000)).len() > LONGEST, "a long cook is too long");
     }
 
-    /// A fragment that holds bytes.
+    /// A fragment with bytes.
     fn holding(bytes: &[u8]) -> String {
         let packed = packed(bytes);
         let sealed: Vec<u8> = crc32fast::hash(&packed).to_le_bytes().into_iter().chain(packed).collect();

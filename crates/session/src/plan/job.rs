@@ -19,7 +19,7 @@ pub struct PlanOrder {
     pub number: u64,
     /// The text of the kitchen at home, unless it is the typical one.
     pub home: Option<String>,
-    /// What is asked.
+    /// The request.
     pub asked: Asked,
 }
 

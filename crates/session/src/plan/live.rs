@@ -32,14 +32,14 @@ pub struct Live {
     plays: bool,
     /// Real time near a step.
     easing: Easing,
-    /// True once the person has closed what was said at the end.
+    /// True once the person has closed the result at the end.
     is_closed: bool,
 }
 
-/// What the guide says at an instant.
+/// The guidance at an instant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Guidance {
-    /// All steps with how they stand.
+    /// All steps with their status.
     pub steps: Vec<Followed>,
     /// The steps that come next, which share a time.
     pub next: Vec<Followed>,
@@ -90,13 +90,13 @@ impl Live {
         beginning.plays == self.plays && beginning.text == self.text
     }
 
-    /// Closes what is said at the end; returns false if the cook is not over: then the guide ends.
+    /// Closes the result at the end; returns false if the cook is not over: then the guide ends.
     pub fn close(&mut self) -> bool {
         self.is_closed = self.gave.is_some();
         self.is_closed
     }
 
-    /// Returns true once what was said at the end is closed. The plan still judges the cook.
+    /// Returns true once the result at the end is closed. The plan still judges the cook.
     pub fn is_closed(&self) -> bool {
         self.is_closed
     }
@@ -112,7 +112,7 @@ impl Live {
         Kept::of(&self.plan, steps.as_deref(), &judgement.outcome)
     }
 
-    /// Returns how the person stands to the plan now.
+    /// Returns how the person follows the plan now.
     pub fn keeping(&self, session: &Session<impl Hands>) -> Keeping {
         let (done, now_s) = (done_in(session), session.shown_s());
         let steps = follow(&self.plan, &done, self.masses.len(), now_s);
@@ -134,7 +134,7 @@ impl Live {
         self.easing.forget();
     }
 
-    /// Returns what the guide says now.
+    /// Returns the guidance now.
     pub fn guidance(&self, session: &Session<impl Hands>) -> Guidance {
         let steps = follow(&self.plan, &done_in(session), self.masses.len(), session.shown_s());
         let first = steps.iter().find(|f| is_open(f)).map(|f| f.step.at_s);
@@ -205,7 +205,7 @@ fn done_in(session: &Session<impl Hands>) -> Vec<Done> {
     done
 }
 
-/// When food was turned over without a command [s]: no flip of it was asked for since it was last turned.
+/// When food was turned over without a command [s]: no flip of it was commanded since it was last turned.
 fn turned_by_hand(session: &Session<impl Hands>) -> Vec<f64> {
     let turns = session.recorder.turns();
     let entries = session.recording().entries();

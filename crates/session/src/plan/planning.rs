@@ -1,4 +1,4 @@
-//! The window's side of a search: what was asked, how far it is, and the plan.
+//! The window's side of a search: the request, its progress and the plan.
 
 use saute_kitchen::Library;
 use saute_plan::schedule::Plan;
@@ -11,10 +11,10 @@ use super::job::{PlanAnswer, PlanOrder, PlanProgress, Reply};
 use super::why_not::WhyNoPlan;
 use crate::work::Helper;
 
-/// How a search stands.
+/// Status of a search.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum Standing {
-    /// Nothing was asked.
+    /// Nothing was requested.
     #[default]
     Idle,
     /// It goes on; no number of candidates is known at first.
@@ -38,16 +38,16 @@ pub struct Planning {
     standing: Standing,
 }
 
-/// Share of a search from which its pace tells how long it takes [-] (chosen: the first jobs are the shortest).
+/// Share of a search from which its pace shows how long it takes [-] (chosen: the first jobs are the shortest).
 const PACE_SHARE: f64 = 0.1;
 
 impl Planning {
-    /// How the search stands.
+    /// Status of the search.
     pub fn standing(&self) -> &Standing {
         &self.standing
     }
 
-    /// What was asked last.
+    /// The last request.
     pub fn asked(&self) -> Option<&Asked> {
         self.asked.as_ref()
     }
@@ -74,12 +74,12 @@ impl Planning {
         matches!(self.standing, Standing::Searching(_))
     }
 
-    /// Returns true if there is a helper who can be asked.
+    /// Returns true if there is a helper that takes requests.
     pub fn has_helper(&self) -> bool {
         self.helper.is_some()
     }
 
-    /// Asks for a plan in a kitchen at home, in place of what was asked before; a new helper if one was hired.
+    /// Requests a plan in a kitchen at home, in place of the request before; a new helper if one was hired.
     pub fn ask(&mut self, asked: Asked, home: Option<String>, hired: Option<Box<dyn Helper>>) {
         self.helper = hired.or(self.helper.take());
         let Some(helper) = &mut self.helper else { return };
@@ -143,7 +143,7 @@ impl Planning {
     }
 }
 
-/// A plan that answers what was asked.
+/// A plan that answers the request.
 fn found(data: Box<PlanData>, asked: &Asked, library: &Library) -> Standing {
     match asked.order(library) {
         Ok(order) => Standing::Found(Box::new(data.plan(order))),
@@ -164,7 +164,7 @@ mod tests {
     fn what_is_left_follows_the_pace_and_corrects_itself() {
         assert_eq!(left_s(0.05, 3.0), None);
         assert_eq!(left_s(0.25, 10.0), Some(30.0));
-        // Slower than it began: more is left than was told.
+        // Slower than it began: more is left than was reported.
         assert_eq!(left_s(0.5, 60.0), Some(60.0));
     }
 }

@@ -14,7 +14,7 @@ pub enum WhyNoPlan {
     NoFood,
     /// The scale has no such class.
     NoClass {
-        /// What was asked for.
+        /// What was requested.
         class: String,
         /// The classes that there are.
         known: Vec<String>,

@@ -25,7 +25,7 @@ impl<H: Hands> Session<H> {
         }
     }
 
-    /// Lets the helper play what lies ahead up to its end; returns false if there is none.
+    /// Lets the helper play what is ahead up to its end; returns false if there is none.
     pub(crate) fn catch_up_elsewhere(&mut self) -> bool {
         let longest = self.longest();
         let (to, file) = (longest.moment(), || (longest.to_file(), None));

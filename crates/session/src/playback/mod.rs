@@ -95,12 +95,12 @@ struct Traced {
     start_mass_g: std::collections::BTreeMap<String, f64>,
 }
 
-/// The window's side: the helper, and what it was asked last.
+/// The window's side: the helper, and its last request.
 #[derive(Default)]
 pub(super) struct Playback {
     helper: Option<Box<dyn Helper>>,
     asked: u64,
-    /// What was asked and is not done.
+    /// The request that is not done.
     open: Option<(u64, Purpose)>,
 }
 
@@ -109,7 +109,7 @@ pub(super) struct Playback {
 pub(super) enum Purpose {
     /// The cook that is shown, at a moment.
     Shown(Moment),
-    /// A way beside it, by its number: it follows the clock.
+    /// A way next to it, by its number: it follows the clock.
     Beside(u64),
 }
 
@@ -129,7 +129,7 @@ impl Playback {
         self.helper.is_some()
     }
 
-    /// Asks for an order unless it is open already. What is shown comes first: a way beside it waits.
+    /// Sends an order unless it is open already. What is shown comes first: a way next to it waits.
     pub(super) fn ask(&mut self, purpose: Purpose, to: Moment, order: impl FnOnce() -> (Vec<u8>, Option<Instant>)) {
         let Some(helper) = &mut self.helper else { return };
         let comes_first = |open: Purpose| open == purpose || matches!(purpose, Purpose::Beside(_));
@@ -162,7 +162,7 @@ impl Playback {
         stops
     }
 
-    /// What is open is not wanted any more.
+    /// The open order is not needed any more.
     pub fn forget(&mut self) {
         self.open = None;
     }

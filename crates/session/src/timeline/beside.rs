@@ -21,7 +21,7 @@ use crate::playback::Purpose;
 pub(super) enum Beside {
     /// The shown one itself: the two part at this frame, or never.
     Shared(Moment, u64),
-    /// An instant of its own.
+    /// A separate instant.
     Own(Moment),
     /// Its end, which is before.
     End(Moment),
@@ -52,7 +52,7 @@ impl<H: Hands> Session<H> {
         !self.timeline.course.branches.is_empty()
     }
 
-    /// The instant of another recording that belongs beside the one that is shown, or on its way to be shown.
+    /// The instant of another recording that belongs next to the one that is shown, or on its way to be shown.
     pub(super) fn beside(&self, other: &Recording) -> Beside {
         let (here, longest, end) = (self.here(), self.longest(), other.moment());
         let shared = shared_entries(longest, other);

@@ -7,11 +7,11 @@ use super::line::Line;
 use super::travel::Travel;
 use super::way::Way;
 
-/// A way beside the one that is shown.
+/// A way next to the one that is shown.
 pub(super) struct Branch {
     pub(super) way: Way,
     pub(super) line: Line,
-    /// Where it is seen beside the others.
+    /// Where it is seen next to the others.
     pub(super) seen: Option<Travel>,
 }
 

@@ -11,7 +11,7 @@ use crate::Session;
 use crate::hands::Hands;
 
 impl<H: Hands> Session<H> {
-    /// An act is done here: what lay ahead of the first `entries` becomes a branch.
+    /// An act is done here: what was ahead of the first `entries` becomes a branch.
     pub(crate) fn depart(&mut self, entries: usize) {
         let course = &mut self.timeline.course;
         course.redo.clear();
@@ -30,7 +30,7 @@ impl<H: Hands> Session<H> {
         }
     }
 
-    /// Keeps what lies ahead as a branch if it has acts after the first `entries`; returns true if it does.
+    /// Keeps what is ahead as a branch if it has acts after the first `entries`; returns true if it does.
     fn part_from_ahead(&mut self, entries: usize) -> bool {
         let Some(ahead) = self.timeline.course.ahead.take() else { return false };
         let has_acts = ahead.line.recording.entries().len() > entries;

@@ -1,8 +1,8 @@
 //! The handle on time: undo, redo, scrubbing and branches of a cook.
 //!
-//! A session's recording ends at the instant that is shown. After a step back, `Ahead` holds the line that goes on from there: the
+//! A session's recording ends at the instant that is shown. After a step back, `Ahead` contains the line that goes on from there: the
 //! same commands up to that instant, and those that followed. Time that goes on after scrubbing follows it, command by command, until
-//! its end is reached; a command of a person departs from it, and what lay ahead becomes a branch. After an undo, what was undone is not
+//! its end is reached; a command of a person departs from it, and what was ahead becomes a branch. After an undo, what was undone is not
 //! followed: it becomes a branch as soon as time goes on.
 
 mod acts;
@@ -40,7 +40,7 @@ use self::line::{Line, Traces};
 use self::travel::Travel;
 use crate::choice::SteakChoice;
 
-/// Everything that is beside the instant that is shown.
+/// Everything except the instant that is shown.
 #[derive(Default)]
 pub(super) struct Timeline {
     course: Course,
@@ -58,11 +58,11 @@ pub(super) struct Timeline {
     number: u64,
     /// Ways that began so far.
     ways: u64,
-    /// Number of looks at the ways beside the one that is shown: each has its turn to be the first.
+    /// Number of looks at the ways next to the one that is shown: each has its turn to be the first.
     looks: usize,
     /// True while a recorded session is played up to its end.
     pub(super) catches_up: bool,
-    /// True while a person holds the strip: time stands still.
+    /// True while a person holds the strip: time is stopped.
     pub(super) is_held: bool,
 }
 

@@ -55,7 +55,7 @@ impl<H: Hands> Session<H> {
         course.ahead.as_ref().map_or(&course.keyframes, |ahead| &ahead.line.keyframes).len()
     }
 
-    /// The line of time that is shown, with its number, for a file that follows it; none while something lies ahead, or nothing was
+    /// The line of time that is shown, with its number, for a file that follows it; none while something is ahead, or nothing was
     /// done.
     pub fn unsaved(&mut self) -> Option<(u64, &mut Recording)> {
         let is_at_end = !self.lies_ahead() && !self.is_travelling();

@@ -28,7 +28,7 @@ impl<H: Hands> Session<H> {
         self.timeline.course.ahead.as_ref().map_or(&self.recording, |ahead| &ahead.line.recording)
     }
 
-    /// Holds time still while the strip is dragged, or lets it go on.
+    /// Stops time while the strip is dragged, or lets it go on.
     pub fn hold_time(&mut self, held: bool) {
         self.timeline.is_held = held;
         self.owed_s = 0.0;
@@ -39,12 +39,12 @@ impl<H: Hands> Session<H> {
         self.paused || self.timeline.is_held || self.is_travelling()
     }
 
-    /// Turns time to an instant of the cook [s]; what lay ahead happens again when time goes on.
+    /// Turns time to an instant of the cook [s]; what was ahead happens again when time goes on.
     pub fn scrub(&mut self, time_s: f64) {
         self.turn_to(time_s, true);
     }
 
-    /// Turns time to an instant of the cook [s] from which another way is tried; what lay ahead does not happen again and is kept beside
+    /// Turns time to an instant of the cook [s] from which another way is tried; what was ahead does not happen again and is kept as a branch
     /// once time goes on.
     pub fn try_from(&mut self, time_s: f64) {
         self.turn_to(time_s, false);
@@ -90,7 +90,7 @@ impl<H: Hands> Session<H> {
         self.timeline.travel = Some(Travel::new(replay, to, apart));
     }
 
-    /// Keeps the present line as what lies ahead, if nothing does yet.
+    /// Keeps the present line as what is ahead, if nothing does yet.
     fn open_ahead(&mut self, is_followed: bool) {
         if self.timeline.course.ahead.is_none() {
             self.keep_keyframe();
@@ -184,19 +184,19 @@ impl<H: Hands> Session<H> {
         self.keep_keyframe();
     }
 
-    /// What a recording holds after the shown instant happens when time goes on.
+    /// The entries of a recording after the shown instant happen when time goes on.
     pub(crate) fn lay_ahead(&mut self, recording: Recording) {
         let line = Line { recording, ..self.line() };
         self.timeline.course.ahead = Some(Ahead { line, is_followed: true });
         self.rejoin();
     }
 
-    /// Returns true while something lies ahead.
+    /// Returns true while something is ahead.
     pub fn lies_ahead(&self) -> bool {
         self.timeline.course.ahead.is_some()
     }
 
-    /// Does again what was done at this frame, where time follows what lies ahead.
+    /// Does again what was done at this frame, where time follows what is ahead.
     pub(crate) fn follow(&mut self, after_steps: bool) {
         while let Some(entry) = self.due(after_steps) {
             self.do_again(&entry);
@@ -223,7 +223,7 @@ impl<H: Hands> Session<H> {
         self.weigh_new();
     }
 
-    /// Where what lay ahead is reached again, nothing lies ahead.
+    /// Where what was ahead is reached again, nothing is ahead.
     pub(crate) fn rejoin(&mut self) {
         let here = self.recording.moment();
         let is_end = |ahead: &mut Ahead| ahead.is_followed && ahead.line.recording.moment() <= here;

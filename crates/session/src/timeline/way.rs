@@ -3,7 +3,7 @@
 use saute_kitchen::Kitchen;
 use saute_recipe::recorder::Row;
 
-/// Branches that are kept beside the one that is shown (chosen: four ways fit side by side).
+/// Branches that are kept next to the one that is shown (chosen: four ways fit side by side).
 pub const MOST_BESIDE: usize = 3;
 
 /// Which of the ways that a cook went: it stays the same while others are gone over to.
@@ -15,7 +15,7 @@ pub struct Way {
     pub id: u64,
 }
 
-/// A way as it is seen beside the others.
+/// A way as it is seen next to the others.
 pub struct WayBeside<'a> {
     /// Which way it is.
     pub way: Way,
@@ -29,7 +29,7 @@ pub struct WayBeside<'a> {
     pub stand: Stand,
 }
 
-/// How far a way beside others is.
+/// Progress of a way next to others.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Stand {
     /// The one that goes on.

@@ -1,4 +1,4 @@
-//! A helper without a thread of its own: it works a little whenever the window asks for answers, once a frame.
+//! A helper without its own thread: it works a little whenever the window polls for answers, once a frame.
 
 use std::sync::Arc;
 
@@ -53,7 +53,7 @@ impl Agency for Frames {
     }
 }
 
-/// A helper whose place is taken in frames once it is of no use: its last order is done anew.
+/// A helper whose place is taken in frames once it is of no use: its last order is done again.
 pub struct OrInFrames {
     helper: Box<dyn Helper>,
     kind: WorkKind,

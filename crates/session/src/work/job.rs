@@ -16,7 +16,7 @@ const COMPUTED_PER_ANSWER: Duration = Duration::from_millis(250);
 
 /// Work that ends with something found.
 pub trait Job: Sized {
-    /// What is asked.
+    /// The order.
     type Order: DeserializeOwned;
     /// How far it is.
     type Progress: Serialize;
@@ -28,7 +28,7 @@ pub trait Job: Sized {
     /// The number of an order, by which its answers are known.
     fn number(order: &Self::Order) -> u64;
 
-    /// Begins what an order asks.
+    /// Begins an order.
     ///
     /// # Errors
     /// If it cannot be done.
@@ -84,7 +84,7 @@ impl<U: Job> JobWorker<U> {
         Self { library, work: None, refused: None, computed: Duration::ZERO }
     }
 
-    /// Works on; returns how far it is where that is to be told.
+    /// Works on; returns the progress where that is to be reported.
     fn slice(&mut self, budget: Duration) -> Option<(u64, ReplyOf<U>)> {
         let (number, work) = self.work.as_mut()?;
         let (number, begun) = (*number, Instant::now());
@@ -126,7 +126,7 @@ impl<U: Job> Worker for JobWorker<U> {
     }
 }
 
-/// Lets cooks go on until a time, each on a thread of its own where there are threads; `second` lets a second of one pass and returns its
+/// Lets cooks go on until a time, each on its own thread where there are threads; `second` lets a second of one pass and returns its
 /// result once it is over.
 ///
 /// # Errors

@@ -1,6 +1,6 @@
 //! Heavy work off the frame: orders as bytes that go away, answers as bytes that come back.
 //!
-//! Each [`WorkKind`] has a worker of its own, so that none waits behind another. The window hires a [`Helper`] for a kind from
+//! Each [`WorkKind`] has its own worker, so that none waits behind another. The window hires a [`Helper`] for a kind from
 //! its [`Agency`], gives it orders and goes on drawing. On the other side an [`Executor`](self::executor::Executor) does the work in slices:
 //! on a thread in the native window, in a second instance of the program in a page's worker, or, where there is neither, in the
 //! window's own thread between frames. Nothing is shared: what an order needs is in its bytes, or in the embedded library.
@@ -37,7 +37,7 @@ impl WorkKind {
     /// All kinds.
     pub const ALL: [Self; 4] = [Self::Play, Self::Forecast, Self::Plan, Self::Fit];
 
-    /// Its name, by which a page's scripts know it.
+    /// Its name, under which a page's scripts find it.
     pub fn name(self) -> &'static str {
         match self {
             Self::Play => "play",
@@ -62,7 +62,7 @@ impl WorkKind {
     }
 }
 
-/// Whoever works elsewhere. It may be slow; it is asked anew when something else is wanted.
+/// A worker elsewhere. It may be slow; it gets a new order when another result is needed.
 pub trait Helper {
     /// Takes an order in place of the one before; an empty one ends the work.
     fn ask(&mut self, order: Vec<u8>);
@@ -70,7 +70,7 @@ pub trait Helper {
     /// Answers that have come since the last call; none once the helper is of no use any more.
     fn answers(&mut self) -> Option<Vec<Vec<u8>>>;
 
-    /// Returns true if it works only when it is asked for answers: the window draws frames for it.
+    /// Returns true if it works only when it is polled for answers: the window draws frames for it.
     fn needs_frames(&self) -> bool {
         false
     }

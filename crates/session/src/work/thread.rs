@@ -87,7 +87,7 @@ fn work_on(executor: &mut Executor, ordered: &Receiver<Vec<u8>>, done: &Sender<V
 
 impl Helper for OwnThread {
     fn ask(&mut self, order: Vec<u8>) {
-        // A thread that has ended says so when it is asked for answers.
+        // A thread that has ended reports it when it is polled for answers.
         drop(self.orders.send(order));
     }
 

@@ -9,7 +9,7 @@ fn hot(place: Steam, g_s: f32) -> Snapshot {
     Snapshot { floor_c: 180.0, oil_c: 180.0, ..Snapshot::default() }.with(place, 1e-3 * g_s)
 }
 
-/// What a cook tells by ear is told by the caption.
+/// What a cook notices by ear is in the caption.
 #[test]
 fn each_sound_has_its_caption() {
     let cases = [
@@ -48,7 +48,7 @@ fn the_meter_follows_the_steam() {
     assert!(meter(&lidded) < steps[3]);
 }
 
-/// Words stand long enough to be read: one odd tick does not change them, a second does.
+/// Words stay long enough to be read: one odd tick does not change them, a second does.
 #[test]
 fn one_tick_does_not_flicker() {
     let (steady, odd) = (hot(Steam::Floor, 0.05), hot(Steam::Floor, 0.25));

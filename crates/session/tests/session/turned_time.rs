@@ -95,7 +95,7 @@ fn deed(session: &mut Session, draws: &mut Draws) -> &'static str {
         }
         _ => {
             session.set_paused(false);
-            // A recipe that was resumed may ask for what hands have done already: the window says so, and time stops there.
+            // A recipe that was resumed may command what hands have done already: the window reports it, and time stops there.
             let _ = (0..draws.below(TICKS)).all(|_| session.tick().is_ok());
             let _ = session.command(&command(draws));
             "time"
@@ -110,7 +110,7 @@ fn compare(session: &Session, library: &Library, done: &[&str]) {
     fresh.run_to(recording, library, recording.moment());
     assert_eq!(fresh.departure(), None, "{done:?}");
     assert!(fresh.kitchen.to_bytes() == session.kitchen.to_bytes(), "{done:?}");
-    // What is shown beside is what its own commands make of it.
+    // What is shown next to it is what its own commands make of it.
     assert!(session.marks.iter().all(|mark| mark.at <= recording.moment()), "{done:?}");
 }
 

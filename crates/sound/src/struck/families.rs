@@ -1,4 +1,4 @@
-//! Bodies beside the pan that ring by a family of ratios: bell, tool, board and flesh.
+//! Bodies other than the pan that ring by a family of ratios: bell, tool, board and flesh.
 
 use crate::struck::modes::Mode;
 

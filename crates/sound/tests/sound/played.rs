@@ -1,4 +1,4 @@
-//! What plays live: at once, at a volume, silent in a pause and when nobody tells it anything.
+//! What plays live: at once, at a volume, silent in a pause and when it receives no state.
 
 use saute_sound::letter;
 use saute_sound::{Event, EventKind, Metal, Plate, Player, SILENCE_DB, Snapshot, Steam, TICK_S, Told};
@@ -14,7 +14,7 @@ fn frying() -> Told {
     Told { snapshot: hot(Steam::Floor, 0.1), pan: PAN, is_paused: false, volume: 1.0 }
 }
 
-/// Renders while the same is told sixty times a second, as by a window.
+/// Renders while the same state is sent sixty times a second, as by a window.
 fn played(player: &mut Player, told: &Told, samples: usize) -> Vec<[f32; 2]> {
     let mut frames = vec![[0.0; 2]; samples];
     for picture in frames.chunks_mut(SECOND / 60) {
@@ -24,7 +24,7 @@ fn played(player: &mut Player, told: &Told, samples: usize) -> Vec<[f32; 2]> {
     frames
 }
 
-/// Hands and ears belong together: what is done sounds in the next block that the device asks for.
+/// Hands and ears belong together: what is done sounds in the next block that the device requests.
 #[test]
 fn an_act_is_heard_in_the_next_block() {
     let mut player = Player::new(RATE);
@@ -38,7 +38,7 @@ fn an_act_is_heard_in_the_next_block() {
     assert!(first <= SECOND / 400, "{first} samples");
 }
 
-/// The pan sounds as loud as its steam says, and its level is told from the state alone.
+/// The pan sounds as loud as its steam implies, and its level is computed from the state alone.
 #[test]
 fn the_told_level_is_the_level_that_is_heard() {
     for (place, g_s) in [(Steam::Floor, 0.1), (Steam::Water, 0.5), (Steam::Butter, 0.1), (Steam::Oil, 0.2)] {
@@ -91,7 +91,7 @@ fn a_player_that_is_told_nothing_falls_silent() {
     assert!(played(&mut player, &frying(), SECOND)[SECOND / 2..].iter().any(|frame| frame[0] != 0.0));
 }
 
-/// Simulated time may run twenty times as fast: a tick of every ninth is told, and it is the sound of that one, at its own pitch.
+/// Simulated time may run twenty times as fast: one tick in nine is sent, and it is the sound of that one, at its own pitch.
 #[test]
 fn fast_time_is_the_sound_of_the_moment() {
     let told = |tick: usize| Told { snapshot: hot(Steam::Floor, 0.1 + 0.001 * (tick % 10) as f64), ..frying() };
@@ -122,7 +122,7 @@ fn another_pan_begins_without_a_click() {
     assert!(frames[SECOND + SECOND / 2..].iter().any(|frame| frame[0] != 0.0));
 }
 
-/// Devices ask for what they like: any rate, any length, a wait between.
+/// Devices request what they like: any rate, any length, a wait between.
 #[test]
 fn odd_rates_and_lengths_of_blocks_are_played() {
     for rate in [0, 8_000, 11_025, 44_100, 88_200, 192_000, 384_000] {

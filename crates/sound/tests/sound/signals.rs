@@ -1,4 +1,4 @@
-//! What holds of every signal: the same bits, no clicks, no overload, silence when paused.
+//! What is true of every signal: the same bits, no clicks, no overload, silence when paused.
 
 use saute_sound::{CEILING, Event, EventKind, Snapshot, Steam, Synth, TICK_S};
 
@@ -27,7 +27,7 @@ fn cooked(block: usize) -> Vec<[f32; 2]> {
     frames
 }
 
-/// A recording can be made again, whatever device or file asks for it.
+/// A recording can be made again, whatever device or file requests it.
 #[test]
 fn the_bits_are_the_same_for_any_block_size() {
     let whole = cooked(TICK);
@@ -97,7 +97,7 @@ fn values_out_of_range_break_nothing() {
     assert!(frames.iter().all(|frame| *frame == [0.0; 2]));
 }
 
-/// Pause means silence at once, for someone at the door; and it goes on where it stood.
+/// Pause means silence at once, for someone at the door; and it goes on where it stopped.
 #[test]
 fn a_pause_is_silent_within_20_ms() {
     let mut synth = Synth::new(RATE, 5, &PAN);

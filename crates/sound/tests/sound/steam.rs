@@ -38,7 +38,7 @@ fn level_in(frames: &[[f32; 2]], hz: [f64; 2]) -> f64 {
     level(&band(&mono(frames), hz, f64::from(RATE)))
 }
 
-/// A cold pan, and a hot one with nothing wet in it, says nothing: a cook hears that it waits. Oil at its smoke point has no water.
+/// A cold pan, and a hot one with nothing wet in it, is silent: a cook hears that it waits. Oil at its smoke point has no water.
 #[test]
 fn a_pan_without_steam_is_silent_cold_or_smoking() {
     for floor_c in [20.0, 240.0] {
@@ -55,7 +55,7 @@ fn when_the_steam_ends_it_is_silent() {
     assert!(frames[RATE as usize * 3 / 2..].iter().all(|frame| *frame == [0.0; 2]));
 }
 
-/// The crackle tells that the water is nearly gone: few bubbles are heard one by one, many are a hiss.
+/// The crackle shows that the water is nearly gone: few bubbles are heard one by one, many are a hiss.
 #[test]
 fn hiss_becomes_crackle_as_the_water_goes() {
     for g_s in [0.1, 0.15, 0.3, 1.0] {

@@ -1,4 +1,4 @@
-//! A device of tests: what it is given goes to the test, block by block, and it fails when the test says so.
+//! A device of tests: what it is given goes to the test, block by block, and it fails when the test requests it.
 
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 

@@ -1,10 +1,10 @@
-//! No device, no library, an unplugged device: said once, and survived.
+//! No device, no library, an unplugged device: reported once, and survived.
 
 use saute_speaker::{Device, Speaker, Trouble};
 
 use crate::device::{Tape, frying, silent_blocks, speaker_at, tape};
 
-/// Waits for the speaker's next trouble, telling it on and on what to hear.
+/// Waits for the speaker's next trouble, sending it the state again and again.
 fn trouble(speaker: &mut Speaker) -> Trouble {
     loop {
         speaker.hear(frying(), &[]);
@@ -30,7 +30,7 @@ fn a_system_without_sound_is_said_once() {
     assert_eq!(speaker.trouble(), None);
 }
 
-/// A headset that is pulled out and put in again: said once, and it sounds again.
+/// A headset that is pulled out and put in again: reported once, and it sounds again.
 #[test]
 fn an_unplugged_device_is_said_once_and_taken_again() {
     let (blocks, played) = tape();

@@ -1,11 +1,11 @@
-//! What is told is heard, soon and in full; what is too much is counted.
+//! What is sent is heard, soon and in full; what is too much is counted.
 
 use saute_sound::{Event, EventKind, Snapshot, Told};
 use saute_speaker::{BLOCK, QUEUED};
 
 use crate::device::{frying, silent_blocks, speaker_at};
 
-/// Act to first sample: within two blocks of those that the device holds, 11 ms at 48 kHz; with a picture of a window, 17 ms more.
+/// Act to first sample: within two blocks of those in the device's queue, 11 ms at 48 kHz; with a picture of a window, 17 ms more.
 /// The device's own buffer comes on top.
 #[test]
 fn what_is_told_is_in_the_next_blocks() {
@@ -20,7 +20,7 @@ fn what_is_told_is_in_the_next_blocks() {
     assert_eq!((speaker.dropped_events(), speaker.trouble()), (0, None));
 }
 
-/// More events than a picture can have: the strongest are played, the others counted, and whoever tells them never waits.
+/// More events than a picture can have: the strongest are played, the others counted, and their sender never waits.
 #[test]
 fn of_too_many_events_the_weakest_are_dropped_and_counted() {
     let (mut speaker, played) = speaker_at(48_000);

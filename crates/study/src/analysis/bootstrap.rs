@@ -5,7 +5,7 @@ use serde::Serialize;
 
 use crate::random::Random;
 
-/// Share of the draws that an interval holds [-].
+/// Share of the draws in an interval [-].
 pub const INTERVAL: f64 = 0.9;
 /// Draws of a bootstrap (chosen: the ends of the interval repeat to a few per cent of its width).
 const DRAWS: usize = 2000;

@@ -1,6 +1,6 @@
 //! Analysis of logs: learning curves, and what changed after the cook at a real stove.
 //!
-//! Medians have bootstrap intervals: participants are drawn with replacement, the median of each draw is taken, and the interval holds the
+//! Medians have bootstrap intervals: participants are drawn with replacement, the median of each draw is taken, and the interval contains the
 //! middle 90 % of 2000 of them (percentile method). Draws are seeded: the same logs give the same numbers.
 
 mod before_after;

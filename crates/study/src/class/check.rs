@@ -16,7 +16,7 @@ use saute_plan::Aimed;
 
 /// Longest lesson unless the scenario states another one [s].
 const USUAL_MAX_S: f64 = 1800.0;
-/// How far ahead a question looks unless it says so [s].
+/// How far ahead a question looks unless it states a time [s].
 const USUAL_AHEAD_S: f64 = 120.0;
 /// Longest title and introduction [letters] (chosen: what is read on a phone without scrolling far).
 const LONGEST: [usize; 2] = [80, 1200];

@@ -47,7 +47,7 @@ pub struct QuestionSummary {
     pub answers: usize,
     /// Answers whose truth is known.
     pub compared: usize,
-    /// Truths that were left out: files of before note the present where the end was asked about, and the food had not rested.
+    /// Truths that were left out: files of before note the present where the question was about the end, and the food had not rested.
     pub early_truths: usize,
     /// Median of the distance from the truth, in the unit of the question.
     pub median_error: Option<f64>,

@@ -12,7 +12,7 @@ use crate::measures::Measures;
 const BELIEVED_AFTER_S: f64 = 600.0;
 
 impl ResultRow {
-    /// The places of questions about the end whose truth may have been noted before the end; none in results of today, which say whether the
+    /// The places of questions about the end whose truth may have been noted before the end; none in results of today, which state whether the
     /// food had rested.
     pub fn early_truths(&self) -> Vec<usize> {
         let rested_s = self.out_s.map_or(0.0, |out_s| self.end_s - out_s);
@@ -24,7 +24,7 @@ impl ResultRow {
             let Some(truth) = self.questions()[*place][1] else { return false };
             match &asks {
                 Some(asks) => matches!(asks.get(*place), Some(AskKind::CorePeak | AskKind::ClassInTheEnd)),
-                // Of another scenario the row itself tells: its peak, or the place of a class.
+                // Of another scenario the row itself shows: its peak, or the place of a class.
                 None => truth == Measures::rounded(self.core_peak_c) || may_be_class(truth),
             }
         };

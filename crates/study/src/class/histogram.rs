@@ -1,4 +1,4 @@
-//! How the answers of a class spread, and where the truths lay.
+//! How the answers of a class spread, and where the truths were.
 
 use serde::Serialize;
 
@@ -6,7 +6,7 @@ use serde::Serialize;
 const WIDTH: f64 = 10.0;
 /// Classes of doneness at most: whole numbers below are counted one by one (chosen: no scale has so many).
 const CLASSES: f64 = 10.0;
-/// Bars beyond the first at most [-]: answers lie within 0 to 100; a file that says otherwise gets no more.
+/// Bars beyond the first at most [-]: answers are within 0 to 100; a file with others gets no more.
 const MOST_MORE: f64 = 10.0;
 
 /// Answers and truths from one value up to another one, in the unit of the question.

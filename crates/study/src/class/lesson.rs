@@ -66,7 +66,7 @@ impl Lesson {
         self.ask_next(piece, now)
     }
 
-    /// Notes what was asked about an instant that has come, and asks nothing.
+    /// Notes the truths about an instant that has come, without a new question.
     pub(super) fn learn(&mut self, kitchen: &Kitchen) {
         if let Some(piece) = kitchen.pieces().first() {
             self.learn_truths(piece, kitchen.time_s());
@@ -78,7 +78,7 @@ impl Lesson {
         self.put_s.is_some() && self.out_s.is_some()
     }
 
-    /// True if an instant that was asked about is still to come.
+    /// True if the instant of a question is still to come.
     pub(super) fn awaits(&self, now: f64) -> bool {
         self.asked.iter().zip(&self.scenario.predictions).any(|(asked, predict)| match (predict.ask, asked.at_s) {
             (Ask::CoreIn(in_s), Some(at_s)) => asked.truth.is_none() && now < at_s + in_s,
@@ -116,7 +116,7 @@ impl Lesson {
         }
     }
 
-    /// Notes what was asked about an instant that has come.
+    /// Notes the truths about an instant that has come.
     fn learn_truths(&mut self, piece: &Piece, now: f64) {
         for (asked, predict) in self.asked.iter_mut().zip(&self.scenario.predictions) {
             let (Ask::CoreIn(in_s), Some(at_s)) = (predict.ask, asked.at_s) else { continue };
@@ -138,7 +138,7 @@ impl Lesson {
         Some(place)
     }
 
-    /// Ends the lesson. What was asked about the end is known if the food has rested; else it stays empty. Returns the row to hand in.
+    /// Ends the lesson. The truth about the end is known if the food has rested; else it stays empty. Returns the row to hand in.
     pub fn end(&mut self, measures: &Measures, rest: RestKind) -> ResultRow {
         let scale = &self.scenario.goal.scale;
         for (asked, predict) in self.asked.iter_mut().zip(&self.scenario.predictions) {

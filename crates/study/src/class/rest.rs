@@ -44,7 +44,7 @@ impl Rest {
         Some(Self { kitchen, began_s })
     }
 
-    /// Cooks on by a tick; returns true once all is known, or the longest rest is over. What the lesson asked about an instant that
+    /// Cooks on by a tick; returns true once all is known, or the longest rest is over. The truth of each question about an instant that
     /// has come is noted.
     pub fn tick(&mut self, lesson: &mut Lesson) -> bool {
         if self.is_over(lesson) {

@@ -71,7 +71,7 @@ pub struct ResultRow {
     /// Mark [points]; results of before it was kept have none.
     #[serde(default)]
     pub mark: Option<f64>,
-    /// Whether the food had rested; results of before it was kept do not say so.
+    /// Whether the food had rested; results of before it was kept do not have it.
     #[serde(default)]
     pub rest: Option<RestKind>,
 }
@@ -84,7 +84,7 @@ pub enum RestKind {
     Seen,
     /// The student ended the lesson while it rested; it was cooked on in a copy until it had rested.
     CookedOn,
-    /// It had not: what was asked about the end has no truth.
+    /// It had not: questions about the end have no truth.
     None,
 }
 

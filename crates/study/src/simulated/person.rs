@@ -35,7 +35,7 @@ const RISE_K: f64 = 5.0;
 /// Slips at a real stove over those in the simulator [-], and error of a thermometer [K].
 const REAL_SLIPS: f64 = 1.5;
 const THERMOMETER_K: f64 = 1.0;
-/// Step in which a share is told by eye [%].
+/// Step in which a share is estimated by eye [%].
 const BY_EYE_PCT: f64 = 5.0;
 /// Wall time between two events, of which nothing depends [s].
 const BETWEEN_S: f64 = 60.0;

@@ -18,7 +18,7 @@ const FRY_W: [f64; 2] = [650.0, 120.0];
 const PAN_C: [f64; 2] = [190.0, 20.0];
 /// Time on a side [s].
 const SIDE_S: [f64; 2] = [200.0, 60.0];
-/// Core at which the food is taken out, from the middle of the wanted class [K].
+/// Core at which the food is taken out, from the middle of the target class [K].
 const PULL_K: [f64; 2] = [-3.0, 5.0];
 /// What a guess adds to the present core for one ahead, and for the highest one: beginners forget that the rest warms the core [K].
 const AHEAD_K: [f64; 2] = [12.0, 8.0];

@@ -1,4 +1,4 @@
-//! Promise: a lesson asks when it says, finds the truth in the cook, and its result is one row.
+//! Promise: a lesson asks when it states, finds the truth in the cook, and its result is one row.
 
 use std::path::Path;
 use std::sync::Arc;

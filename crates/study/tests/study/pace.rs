@@ -1,4 +1,4 @@
-//! Promise: a locked speed is held or not by what passed, whatever clock said so.
+//! Promise: a locked speed is held or not by what passed, whatever clock measured it.
 
 use std::sync::Arc;
 

@@ -101,7 +101,7 @@ fn shipped_protocols_and_scenarios_are_right_and_bear_their_ids() {
     }
 }
 
-/// Sound tells how dry a face is: a study hears it only where its protocol says so, and that of 2013 had none.
+/// Sound shows how dry a face is: a study plays it only where its protocol states it, and that of 2013 had none.
 #[test]
 fn a_study_is_silent_unless_its_protocol_states_sound() {
     let library = library();

@@ -33,7 +33,7 @@ pub fn read(
     document.buffers.iter().enumerate().map(bytes).collect()
 }
 
-/// Returns the bytes up to the length that a buffer declares: views lie within it, and the sum of all bounds the memory.
+/// Returns the bytes up to the length that a buffer declares: views are within it, and the sum of all bounds the memory.
 fn whole(mut bytes: Vec<u8>, buffer: &Buffer, index: usize) -> Result<Vec<u8>, ReadError> {
     if bytes.len() < buffer.byte_length {
         let message = format!("its buffer {index} has {} of {} bytes", bytes.len(), buffer.byte_length);

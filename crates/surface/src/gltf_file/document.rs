@@ -148,7 +148,7 @@ pub struct Buffer {
     pub uri: Option<String>,
 }
 
-/// Returns what the JSON says.
+/// Returns the content of the JSON.
 pub fn parse(container: &Container) -> Result<Document, ReadError> {
     bounded(container.json)?;
     let invalid = |error: serde_json::Error| ReadError {

@@ -56,7 +56,7 @@ impl Component {
         }
     }
 
-    /// Returns the number that stands for 1 where integers are normalised (glTF 2.0, section 3.11), and the least number.
+    /// Returns the number that means 1 where integers are normalised (glTF 2.0, section 3.11), and the least number.
     fn normal(self) -> Option<(f64, f64)> {
         match self {
             I8 => Some((f64::from(i8::MAX), -1.0)),
@@ -131,7 +131,7 @@ impl<'a> Elements<'a> {
         Ok(Checked { index, accessor, component, size, dense })
     }
 
-    /// Returns elements of a view, which must not overlap, and must lie within it and within its buffer.
+    /// Returns elements of a view, which must not overlap, and must be within it and within its buffer.
     fn strided(
         &self,
         index: usize,

@@ -1,4 +1,4 @@
-//! References of a glTF file to the files beside it.
+//! References of a glTF file to the files next to it.
 
 use crate::ReadError;
 

@@ -50,7 +50,7 @@ fn glb(mut file: Value, buffer: &[u8]) -> Vec<u8> {
     [b"glTF".as_slice(), &2u32.to_le_bytes(), &(12 + chunks.len() as u32).to_le_bytes(), &chunks].concat()
 }
 
-/// Reads the tetrahedron with its buffer in another file; returns the path that is asked for.
+/// Reads the tetrahedron with its buffer in another file; returns the path that is requested.
 fn asked(uri: &str) -> Result<String, ReadError> {
     let mut file = tetrahedron();
     file["buffers"][0]["uri"] = json!(uri);
@@ -123,7 +123,7 @@ fn a_data_uri_may_have_escapes() {
 #[test]
 fn quantized_positions_are_scaled_by_their_node() {
     let usual = gltf(&tetrahedron()).unwrap();
-    // Each kind of integer, padded to four bytes an element, with what stands for 10 mm and its scale.
+    // Each kind of integer, padded to four bytes an element, with its value for 10 mm and its scale.
     for (component, bytes, stride) in [(5120, 1, 4), (5121, 1, 4), (5122, 2, 8), (5123, 2, 8)] {
         for is_normalized in [false, true] {
             let most: u32 = if component % 2 == 0 { (1 << (8 * bytes - 1)) - 1 } else { (1 << (8 * bytes)) - 1 };

@@ -1,4 +1,4 @@
-//! Measurement, not a test: rows of a sweep beside bare cooks of the same recipe, in alternating runs. `scripts/sweeps.sh` runs it.
+//! Measurement, not a test: rows of a sweep against bare cooks of the same recipe, in alternating runs. `scripts/sweeps.sh` runs it.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};

@@ -8,7 +8,7 @@ pub fn mixed(number: u64) -> u64 {
     z ^ (z >> 31)
 }
 
-/// Returns random bits for a seed and the numbers that say what they are for.
+/// Returns random bits for a seed and the numbers that state their purpose.
 pub fn bits(seed: u64, purpose: &[u64]) -> u64 {
     purpose.iter().fold(mixed(seed), |hash, part| mixed(hash ^ *part))
 }

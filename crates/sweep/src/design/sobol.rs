@@ -3,7 +3,7 @@
 use crate::design::random;
 use crate::design::sobol_directions::DIRECTIONS;
 
-/// Bits of a coordinate [-]: as many rows have points of their own.
+/// Bits of a coordinate [-]: as many rows have distinct points.
 const BITS: u32 = 32;
 
 /// Returns a coordinate of a point of the plain sequence, of 0 to 1.

@@ -66,7 +66,7 @@ pub fn sobol_indices(numbers: &[Option<f64>], values: usize, seed: u64) -> Optio
     Some(SobolIndices { of, used: centred.len(), left_out })
 }
 
-/// The mean is taken away: the first estimator is far off where it is large beside the scatter.
+/// The mean is taken away: the first estimator is far off where it is large compared with the scatter.
 fn centred(mut blocks: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
     let middle = mean(blocks.iter().map(|rows| (rows[A] + rows[B]) / 2.0));
     blocks.iter_mut().flatten().for_each(|number| *number -= middle);

@@ -14,7 +14,7 @@ use crate::package::array::made;
 use crate::package::expected::seven;
 use crate::package::kitchen::PyKitchen;
 
-/// A piece of food. It reads the present state of its kitchen; arrays show the state as it was when asked for.
+/// A piece of food. It reads the present state of its kitchen; arrays show the state as it was when requested.
 #[pyclass(name = "Piece", frozen, module = "saute")]
 pub(crate) struct PyPiece {
     kitchen: Py<PyKitchen>,
@@ -161,7 +161,7 @@ impl PyPiece {
         Ok(chosen.class.iter().zip(shares).map(|(class, share)| (class.name.clone(), share)).collect())
     }
 
-    /// True if it lies upside down.
+    /// True if it is upside down.
     #[getter]
     fn upside_down(&self, py: Python<'_>) -> PyResult<bool> {
         self.read(py, Piece::upside_down)

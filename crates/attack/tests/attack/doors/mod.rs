@@ -48,7 +48,7 @@ fn names(said: &str, named: &[&str], range: Range, case: &str) {
     }
 }
 
-/// Panics if a kitchen holds a number that is none, its energy does not balance, or food freezes or burns away.
+/// Panics if a kitchen contains a number that is not finite, its energy does not balance, or food freezes or burns away.
 fn sound(kitchen: &Kitchen, case: &str) {
     let energy = kitchen.energy();
     let gross = energy.hob.abs() + energy.pan_stored.abs() + energy.food_stored.abs() + energy.evaporation.abs();

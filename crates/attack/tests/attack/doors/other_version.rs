@@ -1,4 +1,4 @@
-//! The door of what another version stored: its sessions open and say so, its kitchens are refused with words.
+//! The door of what another version stored: its sessions open with a note, its kitchens are refused with words.
 
 use saute_attack::kitchen_files::LIBRARY;
 use saute_kitchen::bytes::BytesError;

@@ -11,7 +11,7 @@ fn due_s(before: Before) -> f64 {
     if before == Before::OnBoard { 8.0 } else { 0.5 }
 }
 
-/// A number as TOML writes it: whole ones without a point, as keys of counts ask for.
+/// A number as TOML writes it: whole ones without a point, as keys of counts require.
 fn number(v: f64) -> String {
     match v {
         v if v.is_nan() => "nan".to_owned(),
@@ -32,7 +32,7 @@ fn text(part: Part, v: f64, before: Before) -> String {
         Part::Step(text) => step = format!("[[step]]\nat_s = {}\n{}", due_s(before), stated(text)),
         Part::Home(_) => {}
     }
-    // A key may stand once.
+    // A key may occur once.
     let unless = |own: &str, key: &str, usual: &str| if own.contains(key) { "" } else { usual }.to_owned();
     pan += &unless(&pan, "initial_c", "\ninitial_c = 180");
     food += &unless(&food, "size_mm", "\nsize_mm = [60, 50, 15]");

@@ -25,7 +25,7 @@ fn entry(frame: u64, deed: Deed) -> Entry {
     Entry { frame, after_steps: false, deed }
 }
 
-/// A session in which food came where a change asks for it, and the frame at which the change follows.
+/// A session in which food came where a change needs it, and the frame at which the change follows.
 fn prepared(before: Before) -> (Recording, u64) {
     let mut recording = begun();
     let food = || "steak".to_owned();

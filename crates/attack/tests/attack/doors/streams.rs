@@ -115,7 +115,7 @@ fn tried(number: &StreamedNumber, frying: &Kitchen) {
     }
 }
 
-/// A device that says one sample.
+/// A device that reports one sample.
 struct Saying(HapticSample, Capabilities);
 
 impl HapticDevice for Saying {
@@ -132,7 +132,7 @@ impl HapticDevice for Saying {
     fn resume(&mut self) {}
 }
 
-/// Panics if a device that states a sample is told to make a force that is none, or above its limit.
+/// Panics if a device that reports a sample gets the command for a force that is none, or above its limit.
 fn renders(sample: HapticSample, case: &str) {
     let device = library::devices().expect("are sound").remove(library::DEFAULT_DEVICE).expect("is there");
     let capabilities = device.capabilities();

@@ -101,7 +101,7 @@ fn the_text_has_a_line_for_each_group_and_none_for_its_pieces() {
     assert!(ran.out.lines().count() < 40, "{}", ran.out);
 }
 
-/// The pan holds a limited number of pieces; the error names the number, the line and the remedy.
+/// The pan takes a limited number of pieces; the error names the number, the line and the remedy.
 #[test]
 fn too_many_pieces_for_the_pan_are_refused_before_anything_is_cooked() {
     let (_dir, path) = crowded(&["count = 20", "count = 70", "size_mm = [18, 6]", "size_mm = [40, 6]"]);

@@ -211,7 +211,7 @@ fn a_reader_that_goes_away_is_not_an_error() {
     assert_eq!((output.status.code(), output.stderr), (Some(0), Vec::new()));
 }
 
-/// A condition that is exceeded does not wait; a bare number says so with its line and what to write.
+/// A condition that is exceeded does not wait; a bare number is an error with its line and what to write.
 #[test]
 fn a_bare_temperature_that_is_exceeded_warns_with_line_and_remedy() {
     let dir = tempfile::tempdir().unwrap();

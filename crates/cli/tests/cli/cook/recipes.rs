@@ -1,4 +1,4 @@
-//! The shipped recipes reach what their titles say.
+//! The shipped recipes reach what their titles state.
 
 use crate::cook::cooked::{Cooked, SHIPPED, cook, cooked};
 use crate::running::run;

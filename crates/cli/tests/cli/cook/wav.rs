@@ -6,7 +6,7 @@ use std::process::Command;
 
 use crate::running::{SHORT, names_in, run, saute};
 
-/// Cooks a recipe with `--wav` in a folder; returns what was said and the file.
+/// Cooks a recipe with `--wav` in a folder; returns the output on stderr and the file.
 fn recorded(dir: &Path, name: &str, more: &[&str]) -> (Option<i32>, String, Vec<u8>) {
     let (recipe, wav) = (dir.join("short.toml"), dir.join(name));
     // The put waits for two seconds, so that the pan is heard alone first.

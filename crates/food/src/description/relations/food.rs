@@ -30,7 +30,7 @@ impl Format for FoodDescription {
     }
 }
 
-/// Sizes and outline belong to all forms but "mesh", which has a table of its own.
+/// Sizes and outline belong to all forms but "mesh", which has its own table.
 fn shape(food: &FoodDescription, file: &DataFile) -> Checked {
     if food.form == Form::Mesh {
         return mesh(food, file);

@@ -184,7 +184,7 @@ fn solids_follow_the_mesh() {
                 // A box replaces rounded edges by sharp ones: its extent is compared on its six sides.
                 let sharp = matches!(solid, Solid::Cuboid { .. }) && d.iter().all(|v| v.abs() < 0.999);
                 let off = support(&solid, d) - mesh;
-                // The tail fan has no capsule of its own; another test covers how the capsules follow the curve.
+                // The tail fan has no separate capsule; another test covers how the capsules follow the curve.
                 assert!(
                     kind == "shrimp" || (off > -within && (sharp || off < within)),
                     "{kind} {seed}: {off} towards {d:?}"
@@ -327,7 +327,7 @@ fn shortest_step(model: &FoodModel) -> f64 {
     conduction.stable_step(&graph.volume.iter().map(|v| 3.7e6 * v).collect::<Vec<_>>())
 }
 
-/// What is asked for is judged before a mesh is built: the estimate must hold for every form, size and fineness.
+/// A request is checked before a mesh is built: the estimate must be valid for every form, size and fineness.
 #[test]
 fn the_nodes_of_a_piece_are_known_within_a_fifth_before_it_is_meshed() {
     for (kind, size, _) in FOODS {

@@ -115,7 +115,7 @@ fn shrimp_curl_as_they_cook() {
     assert_eq!(lean().curl(&FoodState::raw(lean(), ZERO_C + 60.0)), 0.0);
 }
 
-/// Done faces draw back from the side and the raw middle stands out; where all is cooked alike, the side is straight.
+/// Done faces draw back from the side and the raw middle protrudes; where all is cooked alike, the side is straight.
 #[test]
 fn the_side_bulges_where_it_contracts_less_than_the_faces() {
     let steak = lean();

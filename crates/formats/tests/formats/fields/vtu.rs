@@ -31,7 +31,7 @@ impl Vtu {
         &tag[from..from + tag[from..].find('"').unwrap()]
     }
 
-    /// The part of the file in which an array stands: `PointData`, `CellData`, `Points` or `Cells`.
+    /// The part of the file that contains an array: `PointData`, `CellData`, `Points` or `Cells`.
     pub fn section(&self, name: &str) -> &str {
         let at = self.xml.find(&format!("Name=\"{name}\"")).unwrap();
         let from = ["<PointData>", "<CellData>", "<Points>", "<Cells>"].map(|s| self.xml[..at].rfind(s).unwrap_or(0));

@@ -1,4 +1,4 @@
-//! Why messages are rejected: told once on the screen, and again and again, but seldom, to the sender.
+//! Why messages are rejected: reported once on the screen, and again and again, but seldom, to the sender.
 
 use std::net::SocketAddr;
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
@@ -32,7 +32,7 @@ pub enum Rejection {
 }
 
 impl Rejection {
-    /// Returns what tells this reason from others, without what varies from message to message.
+    /// Returns what distinguishes this reason from others, without what varies from message to message.
     fn kind(&self) -> (u8, &'static str) {
         match self {
             Self::Bad(BadOsc::Format) => (0, ""),
@@ -53,7 +53,7 @@ impl Rejection {
 /// The reasons so far.
 #[derive(Debug)]
 pub struct Rejections {
-    /// Kinds of reasons, and when each was told last.
+    /// Kinds of reasons, and when each was reported last.
     told: Vec<((u8, &'static str), Instant)>,
     screen: SyncSender<String>,
 }
@@ -65,7 +65,7 @@ impl Rejections {
         (Self { told: Vec::new(), screen }, lines)
     }
 
-    /// Tells the screen a reason that is new; returns true if the sender should be told, too.
+    /// Reports a reason that is new on the screen; returns true if it should be reported to the sender, too.
     pub fn tell(&mut self, why: &Rejection, from: SocketAddr, now: Instant) -> bool {
         let kind = why.kind();
         if let Some((_, at)) = self.told.iter_mut().find(|(told, _)| *told == kind) {

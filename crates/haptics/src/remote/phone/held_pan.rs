@@ -22,7 +22,7 @@ pub struct HeldPan {
 }
 
 impl HeldPan {
-    /// Moves the pan over `dt` [s] and returns its twist: with a phone towards the rotation that it asks for, under its acceleration
+    /// Moves the pan over `dt` [s] and returns its twist: with a phone towards the rotation that it requests, under its acceleration
     /// [m/s²] if that is known; without one back home.
     pub fn step(&mut self, phone: Option<(DQuat, Option<DVec3>)>, dt: f64) -> Twist {
         self.toss.step(phone.and_then(|(_, push)| push), DVec3::from_array(HALF_M), dt);
@@ -33,7 +33,7 @@ impl HeldPan {
         Twist { linear: self.toss.velocity, angular }
     }
 
-    /// Returns the pose of the pan; at home it stands on its ring.
+    /// Returns the pose of the pan; at home it is on its ring.
     pub fn pose(&self) -> Pose {
         Pose { position: self.toss.place, rotation: self.rotation }
     }

@@ -16,7 +16,7 @@ const READ: f64 = 1.31;
 #[derive(Clone, Debug, Default)]
 pub struct HeldPhone {
     level: Level,
-    /// Rotation of the pan that is asked for; none before the phone was held flat enough to be taken as level.
+    /// Rotation of the pan that is requested; none before the phone was held flat enough to be taken as level.
     rotation: Option<DQuat>,
     /// Acceleration since the last step, in the kitchen's axes [m/s²].
     push: Option<DVec3>,
@@ -27,7 +27,7 @@ pub struct HeldPhone {
 
 impl HeldPhone {
     /// Takes a reading; `screen_deg` is the angle by which the picture is turned on the phone [°]. The first reading is taken as level:
-    /// the pan stands while the phone is held as one reads it.
+    /// the pan is still while the phone is held as one reads it.
     ///
     /// # Errors
     ///
@@ -77,7 +77,7 @@ mod tests {
 
     #[test]
     fn the_pan_stands_as_the_phone_is_first_held_and_tilts_with_it() {
-        // Upright and lying; both at 40° towards the eyes.
+        // Upright and flat; both at 40° towards the eyes.
         for (held, leans, screen_deg) in
             [([20.0, 40.0, 0.0], [20.0, 25.0, 0.0], 0.0), ([20.0, 0.0, -40.0], [20.0, 0.0, -25.0], 90.0)]
         {

@@ -1,4 +1,4 @@
-//! Connections that have said nothing yet: they take no slot from a phone, and no thread.
+//! Connections that have sent nothing yet: they take no slot from a phone, and no thread.
 //!
 //! Browsers open connections that they may need later, and port scanners open many; none of them may cost a phone its place.
 
@@ -41,7 +41,7 @@ impl<V: Visitor> WaitingRoom<V> {
         Self(VecDeque::new())
     }
 
-    /// Lets a connection wait; if the room is full, the longest waiting one is closed. A phone speaks as soon as it is connected, so it
+    /// Lets a connection wait; if the room is full, the longest waiting one is closed. A phone sends as soon as it is connected, so it
     /// is never that one.
     pub fn admit(&mut self, visitor: V, now: Instant) {
         if self.0.len() >= MOST {
@@ -71,7 +71,7 @@ mod tests {
 
     use super::*;
 
-    /// A visitor that speaks when the test wants; its count falls when it is closed.
+    /// A visitor that sends when the test requires it; its count falls when it is closed.
     struct Guest {
         number: usize,
         speaker: Rc<Cell<Option<usize>>>,

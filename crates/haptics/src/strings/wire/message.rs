@@ -9,7 +9,7 @@ pub const PAYLOAD: usize = 64;
 /// A message of the protocol.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Message {
-    /// Host: asks for a device.
+    /// Host: requests a device.
     Hello(Hello),
     /// Host: the same in version 1, which only an older device answers.
     HelloOfVersion1(Hello),
@@ -92,7 +92,7 @@ pub enum DeviceState {
     Idle,
     /// Has answered a hello, without motor current.
     Greeted,
-    /// Holds the minimum tension.
+    /// Keeps the minimum tension.
     Armed,
     /// Follows commands.
     Running,

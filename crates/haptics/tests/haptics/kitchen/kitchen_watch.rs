@@ -138,7 +138,7 @@ fn tossed(kitchen: &mut Kitchen, watching: &mut KitchenWatch, height: f64) -> [u
 #[test]
 fn every_blow_is_a_collision_whether_food_stays_where_it_lands_or_is_off_again_when_the_frame_ends() {
     let (mut blows, mut missed) = (0, Vec::new());
-    // The instant of a landing within a frame differs by the height. In a kitchen in which it was tossed before it lies elsewhere.
+    // The instant of a landing within a frame differs by the height. In a kitchen in which it was tossed before it is elsewhere.
     let mut again = kitchen(20.0);
     let mut watching = KitchenWatch::default();
     put(&mut again, 0.0);

@@ -21,7 +21,7 @@ fn until(
     exchange_for(PATIENCE, opened, command, &mut seen)
 }
 
-/// Exchanges commands until a condition holds; none if it does not for so long.
+/// Exchanges commands until a condition is true; none if it does not for so long.
 fn exchange_for(
     longest: Duration,
     opened: &mut Opened,
@@ -134,7 +134,7 @@ fn a_service_that_drips_bytes_gets_a_zero_force_as_the_next_and_last_word() {
     let zero = heard.get(last_push + 1).expect("a zero force follows");
     let took = zero.0 - heard[last_push].0;
     println!("zero force {took:?} after the last one");
-    // On a quiet machine; scripts/campaign.sh asks for it.
+    // On a quiet machine; scripts/campaign.sh requires it.
     assert!(std::env::var_os("SAUTE_CAMPAIGN").is_none() || took < Duration::from_millis(50), "{took:?}");
     assert_eq!(heard.len(), last_push + 2, "it is the last word");
 }

@@ -161,7 +161,7 @@ fn the_code_may_have_any_type_of_number_and_leading_zeros_may_be_missing() {
     }
 }
 
-/// Returns the reason that the sender is told next, within a minute.
+/// Returns the reason that is sent to the sender next, within a minute.
 fn answer(sender: &Sender) -> String {
     sender.0.set_read_timeout(Some(Duration::from_secs(60))).unwrap();
     let mut bytes = [0; 1024];

@@ -82,7 +82,7 @@ fn idle_connections_keep_no_phone_out_and_reset_none() {
     sleep(Duration::from_millis(100));
     phone.send(r#"{"kind":"flat"}"#);
     assert!(phone.receive("flat").is_some(), "still connected");
-    // Another phone of the same address pairs beside them.
+    // Another phone of the same address pairs in addition.
     let mut second = PhoneClient::connect(address);
     drop((before, meanwhile, later));
     second.pair(&code);
@@ -105,7 +105,7 @@ fn a_paired_phone_comes_back_while_strangers_hold_idle_connections() {
     let mut phone = PhoneClient::connect(address);
     phone.pair(&code);
     drop(phone);
-    // Several times as many as there are slots; they say nothing, or drip.
+    // Several times as many as there are slots; they send nothing, or drip.
     let idle: Vec<TcpStream> = (0..5 * ROOM).map(|_| TcpStream::connect(address).unwrap()).collect();
     let dripping: Vec<_> = (0..ROOM).map(|_| dripping_handshake(address)).collect();
     sleep(Duration::from_millis(300));

@@ -1,4 +1,4 @@
-//! Promise: a hostile or outdated device, and strangers who speak in its name, cannot make the driver pull or fall out of step.
+//! Promise: a hostile or outdated device, and strangers who send in its name, cannot make the driver pull or fall out of step.
 
 use std::collections::VecDeque;
 use std::io;
@@ -15,7 +15,7 @@ use crate::random::device;
 const DT: f64 = 1e-3;
 type Received = Result<Frame, FrameError>;
 
-/// A sound device behind a link into which someone else speaks too.
+/// A sound device behind a link into which someone else sends too.
 struct Hostile {
     inner: BenchLink,
     /// Returns what is received instead of a frame of the device.

@@ -63,7 +63,7 @@ impl Cook {
         (0..count).map(|_| self.step()).last().unwrap()
     }
 
-    /// Steps until a safety rule fires; returns the number of steps and the fault. The first step sends what the device lies about.
+    /// Steps until a safety rule fires; returns the number of steps and the fault. The first step sends the false values of the device.
     fn until_fault(&mut self, most: u32) -> (u32, Health) {
         for k in 1..=most {
             let health = self.step().sample.health;
@@ -74,7 +74,7 @@ impl Cook {
         panic!("no rule fired within {most} steps");
     }
 
-    /// After a fault: all strings are least within 2 ms, the device is told to stop, and stays stopped.
+    /// After a fault: all strings are least within 2 ms, the device is sent a stop, and stays stopped.
     fn assert_released(&mut self) {
         self.steps(2);
         assert!(self.bench.is_stopped(), "told to stop within 2 ms: {:?}", self.tension);

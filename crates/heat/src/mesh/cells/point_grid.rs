@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use crate::mesh::bounds::bounds;
 
-/// Most buckets along an edge of the box [-] (chosen: limits the memory where points lie far apart).
+/// Most buckets along an edge of the box [-] (chosen: limits the memory where points are far apart).
 const MOST_CUBES: usize = 128;
 
 /// Points in cubic buckets [m].
@@ -70,7 +70,7 @@ impl PointGrid {
         }
     }
 
-    /// Returns true if a point that `accept` admits lies closer to `p` than a distance [m].
+    /// Returns true if a point that `accept` admits is closer to `p` than a distance [m].
     pub fn any_within(&self, p: DVec3, reach: f64, accept: impl Fn(u32) -> bool) -> bool {
         let mut any = false;
         self.within(p, reach, |i, d| any |= d < reach && accept(i));

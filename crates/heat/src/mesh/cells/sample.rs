@@ -13,7 +13,7 @@ const CANDIDATES: f64 = 40.0;
 const APART: f64 = 0.78;
 /// Lloyd iterations [-] (chosen: after four, points move by less than a tenth of the spacing).
 const ROUNDS: usize = 4;
-/// Cosine of the angle between normals below which two points lie on the same side of a body [-] (chosen: 73°).
+/// Cosine of the angle between normals below which two points are on the same side of a body [-] (chosen: 73°).
 const SAME_SIDE: f64 = 0.3;
 
 /// A sample of the surface: the mean plane of its patch [m].

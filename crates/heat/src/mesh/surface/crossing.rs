@@ -14,7 +14,7 @@ const MOST_PAIRS: usize = 25 * MOST_TRIANGLES;
 
 /// Returns the pairs of given triangles with any others that intersect; a pair of two given ones is found once.
 ///
-/// The vertices lie within `margin` [m] of their places in the tree.
+/// The vertices are within `margin` [m] of their places in the tree.
 ///
 /// # Errors
 /// [`Defect::Dense`] if there are too many pairs to look at.
@@ -54,7 +54,7 @@ pub fn trouble(surface: &Surface, pairs: &[[u32; 2]]) -> Option<Trouble> {
     Some(Trouble::at(pairs.len(), surface.corners(*first as usize)[0].to_array()))
 }
 
-/// Returns the side of the plane through a, b, c on which p lies, exactly: 1, 0 or −1.
+/// Returns the side of the plane through a, b, c on which p is, exactly: 1, 0 or −1.
 fn side(a: DVec3, b: DVec3, c: DVec3, p: DVec3) -> i8 {
     let at = |v: DVec3| Coord3D { x: v.x, y: v.y, z: v.z };
     sign(orient3d(at(a), at(b), at(c), at(p)))
@@ -124,7 +124,7 @@ fn properly_cross([a, b]: [Coord<f64>; 2], [c, d]: [Coord<f64>; 2]) -> bool {
     turn(a, b, c) * turn(a, b, d) < 0 && turn(c, d, a) * turn(c, d, b) < 0
 }
 
-/// Returns true if the third corners of two triangles with a common edge lie on the same side of it.
+/// Returns true if the third corners of two triangles with a common edge are on the same side of it.
 fn folded(left: [u32; 3], right: [u32; 3], p: [Coord<f64>; 3], q: [Coord<f64>; 3]) -> bool {
     let (Some(i), Some(j)) = ((0..3).find(|&i| !right.contains(&left[i])), (0..3).find(|&j| !left.contains(&right[j])))
     else {

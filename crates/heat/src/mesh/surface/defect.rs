@@ -67,7 +67,7 @@ pub enum Defect {
     /// Triangles intersect each other.
     #[error("crosses itself: pairs of intersecting triangles: {0}")]
     Crossing(Trouble),
-    /// Ten thousands of long triangles lie in each other's boxes, as in a fan around one point [m].
+    /// Ten thousands of long triangles are in each other's boxes, as in a fan around one point [m].
     #[error("too many long, thin triangles side by side, as around ({:.2}, {:.2}, {:.2}) mm", 1e3 * .0[0], 1e3 * .0[1], 1e3 * .0[2])]
     Dense([f64; 3]),
 }

@@ -20,7 +20,7 @@ pub struct Depth {
 
 /// Query structure for signed distances from a closed surface [m].
 ///
-/// The sign follows from angle-weighted pseudonormals, which are correct also if the nearest point lies on an edge or a
+/// The sign follows from angle-weighted pseudonormals, which are correct also if the nearest point is on an edge or a
 /// vertex. Source: Bærentzen & Aanæs 2005 `[@baerentzen-aanaes-2005]`, IEEE Trans. Vis. Comput. Graph. 11:243.
 #[derive(Clone, Debug)]
 pub struct DepthFinder<'a> {

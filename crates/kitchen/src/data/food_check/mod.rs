@@ -11,7 +11,7 @@ use crate::data::library::{Library, with_body};
 pub use saute_schema::Finding;
 use saute_schema::{DataFile, FormatSchema};
 
-/// Checks the text of a food's file; `surface` holds the triangles of the file that it names, where it names one.
+/// Checks the text of a food's file; `surface` contains the triangles of the file that it names, where it names one.
 ///
 /// Its kinetics are those of the library; the food itself need not be in it.
 pub fn check_food(text: &str, surface: Option<&Soup>, library: &Library) -> Result<FoodReport, Vec<Finding>> {

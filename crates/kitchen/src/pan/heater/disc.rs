@@ -9,7 +9,7 @@ pub(crate) fn disc_shares(radius: f64, points: &[[f64; 2]], areas: &[f64], at: [
     let inside = |p: &[f64; 2], at: [f64; 2]| libm::hypot(p[0] + at[0], p[1] + at[1]) <= radius;
     let on = |at: [f64; 2]| points.iter().zip(areas).map(move |(p, a)| if inside(p, at) { *a } else { 0.0 });
     let (disc, floor): (f64, f64) = (PI * radius * radius, areas.iter().sum());
-    // The nodes inside stand for the whole disc where the floor covers it, whatever their size.
+    // The nodes inside represent the whole disc where the floor covers it, whatever their size.
     let whole = if floor >= disc { on([0.0; 2]).sum::<f64>() } else { disc };
     if whole == 0.0 {
         return (0..points.len()).map(|i| if i == 0 { 1.0 } else { 0.0 }).collect();

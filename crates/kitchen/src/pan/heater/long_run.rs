@@ -1,4 +1,4 @@
-//! What a stove gives a hot pan in the long run, so that a power on one stove can be told in that of another.
+//! What a stove gives a hot pan in the long run, so that a power on one stove can be converted to that of another.
 
 use core::f64::consts::PI;
 

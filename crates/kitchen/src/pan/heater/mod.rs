@@ -67,9 +67,9 @@ pub(crate) struct Meets<'a> {
     pub(crate) metal: &'a [f64],
     /// Area of each node [m²].
     pub(crate) areas: &'a [f64],
-    /// Share of the heater over which each floor node lies [-].
+    /// Share of the heater over which each floor node is [-].
     pub(crate) shares: &'a [f64],
-    /// Height of the pan above where it stands [m].
+    /// Height of the pan above its support [m].
     pub(crate) lift: f64,
     /// Power now [W].
     pub(crate) power: f64,

@@ -64,7 +64,7 @@ fn the_hob_limits_an_overheated_pan() {
     assert!((180.0..400.0).contains(&late), "{late}");
 }
 
-/// Cooling takes as long as it takes; under the rules of 2013 it is done at once, and the summary says whose rules.
+/// Cooling takes as long as it takes; under the rules of 2013 it is done at once, and the summary states which rules.
 #[test]
 fn the_rules_of_2013_are_followed_and_labelled() {
     let text = |preset: &str| {

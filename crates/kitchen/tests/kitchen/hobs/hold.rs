@@ -1,4 +1,4 @@
-//! Promise: `hold_c` is a thermostat. Whatever stands on the hob, from whatever it begins, the dial is what the floor has.
+//! Promise: `hold_c` is a thermostat. Whatever stands on the hob, from whatever it begins, the floor reaches the dial.
 
 use saute_kitchen::advice::NoPower;
 use saute_kitchen::food::Rules;

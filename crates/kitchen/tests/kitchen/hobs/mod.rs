@@ -1,4 +1,4 @@
-//! The hob: what it gives, how it holds a temperature, and how other stoves heat.
+//! The hob: what it gives, how it keeps a temperature, and how other stoves heat.
 
 mod hob;
 mod hold;

@@ -56,7 +56,7 @@ fn heated_to(stove: &str, pan: &str, power: f64, c: f64) -> Kitchen {
 
 #[test]
 fn as_much_of_the_power_arrives_as_tests_of_such_stoves_find() {
-    // A DOE test finds 44 % of gas and 84 % of induction; EN 30 asks burners for 52 %. One litre is less than they heat, so that
+    // A DOE test finds 44 % of gas and 84 % of induction; EN 30 requires 52 % of burners. One litre is less than they heat, so that
     // a slow stove's own heat counts more here.
     let bands = [("gas", 0.40..0.53), ("induction", 0.77..0.86), ("radiant", 0.58..0.75), ("iron-plate", 0.42..0.62)];
     let mut times = Vec::new();

@@ -1,5 +1,5 @@
 //! Promises of the press: whatever is pressed, wherever it lies and however hard, it stays in the pan, moves gently,
-//! feels the force that was asked for as long as asked, and lies afterwards as before.
+//! feels the requested force for the requested time, and lies afterwards as before.
 
 use glam::DVec3;
 use saute_kitchen::dynamics::{Against, Pose, Tool};
@@ -8,7 +8,7 @@ use saute_kitchen::{Command, FRAME_S, Kitchen, Library, MeshSize, OutlineKind, P
 /// A piece and its place in the pan [m]: its kind, its thickness as a share of the usual one, where, heaped or laid.
 type Lying<'a> = (&'a str, f64, [f64; 2], bool);
 
-/// Largest speed of any piece under or beside a press [m/s].
+/// Largest speed of any piece under or next to a press [m/s].
 const GENTLE: f64 = 0.12;
 /// Largest force of a recipe [N].
 const LARGEST: f64 = 100.0;
@@ -150,7 +150,7 @@ fn no_press_throws_food_wherever_it_lies() {
     }
 }
 
-/// The blade presses what it reaches; food under other food is not pressed, and the task says so.
+/// The blade presses what it reaches; food under other food is not pressed, and the task reports it.
 #[test]
 fn food_under_other_food_is_not_pressed() {
     let mut kitchen = kitchen(&[("shrimp", 1.0, [0.0; 2], false), ("beef-lean", 1.0, [0.0; 2], true)], 20.0);

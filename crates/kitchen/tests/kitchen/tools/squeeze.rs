@@ -1,4 +1,4 @@
-//! Promise: a press and a fresh cut let out juice that is free, and none that the flesh still holds.
+//! Promise: a press and a fresh cut let out juice that is free, and none that the flesh still binds.
 
 use saute_kitchen::Library;
 use saute_recipe::{Cook, Recipe, Summary};

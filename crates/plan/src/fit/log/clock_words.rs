@@ -30,7 +30,7 @@ pub(super) fn half_of_day(word: &str) -> Option<bool> {
     }
 }
 
-/// Returns true for words that say nothing about the time between two rows: days of the week, names of zones.
+/// Returns true for words that give no information about the time between two rows: days of the week, names of zones.
 pub(super) fn says_nothing(word: &str) -> bool {
     let word = word.trim_matches(['(', ')', '[', ']', '.']);
     let days = ["mon", "tue", "wed", "thu", "fri", "sat", "sun", "die", "mit", "don", "fre", "sam", "son"];

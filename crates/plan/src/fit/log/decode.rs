@@ -41,7 +41,7 @@ pub(super) fn text_of(bytes: &[u8]) -> Result<String, NoText> {
 /// Refuses text that is no table.
 fn checked(text: String) -> Result<String, NoText> {
     let remedy = "export the log as CSV";
-    // Bytes above 0x7f stand in texts of encodings that are not known here; their numbers are read all the same.
+    // Bytes above 0x7f occur in texts of unknown encodings; their numbers are read all the same.
     let is_control = |c: char| c.is_ascii_control() && !['\n', '\r', '\t'].contains(&c);
     if text.chars().take(4096).any(is_control) {
         return Err(NoText { message: "is no text", remedy });
@@ -71,7 +71,7 @@ fn windows_1252(byte: u8) -> char {
     }
 }
 
-/// Letters that stand for others, as in Unicode's form NFKC, as far as logs have them: signs of degrees, wide letters, blanks.
+/// Letters that replace others, as in Unicode's form NFKC, as far as logs have them: signs of degrees, wide letters, blanks.
 fn folded(text: &str) -> String {
     let mut folded = String::with_capacity(text.len());
     for letter in text.chars() {

@@ -21,7 +21,7 @@ pub(super) fn words_of(header: &str) -> Vec<String> {
 }
 
 /// True if a letter begins a word after the one before it: a capital after a small one, the last capital of several before a small one,
-/// a letter beside a digit.
+/// a letter next to a digit.
 fn begins_a_word(before: char, letter: char, after: Option<char>) -> bool {
     let camel = before.is_lowercase() && letter.is_uppercase();
     let last_capital = before.is_uppercase() && letter.is_uppercase() && after.is_some_and(char::is_lowercase);

@@ -19,7 +19,7 @@ pub struct LogError {
     pub question: Option<Question>,
 }
 
-/// What a log does not say.
+/// What a log does not state.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Question {
     /// The unit of the temperatures.

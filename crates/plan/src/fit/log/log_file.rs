@@ -68,7 +68,7 @@ impl LogFile {
         self.table.headers.get(column).map_or("", String::as_str)
     }
 
-    /// The table with the headers of a maker where it has none of its own.
+    /// The table with the headers of a maker where it has none.
     pub(super) fn table_for(&self, logger: Option<&Logger>) -> Cow<'_, Table> {
         let headers = logger.map_or(&[][..], |logger| &logger.headers);
         if self.table.is_named || headers.is_empty() {

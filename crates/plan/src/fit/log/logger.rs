@@ -1,4 +1,4 @@
-//! Presets for makers of thermometers: what their logs do not say of themselves.
+//! Presets for makers of thermometers: what their logs do not state.
 
 use std::sync::LazyLock;
 

@@ -7,7 +7,7 @@ use super::stamp::Stamp;
 use super::table::{Row, Table};
 use super::values::Value;
 
-/// Words of a column that names the sensor, and of the one that holds its value.
+/// Words of a column that names the sensor, and of the one with its value.
 const SENSOR: [&str; 7] = ["entity", "sensor", "probe", "channel", "series", "metric", "topic"];
 const VALUE: [&str; 5] = ["state", "value", "temperature", "temp", "reading"];
 /// Most sensors of a log [-] (chosen).
@@ -46,7 +46,7 @@ impl Table {
         Some((sensor, value))
     }
 
-    /// True if a column holds a few names, again and again.
+    /// True if a column contains a few names, again and again.
     fn names_sensors(&self, at: usize) -> bool {
         let is_small = |field: &str| field.parse::<u32>().is_ok_and(|number| number < 17);
         let is_name = |field: &str| !field.is_empty() && (is_small(field) || Stamp::of(field).is_none());

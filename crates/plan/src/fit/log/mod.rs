@@ -2,7 +2,7 @@
 //!
 //! A log is read in steps: bytes to text (`decode`), text to a table below whatever preamble it has (`table`), the columns' roles by
 //! their headers (`roles`) or a maker's preset (`logger`), times by the whole column (`times`), units by what states them
-//! (`unit`). What is not stated is assumed where only one reading makes sense, and told; where two do, the log is refused with both
+//! (`unit`). What is not stated is assumed where only one reading makes sense, and reported; where two do, the log is refused with both
 //! (`log_error`).
 
 mod clock_words;

@@ -42,7 +42,7 @@ pub struct Choices {
     pub unit: Option<Unit>,
     /// What the times are.
     pub form: Option<TimeForm>,
-    /// What the core must be when the food is put in: time of the log [s] and temperature [K]. A unit in which it is not is asked for.
+    /// What the core must be when the food is put in: time of the log [s] and temperature [K]. A contradicting assumed unit raises a question.
     pub begin: Option<(f64, f64)>,
 }
 
@@ -76,7 +76,7 @@ pub struct Reading {
     pub begins: String,
     /// From the first row to the last [s].
     pub span_s: f64,
-    /// True if the newest row stands first.
+    /// True if the newest row comes first.
     pub is_newest_first: bool,
     /// Number of rows [-].
     pub rows: usize,
@@ -88,7 +88,7 @@ pub struct Reading {
 
 /// Lowest and highest temperature that a log may hold [K] (chosen: ice in a freezer, a glowing pan).
 const RANGE: [f64; 2] = [220.0, 1200.0];
-/// Share of the values that may be none without a word of their own [-] (chosen: dropouts, the column is read all the same).
+/// Share of the values that may be none without a known word [-] (chosen: dropouts, the column is read all the same).
 const FEW: f64 = 0.2;
 
 impl LogFile {
@@ -281,7 +281,7 @@ impl Looked<'_> {
             .unwrap_or((Unit::Celsius, UnitFrom::Assumed))
     }
 
-    /// The unit beside the values of a column, or in a column of units.
+    /// The unit next to the values of a column, or in a column of units.
     fn unit_of_rows(&self, at: usize) -> Option<Unit> {
         let has_unit = |header: &String| {
             words_of(header).iter().any(|word| ["unit", "units", "einheit", "単位"].contains(&&**word))

@@ -185,7 +185,7 @@ impl<'t> Roles<'t> {
             && !is_thermocouple(&self.words[at])
     }
 
-    /// Columns that hold numbers which change, beside those of the times.
+    /// Columns of numbers that change, except those of the times.
     fn temperatures(&self, times: &[usize]) -> impl Iterator<Item = usize> {
         let not_time = |at: &usize| !(times.contains(at) || self.is_time_header(*at) && self.table.is_named);
         (0..self.words.len()).filter(move |at| not_time(at) && self.changes(*at))

@@ -1,8 +1,8 @@
-//! What one field says about a time, before the column has decided how to read it.
+//! What one field states about a time, before the column has decided how to read it.
 
 use super::clock_words::{half_of_day, month_of, says_nothing, zone_s};
 
-/// Parts of a time as they stand.
+/// Parts of a time as written.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Stamp {
     /// A plain number.

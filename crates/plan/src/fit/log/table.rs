@@ -87,7 +87,7 @@ fn separator_of(text: &str) -> (u8, String) {
         let best = counts.iter().filter(|count| **count > 0).max_by_key(|a| counts.iter().filter(|b| b == a).count());
         best.map_or(0, |best| counts.iter().filter(|count| *count == best).count())
     };
-    // Of equals the first: commas also stand in numbers, blanks between words.
+    // Of equals the first: commas also occur in numbers, blanks between words.
     let found = [';', '\t', '|', ',', ' '].into_iter().rev().max_by_key(|separator| score(*separator)).unwrap_or(',');
     if found == ' ' { (b'\t', by_blanks(text)) } else { (found as u8, text.to_owned()) }
 }
@@ -131,7 +131,7 @@ fn records_of(text: &str, separator: u8) -> Result<Vec<Row>, NoTable> {
     Ok(records)
 }
 
-/// Number of fields up to the last one that holds something; a comma at the end of a row makes no column.
+/// Number of fields up to the last one that is not empty; a comma at the end of a row makes no column.
 fn filled(fields: &[String]) -> usize {
     fields.iter().rposition(|field| !field.is_empty()).map_or(0, |at| at + 1)
 }

@@ -96,7 +96,7 @@ pub struct Times {
     pub form: TimeForm,
     /// Time of each row [s] since the log's beginning; none where a row has none.
     pub at_s: Vec<Option<f64>>,
-    /// True if the newest row stood first.
+    /// True if the newest row came first.
     pub is_newest_first: bool,
 }
 
@@ -111,7 +111,7 @@ pub(super) enum NoTimes {
     Several(Vec<TimeForm>),
 }
 
-/// Reads the times of a column by its header and all of its fields; `asked` is the form that was asked for.
+/// Reads the times of a column by its header and all of its fields; `asked` is the form that was requested.
 pub(super) fn times_of(header: &str, fields: &[String], asked: Option<TimeForm>) -> Result<Times, NoTimes> {
     let stamps: Vec<Option<Stamp>> = fields.iter().map(|field| Stamp::of(field)).collect();
     few_missing(fields, &stamps)?;
@@ -167,7 +167,7 @@ fn form_of(words: &[String], stamps: &[&Stamp]) -> Result<TimeForm, NoTimes> {
     form_of_two_parts(words, stamps)
 }
 
-/// Plain numbers: as the header says, since 1970, or in the unit in which they span a cook.
+/// Plain numbers: as the header states, since 1970, or in the unit in which they span a cook.
 fn form_of_numbers(words: &[String], stamps: &[&Stamp]) -> Result<TimeForm, NoTimes> {
     let numbers = || stamps.iter().filter_map(|stamp| stamp.number);
     if numbers().next().is_some_and(|first| first > EPOCH_S) {

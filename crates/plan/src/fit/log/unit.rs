@@ -23,7 +23,7 @@ pub enum Unit {
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum UnitFrom {
-    /// It was asked for.
+    /// It was requested.
     Asked,
     /// The maker's logs have it.
     Maker,
@@ -50,7 +50,7 @@ impl Unit {
         by_degree.or_else(by_word).or_else(|| (words.len() > 1).then(|| Self::of_word(last?)).flatten())
     }
 
-    /// Returns the unit that a word stands for: `F`, `degF`, `Fahrenheit`.
+    /// Returns the unit that a word means: `F`, `degF`, `Fahrenheit`.
     pub fn of_word(word: &str) -> Option<Self> {
         match word.trim().trim_start_matches(['°', '*']).trim().to_lowercase().as_str() {
             "f" | "degf" | "degreesf" | "fahrenheit" | "華氏" => Some(Self::Fahrenheit),

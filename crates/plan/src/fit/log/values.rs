@@ -1,12 +1,12 @@
-//! What one field says about a temperature.
+//! What one field states about a temperature.
 
 use super::stamp::number_of;
 use super::unit::Unit;
 
-/// What a field of temperatures holds.
+/// Content of a field of temperatures.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Value {
-    /// A number, and the unit beside it.
+    /// A number, and the unit next to it.
     Number(f64, Option<Unit>),
     /// Nothing: the probe was not there, or the logger lost it.
     Missing,

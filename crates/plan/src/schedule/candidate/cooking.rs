@@ -22,7 +22,7 @@ const NEXT_SHARE: f64 = 0.9;
 const TURN_DOWN_C: f64 = HOT_C - 10.0;
 
 /// Mesh spacing up to the coarse meshes relative to the default [-], and for how long food is in the pan before it is carried over to them
-/// [s] (chosen: by then it lies still, and the mesh matters little to what happens in that time).
+/// [s] (chosen: by then it is still, and the mesh matters little to what happens in that time).
 const LAID_COARSE: f64 = 3.0;
 const LAID_S: u32 = 3;
 
@@ -55,7 +55,7 @@ impl Cooking {
     ///
     /// If the order or the schedule makes no recipe.
     pub fn begin(job: Job, library: &Library) -> Result<Self, JobError> {
-        // The powers are set here, since they may be set earlier than the schedule says.
+        // The powers are set here, since they may be set earlier than the schedule states.
         let schedule =
             Schedule { powers: Vec::new(), ..job.schedule.pulled_at(job.schedule.pull_s, job.schedule.rest_s) };
         let mut recipe = schedule.recipe(&job.order, library)?;
@@ -139,7 +139,7 @@ impl Cooking {
         };
     }
 
-    /// Sets the hob as the schedule says; in a search it is turned down where the pan becomes hot, and the schedule with it.
+    /// Sets the hob as the schedule states; in a search it is turned down where the pan becomes hot, and the schedule with it.
     fn set_hob(&mut self) {
         let hottest_c = celsius(self.kitchen().hottest_temperature());
         let still_heats = hottest_c >= TURN_DOWN_C && hottest_c > self.hottest_c;

@@ -30,7 +30,7 @@ pub enum Pull {
 pub enum Mesh {
     /// Those of the kitchen, with this spacing relative to the default [-].
     Spaced(f64),
-    /// Those of forecasts, once the food is in the pan. Bodies lie still: for one slice.
+    /// Those of forecasts, once the food is in the pan. Bodies are still: for one slice.
     Reduced,
 }
 

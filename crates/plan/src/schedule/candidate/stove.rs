@@ -16,7 +16,7 @@ const STEP_OVER_TICK: u64 = 3;
 pub(crate) enum Stove {
     /// The whole kitchen.
     Whole(Box<Kitchen>),
-    /// On coarse meshes, where bodies lie still.
+    /// On coarse meshes, where bodies are still.
     Reduced(Box<ReducedKitchen>),
 }
 

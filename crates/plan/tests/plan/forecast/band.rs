@@ -1,4 +1,4 @@
-//! Promise: as many forecasts as `data/forecast.toml` states lie within the band, and its numbers are those of the campaign.
+//! Promise: as many forecasts as `data/forecast.toml` states are within the band, and its numbers are those of the campaign.
 
 use saute_kitchen::Library;
 use saute_kitchen::heat::sorted::{Quantile, Sorted};
@@ -32,12 +32,12 @@ fn misses(cases: impl Iterator<Item = u64>) -> Vec<Miss> {
     compared.collect()
 }
 
-/// Smallest width that holds a share of errors.
+/// Smallest width that contains a share of errors.
 fn width(errors: Vec<f64>, within: f64) -> f64 {
     Sorted::new(errors).quantile(within, Quantile::Reached).unwrap()
 }
 
-/// With a band that holds nine in ten, fewer than nine of twelve lie within it once in forty times by chance alone.
+/// With a band that contains nine in ten, fewer than nine of twelve are within it once in forty times by chance alone.
 #[test]
 fn a_dozen_comparisons_lie_within_the_band_as_often_as_it_states() {
     let bands = Bands::embedded().unwrap();

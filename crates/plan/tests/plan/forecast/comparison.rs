@@ -19,13 +19,13 @@ pub struct Case {
     pub pan: &'static str,
     pub pan_c: f64,
     pub power_w: f64,
-    /// Temperature that the hob holds; none if it gives its power.
+    /// Temperature that the hob keeps; none if it gives its power.
     pub held_c: Option<f64>,
     pub flipped_at_s: Option<f64>,
     pub at_s: f64,
 }
 
-/// What a forecast said, less what the full cook did [K]: the core at each span, and its peak.
+/// What a forecast gave, less what the full cook did [K]: the core at each span, and its peak.
 #[derive(Clone, Copy, Debug)]
 pub struct Miss {
     pub question: Question,

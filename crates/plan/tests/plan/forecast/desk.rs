@@ -1,5 +1,5 @@
 //! Promise: the desk answers all questions about the watched piece from one present, states how old the answers are, begins
-//! anew after something was done, and works no more than it was given time for.
+//! again after something was done, and works no more than it was given time for.
 
 use saute_kitchen::{Command, FRAME_S, Kitchen, Library, TICK_S};
 use saute_plan::forecast::{Desk, EXACT_S, HORIZON_S, Question, Wanted};
@@ -13,7 +13,7 @@ fn kitchen(library: &Library) -> Kitchen {
     Case { at_s: 90.0, ..thin }.kitchen(library)
 }
 
-/// Works until the desk wants no more time; returns the ticks of work.
+/// Works until the desk needs no more time; returns the ticks of work.
 fn work(desk: &mut Desk) -> u64 {
     let mut all = 0;
     loop {
@@ -66,7 +66,7 @@ fn it_begins_anew_after_something_was_done_and_the_full_model_looks_further_ever
     desk.begin(&kitchen, 0).unwrap();
     desk.advance(20);
     kitchen.step();
-    // Time passes while a round is under way: it goes on. Something is done: it begins anew.
+    // Time passes while a round is under way: it goes on. Something is done: it begins again.
     assert_eq!(desk.wants(kitchen.frame(), 0), Wanted::Time);
     assert_eq!(desk.wants(kitchen.frame(), 1), Wanted::Present);
     work(&mut desk);
@@ -122,7 +122,7 @@ fn as_it_is_goes_on_from_round_to_round_and_says_what_a_new_one_would() {
         assert!((HORIZON_S - 1e-3..HORIZON_S + 0.5).contains(&last_s), "{last_s} s");
         assert!(went_on.samples.windows(2).all(|pair| pair[0].after_s < pair[1].after_s));
     }
-    // After half a minute it begins anew, as if nothing had gone before.
+    // After half a minute it begins again, as if nothing had gone before.
     (0..250).for_each(|_| kitchen.step());
     round(&mut desk, &kitchen);
     anew.watch(None, None);

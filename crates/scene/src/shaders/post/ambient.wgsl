@@ -15,7 +15,7 @@ fn place_at(pixel: vec2<i32>) -> vec3<f32> {
     return vec3<f32>((ndc - lens.projection.zw) / lens.projection.xy * away, -away);
 }
 
-// The difference to the neighbour that lies nearer in depth.
+// The difference to the neighbour that is nearer in depth.
 fn along(at: vec2<i32>, here: vec3<f32>, step: vec2<i32>) -> vec3<f32> {
     let ahead = place_at(at + step) - here;
     let back = here - place_at(at - step);

@@ -1,4 +1,4 @@
-// What lies behind the sharp part of a picture that is finished but for this, blurred as a lens would.
+// What is behind the sharp part of a picture that is finished but for this, blurred as a lens would.
 
 // Nearest. WebGL2 reads a depth texture as zeros unless a sampler without filtering is bound to it.
 @group(0) @binding(1) var exact: sampler;

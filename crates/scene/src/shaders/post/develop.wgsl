@@ -63,7 +63,7 @@ fn fs_develop(in: Covered) -> @location(0) vec4<f32> {
     let place = (in.clip.xy + lens.part.zw) / lens.whole.xy - 0.5;
     radiance *= 1.0 - lens.whole.w * 2.0 * dot(place, place);
     let light = target_from_radiance(shown(radiance * OPENED));
-    // White has no steps to hide: what lies within half a step of it is white.
+    // White has no steps to hide: what is within half a step of it is white.
     let dithered = light + (noise_at(in.clip.xy) - 0.5) / 255.0;
     return vec4<f32>(select(dithered, vec3<f32>(1.0), light > vec3<f32>(0.998)), 1.0);
 }

@@ -1,4 +1,4 @@
-// What lies behind the sharp part of the picture, blurred as a lens would: half size, only light from behind is gathered.
+// What is behind the sharp part of the picture, blurred as a lens would: half size, only light from behind is gathered.
 
 const TAPS = 22;
 // Turn from one reading to the next on the spiral: the golden angle [rad].

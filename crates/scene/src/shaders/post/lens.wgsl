@@ -1,4 +1,4 @@
-// What every pass over a finished picture knows: where it lies in the whole one, how far a depth is, and what is sharp.
+// Data for every pass over a finished picture: where it is in the whole one, how far a depth is, and what is sharp.
 
 struct Lens {
     // This picture [pixels]: width, height, and its left and upper edge in the whole picture.
