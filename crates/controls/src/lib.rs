@@ -32,3 +32,4 @@ pub mod session;
 pub mod settings;
 pub mod spoken;
 pub mod tutorial;
+pub mod ways_state;

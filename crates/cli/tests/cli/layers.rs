@@ -9,7 +9,7 @@ use serde_json::Value;
 
 /// Each crate with the crates that it needs directly, of the workspace and of [`NOTABLE`]. A crate that does not exist yet is
 /// skipped.
-const ARROWS: [(&str, &[&str]); 33] = [
+const ARROWS: [(&str, &[&str]); 34] = [
     ("saute-heat", &[]),
     ("saute-files", &[]),
     ("saute-schema", &[]),
@@ -34,7 +34,7 @@ const ARROWS: [(&str, &[&str]); 33] = [
         &["saute-schema", "saute-kitchen", "saute-plan", "saute-recipe", "saute-sound", "saute-study", "saute-words"],
     ),
     ("saute-words", &["saute-kitchen", "saute-plan", "saute-recipe", "saute-study"]),
-    ("saute-picture", &["saute-schema", "saute-kitchen", "saute-recipe", "saute-scene", "wgpu"]),
+    ("saute-picture", &["saute-schema", "saute-kitchen", "saute-mirror", "saute-recipe", "saute-scene", "wgpu"]),
     (
         "saute-haptics",
         &[
@@ -68,7 +68,8 @@ const ARROWS: [(&str, &[&str]); 33] = [
             "saute-study",
             "saute-surface",
             "saute-sweep",
-            "saute-window",
+            "saute-controls",
+            "saute-words",
         ],
     ),
     ("saute-spidar-sim", &["clap", "thread-priority"]),
@@ -99,10 +100,29 @@ const ARROWS: [(&str, &[&str]); 33] = [
     // Empty on this machine's platform; for browsers see WEB.
     ("saute-web", &[]),
     (
+        "saute-controls",
+        &[
+            "saute-files",
+            "saute-schema",
+            "saute-haptics",
+            "saute-kitchen",
+            "saute-mirror",
+            "saute-picture",
+            "saute-plan",
+            "saute-recipe",
+            "saute-scene",
+            "saute-session",
+            "saute-study",
+            "saute-words",
+            "gilrs",
+        ],
+    ),
+    (
         "saute-window",
         &[
             "saute-files",
             "saute-schema",
+            "saute-controls",
             "saute-kitchen",
             "saute-recipe",
             "saute-plan",
@@ -118,7 +138,6 @@ const ARROWS: [(&str, &[&str]); 33] = [
             "eframe",
             "egui",
             "egui-wgpu",
-            "gilrs",
             "rfd",
             "wgpu",
         ],
@@ -144,6 +163,7 @@ const ARROWS: [(&str, &[&str]); 33] = [
             "saute-session",
             "saute-sound",
             "saute-haptics",
+            "saute-controls",
             "saute-window",
             "clap",
         ],
@@ -152,6 +172,7 @@ const ARROWS: [(&str, &[&str]); 33] = [
 
 /// What the page needs in a browser.
 const WEB: &[&str] = &[
+    "saute-controls",
     "saute-kitchen",
     "saute-recipe",
     "saute-scene",
@@ -308,6 +329,21 @@ fn pictures_are_rendered_without_a_window() {
     Graph::read().assert_reaches_none(&["saute-scene", "saute-picture"], &forbidden);
     let above_scene = ["saute-food", "saute-kitchen", "saute-recipe", "saute-lab", "saute-picture", "saute-haptics"];
     Graph::read().assert_reaches_none(&["saute-scene"], &[&above_scene]);
+}
+
+#[test]
+fn only_the_window_and_its_programs_know_how_panels_are_drawn() {
+    let drawing: &[&str] = &["egui", "eframe", "egui-wgpu", "winit", "rfd"];
+    let without = [
+        "saute-attack",
+        "saute-controls",
+        "saute-mirror",
+        "saute-session",
+        "saute-study",
+        "saute-words",
+        "saute-python",
+    ];
+    Graph::read().assert_reaches_none(&without, &[drawing]);
 }
 
 #[test]

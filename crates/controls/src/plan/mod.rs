@@ -1,6 +1,7 @@
 //! "Plan my steak": what is asked for, the search for a plan, and the cook that follows it.
 
 pub mod kitchen_card;
+pub mod plan_state;
 
 use saute_kitchen::Library;
 use saute_plan::schedule::Plan;

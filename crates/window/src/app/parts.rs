@@ -16,12 +16,12 @@ use crate::panels::cards::settings::SettingsState;
 use crate::panels::cook::cook_state::CookState;
 use crate::panels::inside::InsideState;
 use crate::panels::memory::PanelMemory;
-use crate::panels::plan::plan_state::PlanState;
 use crate::panels::top::TopState;
 use crate::panels::ways::way_words;
-use crate::panels::ways::ways_state::WaysState;
 use saute_controls::context::PanelContext;
 use saute_controls::now::now_state::NowState;
+use saute_controls::plan::plan_state::PlanState;
+use saute_controls::ways_state::WaysState;
 
 impl SauteApp {
     /// What each panel reads in a frame, and what panels keep.

@@ -40,9 +40,7 @@ use crate::panels::cook::cook_state::CookState;
 use crate::panels::cook::{few_controls, hob_bar, pour, time_strip};
 use crate::panels::inside::InsideState;
 use crate::panels::memory::{Drawer, PanelMemory};
-use crate::panels::plan::plan_state::PlanState;
 use crate::panels::top::TopState;
-use crate::panels::ways::ways_state::WaysState;
 use crate::system::IS_PAGE;
 use crate::ui::aloud::name_panel;
 use crate::ui::layout::{GAP, Layout};
@@ -51,7 +49,9 @@ use crate::ui::{fingers, theme};
 use saute_controls::act::{Acts, Card};
 use saute_controls::context::PanelContext;
 use saute_controls::now::now_state::NowState;
+use saute_controls::plan::plan_state::PlanState;
 use saute_controls::spoken::notice::{Notice, Said};
+use saute_controls::ways_state::WaysState;
 use saute_words::judgement_words::ResultWords;
 
 /// Space within a panel of controls for a mouse, and within one for fingers [points].

@@ -3,11 +3,11 @@
 use egui::{RichText, Ui, vec2};
 use saute_plan::schedule::{Plan, Step};
 
-use super::plan_state::PlanState;
 use super::time_line;
 use crate::ui::theme;
 use saute_controls::act::{Act, Acts, LearnAct};
 use saute_controls::context::PanelContext;
+use saute_controls::plan::plan_state::PlanState;
 use saute_controls::plan::{PlanAct, PlanFile};
 use saute_words::clock::clock;
 use saute_words::{cue_words, plan_words};

@@ -2,12 +2,12 @@
 
 use egui::{Rect, RichText, ScrollArea, Ui};
 
-use super::plan_state::PlanState;
 use super::{answer, form};
 use crate::panels::cards::frame::{Framed, part};
 use crate::ui::theme;
 use saute_controls::act::{Act, Acts, Card, LearnAct};
 use saute_controls::plan::PlanAct;
+use saute_controls::plan::plan_state::PlanState;
 use saute_session::plan::planning::Standing;
 use saute_words::clock::clock;
 use saute_words::plan_words;

@@ -3,13 +3,13 @@
 use egui::{RichText, TextEdit, Ui, vec2};
 use saute_plan::schedule::asked::{scale_for, scales_for};
 
-use super::plan_state::PlanState;
 use crate::panels::pantry::{coldest, pans, sizes, slider, temperature};
 use crate::ui::aloud::heading;
 use crate::ui::theme;
 use saute_controls::act::{Act, Acts, AppAct, LearnAct, Setting};
 use saute_controls::context::PanelContext;
 use saute_controls::plan::PlanAct;
+use saute_controls::plan::plan_state::PlanState;
 use saute_controls::settings::plan_choice::{MOST_FLIPS, PlanChoice};
 use saute_session::SteakChoice;
 use saute_words::doneness_words;

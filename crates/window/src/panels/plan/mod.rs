@@ -3,5 +3,4 @@
 mod answer;
 pub mod card;
 mod form;
-pub mod plan_state;
 mod time_line;

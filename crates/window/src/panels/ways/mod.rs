@@ -4,7 +4,6 @@ mod column;
 mod look;
 pub mod memory;
 mod plot;
-pub mod ways_state;
 
 use egui::{Rect, Ui, pos2};
 
@@ -17,7 +16,7 @@ use saute_words::act_words::act_words;
 use saute_words::language::Language;
 
 use crate::panels::ways::memory::{WaysMemory, within};
-use crate::panels::ways::ways_state::WaysState;
+use saute_controls::ways_state::WaysState;
 
 /// Height of the curves in the drawer of a narrow window [points].
 const DRAWER_CURVES: f32 = 150.0;

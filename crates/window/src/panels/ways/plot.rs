@@ -8,8 +8,8 @@ use super::look::piece;
 use crate::panels::curve::Curve;
 use crate::panels::curves::{MOST_POINTS, axes, goal, goal_line, read_off, sample};
 use crate::panels::ways::look::style;
-use crate::panels::ways::ways_state::WaysState;
 use crate::ui::{fingers, theme};
+use saute_controls::ways_state::WaysState;
 use saute_session::timeline::WayBeside;
 
 /// How strongly what is after the shown instant is drawn [-] (chosen: seen, and told from what has happened).

@@ -1,7 +1,7 @@
 //! What the card of plans reads.
 
-use saute_controls::context::PanelContext;
-use saute_controls::reads_context;
+use crate::context::PanelContext;
+use crate::reads_context;
 use saute_session::plan::planning::Planning;
 
 /// What the card of plans reads.

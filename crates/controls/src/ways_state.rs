@@ -1,7 +1,7 @@
 //! What is read of ways side by side.
 
-use saute_controls::context::PanelContext;
-use saute_controls::reads_context;
+use crate::context::PanelContext;
+use crate::reads_context;
 use saute_session::timeline::WayBeside;
 use std::collections::BTreeMap;
 
