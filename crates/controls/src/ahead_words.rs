@@ -7,7 +7,7 @@ use saute_plan::forecast::{Outlook, Question};
 
 use crate::context::PanelContext;
 use crate::settings::Settings;
-use saute_session::forecasts::Standing;
+use saute_session::forecasts::AgedForecast;
 use saute_words::doneness_words;
 
 /// Returns true if forecasts are made and wanted: then there is room for them.
@@ -40,7 +40,7 @@ pub fn half_band(settings: &Settings, kelvin: f64) -> String {
 }
 
 /// How old answers are, in words, where that is worth one.
-pub fn age_words(state: &PanelContext, standing: &Standing) -> Option<String> {
+pub fn age_words(state: &PanelContext, standing: &AgedForecast) -> Option<String> {
     let seconds = format!("{:.0}", standing.age_s);
     standing.is_old().then(|| state.settings.language.fill("ahead.age", &[("seconds", &seconds)]))
 }

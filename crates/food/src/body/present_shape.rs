@@ -8,14 +8,14 @@ use crate::state::FoodState;
 
 /// Present pose of a station of the path.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Standing {
+pub(crate) struct StationPose {
     /// Centre of the station [m].
     pub(crate) centre: [f64; 3],
     /// Rotation about z from the rest pose [rad].
     pub(crate) turned: f64,
 }
 
-impl Standing {
+impl StationPose {
     /// Position of a point of the section, stretched across [m].
     pub(crate) fn place(&self, station: &Station, [x, y]: [f64; 2], lateral: f64) -> [f64; 3] {
         let [a, b] = station.across;
@@ -83,7 +83,7 @@ impl FoodModel {
         &self,
         state: &FoodState,
         stations: &[Station],
-        standing: impl Iterator<Item = Standing>,
+        standing: impl Iterator<Item = StationPose>,
         positions: &mut [[f64; 3]],
     ) -> [f64; 3] {
         let n = stations.first().map_or(0, |s| s.section.points.len());
@@ -107,7 +107,7 @@ impl FoodModel {
         mesh: &'a SweptMesh,
         stations: &'a [Station],
         state: &'a FoodState,
-    ) -> impl Iterator<Item = Standing> + use<'a> {
+    ) -> impl Iterator<Item = StationPose> + use<'a> {
         let (curl, length) = (self.curl(state), mesh.thickness());
         let turned = move |level: usize| curl * (0.5 - mesh.levels[level] / length);
         let mut centre = stations.first().map_or([0.0; 3], |s| s.centre);
@@ -118,7 +118,7 @@ impl FoodModel {
                 let run = rotated(run, 0.5 * (turned(before) + turned(level)));
                 (0..3).for_each(|k| centre[k] += run[k]);
             }
-            Standing { centre, turned: turned(level) }
+            StationPose { centre, turned: turned(level) }
         })
     }
 

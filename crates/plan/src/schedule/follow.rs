@@ -32,7 +32,7 @@ pub enum Hand {
 
 /// Status of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Standing {
+pub enum StepStatus {
     /// It was done, so much after its time; before it where negative [s].
     Done(f64),
     /// It was left out: a later one of its kind is done.
@@ -58,7 +58,7 @@ pub struct Followed {
     /// The step.
     pub step: Step,
     /// Its status.
-    pub standing: Standing,
+    pub standing: StepStatus,
     /// What is left of it while it is open.
     pub left: Left,
 }
@@ -84,18 +84,18 @@ pub fn follow(plan: &Plan, done: &[Done], pieces: usize, now_s: f64) -> Vec<Foll
             deed => times[later].is_some() && makes_needless(&deed, &step.deed),
         };
         match times[index] {
-            Some(done_s) => Standing::Done(done_s - at_s),
-            None if (index + 1..steps.len()).any(is_later) => Standing::LeftOut,
-            None => Standing::Open(at_s - now_s),
+            Some(done_s) => StepStatus::Done(done_s - at_s),
+            None if (index + 1..steps.len()).any(is_later) => StepStatus::LeftOut,
+            None => StepStatus::Open(at_s - now_s),
         }
     };
-    let standings: Vec<Standing> = steps.iter().enumerate().map(standing).collect();
+    let standings: Vec<StepStatus> = steps.iter().enumerate().map(standing).collect();
     let left = |step: &Step| match step.deed {
         Deed::Pull if is_out => Left::Hob,
         Deed::Pull if !is_heating(done) => Left::Food,
         _ => Left::All,
     };
-    let followed = |(step, standing): (Step, Standing)| Followed { step, standing, left: left(&step) };
+    let followed = |(step, standing): (Step, StepStatus)| Followed { step, standing, left: left(&step) };
     steps.into_iter().zip(standings).map(followed).collect()
 }
 
@@ -203,14 +203,14 @@ pub(super) mod tests {
         list.iter().map(|(at_s, what)| Done { at_s: *at_s, what: *what }).collect()
     }
 
-    fn standings(list: &[(f64, Hand)], pieces: usize, now_s: f64) -> Vec<Standing> {
+    fn standings(list: &[(f64, Hand)], pieces: usize, now_s: f64) -> Vec<StepStatus> {
         follow(&plan(), &done(list), pieces, now_s).into_iter().map(|f| f.standing).collect()
     }
 
     /// Steps: 2000 W, put, 1100 W, 400 W, flip 1, flip 2, pull, serve.
     #[test]
     fn steps_are_done_early_or_late_and_no_other_step_moves() {
-        use Standing::{Done, Open};
+        use StepStatus::{Done, Open};
         let list = [(0.0, Hand::Hob(2000.0)), (72.0, Hand::Put), (58.0, Hand::Hob(1080.0)), (105.0, Hand::Hob(400.0))];
         assert_eq!(
             standings(&list, 1, 120.0),
@@ -223,7 +223,7 @@ pub(super) mod tests {
         let list = [(0.0, Hand::Hob(400.0)), (1.0, Hand::Hob(1100.0)), (2.0, Hand::Hob(2000.0))];
         assert_eq!(
             standings(&list, 1, 10.0)[..4],
-            [Standing::Done(2.0), Standing::Open(50.0), Standing::Open(50.0), Standing::Open(90.0)]
+            [StepStatus::Done(2.0), StepStatus::Open(50.0), StepStatus::Open(50.0), StepStatus::Open(90.0)]
         );
     }
 
@@ -231,15 +231,15 @@ pub(super) mod tests {
     fn a_step_that_a_later_one_makes_needless_is_left_out() {
         let list = [(60.0, Hand::Put), (165.0, Hand::Flip), (380.0, Hand::Out)];
         let standings = standings(&list, 1, 390.0);
-        assert_eq!(standings[5..7], [Standing::LeftOut, Standing::Done(-20.0)]);
-        assert_eq!(standings[0], Standing::LeftOut, "the hob does not matter any more");
+        assert_eq!(standings[5..7], [StepStatus::LeftOut, StepStatus::Done(-20.0)]);
+        assert_eq!(standings[0], StepStatus::LeftOut, "the hob does not matter any more");
     }
 
     #[test]
     fn a_group_is_turned_when_each_of_its_pieces_is() {
         let flips = [(60.0, Hand::Put), (62.0, Hand::Put), (160.0, Hand::Flip), (163.0, Hand::Flip)];
-        assert_eq!(standings(&flips, 2, 170.0)[4], Standing::Done(3.0));
-        assert_eq!(standings(&flips[..3], 2, 170.0)[4], Standing::Open(-10.0));
+        assert_eq!(standings(&flips, 2, 170.0)[4], StepStatus::Done(3.0));
+        assert_eq!(standings(&flips[..3], 2, 170.0)[4], StepStatus::Open(-10.0));
     }
 
     #[test]
@@ -249,12 +249,12 @@ pub(super) mod tests {
             let followed = follow(&plan(), &done(list), 1, 420.0)[6];
             (followed.standing, followed.left)
         };
-        assert_eq!(of(&[on]), (Standing::Open(-20.0), Left::All));
-        assert_eq!(of(&[on, (400.0, Hand::Out)]), (Standing::Open(-20.0), Left::Hob));
-        assert_eq!(of(&[on, (390.0, Hand::Hob(0.0))]), (Standing::Open(-20.0), Left::Food));
+        assert_eq!(of(&[on]), (StepStatus::Open(-20.0), Left::All));
+        assert_eq!(of(&[on, (400.0, Hand::Out)]), (StepStatus::Open(-20.0), Left::Hob));
+        assert_eq!(of(&[on, (390.0, Hand::Hob(0.0))]), (StepStatus::Open(-20.0), Left::Food));
         let both = [on, (400.0, Hand::Out), (405.0, Hand::Hob(0.0)), (410.0, Hand::Hob(400.0))];
-        assert_eq!(of(&both).0, Standing::Done(5.0), "what is done stays done");
+        assert_eq!(of(&both).0, StepStatus::Done(5.0), "what is done stays done");
         let early = [on, (300.0, Hand::Out)];
-        assert_eq!(standings(&early, 1, 310.0)[4..6], [Standing::LeftOut; 2], "nothing is left to flip");
+        assert_eq!(standings(&early, 1, 310.0)[4..6], [StepStatus::LeftOut; 2], "nothing is left to flip");
     }
 }

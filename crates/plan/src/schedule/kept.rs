@@ -1,7 +1,7 @@
 //! How well a person kept to a plan in the end: what is reported of it in addition to the judgement.
 
 use crate::goal::Outcome;
-use crate::schedule::follow::{Followed, LATE_S, Standing};
+use crate::schedule::follow::{Followed, LATE_S, StepStatus};
 use crate::schedule::{Deed, Plan};
 
 /// How a cook of a plan went, measured by the plan.
@@ -33,9 +33,9 @@ impl Kept {
         }
         let steps = steps.unwrap_or_default().iter().filter(|f| f.step.deed != Deed::Serve);
         let off = steps.filter_map(|f| match f.standing {
-            Standing::Done(late_s) if late_s.abs() > LATE_S => Some((f.step.deed, Some(late_s))),
-            Standing::Done(_) | Standing::Open(_) => None,
-            Standing::LeftOut => Some((f.step.deed, None)),
+            StepStatus::Done(late_s) if late_s.abs() > LATE_S => Some((f.step.deed, Some(late_s))),
+            StepStatus::Done(_) | StepStatus::Open(_) => None,
+            StepStatus::LeftOut => Some((f.step.deed, None)),
         });
         // One that was left out is farther off than any other.
         let far = |late_s: Option<f64>| late_s.map_or(f64::INFINITY, f64::abs);

@@ -6,7 +6,7 @@
 use saute_kitchen::advice::Advice;
 
 use crate::goal::score::HOT_C;
-use crate::schedule::follow::{Done, EARLY_S, Followed, Hand, Standing, is_near};
+use crate::schedule::follow::{Done, EARLY_S, Followed, Hand, StepStatus, is_near};
 use crate::schedule::{Deed, Plan};
 
 /// From this much after its time a step that is not done counts as left [s] (chosen: a minute of a steak is a flip; a quarter of it is no
@@ -27,11 +27,11 @@ pub enum Keeping {
 impl Keeping {
     /// Returns how a person follows a plan at a time [s], given its steps with their status and what was done, in order.
     pub fn of(plan: &Plan, steps: &[Followed], done: &[Done], now_s: f64) -> Self {
-        let late = |f: &&Followed| matches!(f.standing, Standing::Open(in_s) if in_s <= -LEFT_S);
+        let late = |f: &&Followed| matches!(f.standing, StepStatus::Open(in_s) if in_s <= -LEFT_S);
         if let Some(missed) = steps.iter().find(late) {
             return Self::Missed(missed.step.deed);
         }
-        let is_over = steps.iter().any(|f| f.step.deed == Deed::Pull && !matches!(f.standing, Standing::Open(_)));
+        let is_over = steps.iter().any(|f| f.step.deed == Deed::Pull && !matches!(f.standing, StepStatus::Open(_)));
         match other_power(plan, done, now_s).filter(|_| !is_over) {
             Some(wanted) => Self::OtherPower(wanted),
             None => Self::Kept,

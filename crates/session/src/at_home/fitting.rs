@@ -10,7 +10,7 @@ use crate::work::Helper;
 
 /// Status of a fit.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub enum Standing {
+pub enum FitStatus {
     /// Nothing was requested.
     #[default]
     Idle,
@@ -31,18 +31,18 @@ pub struct AtHome {
     number: u64,
     /// What the last fit was made to.
     observed: Observed,
-    pub(super) standing: Standing,
+    pub(super) standing: FitStatus,
 }
 
 impl AtHome {
     /// Status of the fit.
-    pub fn standing(&self) -> &Standing {
+    pub fn standing(&self) -> &FitStatus {
         &self.standing
     }
 
     /// Nothing can be fitted, and why.
     pub fn refuse(&mut self, why: WhyNoFit) {
-        self.standing = Standing::Refused(why);
+        self.standing = FitStatus::Refused(why);
     }
 
     /// What the last fit was made to.
@@ -52,12 +52,12 @@ impl AtHome {
 
     /// What was found.
     pub fn fitted(&self) -> Option<&Fitted> {
-        if let Standing::Found(fitted) = &self.standing { Some(fitted) } else { None }
+        if let FitStatus::Found(fitted) = &self.standing { Some(fitted) } else { None }
     }
 
     /// Returns true while it fits.
     pub fn is_fitting(&self) -> bool {
-        matches!(self.standing, Standing::Fitting(_))
+        matches!(self.standing, FitStatus::Fitting(_))
     }
 
     /// Returns true while frames are to be drawn for the fit.
@@ -78,7 +78,7 @@ impl AtHome {
         self.observed.clone_from(&observed);
         let order = FitOrder { number: self.number, recipe, home, observed };
         helper.ask(postcard::to_allocvec(&order).expect("an order has no kind that postcard lacks"));
-        self.standing = Standing::Fitting(0.0);
+        self.standing = FitStatus::Fitting(0.0);
     }
 
     /// Ends the fit.
@@ -86,7 +86,7 @@ impl AtHome {
         let is_fitting = self.is_fitting();
         if let Some(helper) = self.helper.as_mut().filter(|_| is_fitting) {
             helper.ask(Vec::new());
-            self.standing = Standing::Idle;
+            self.standing = FitStatus::Idle;
         }
     }
 
@@ -98,7 +98,7 @@ impl AtHome {
             None => {
                 self.helper = None;
                 if self.is_fitting() {
-                    self.standing = Standing::Idle;
+                    self.standing = FitStatus::Idle;
                 }
             }
         }
@@ -110,9 +110,9 @@ impl AtHome {
             return;
         }
         self.standing = match reply {
-            Reply::Progress(share) => Standing::Fitting(share),
-            Reply::Found(fitted) => Standing::Found(fitted),
-            Reply::Refused(why) => Standing::Refused(why),
+            Reply::Progress(share) => FitStatus::Fitting(share),
+            Reply::Found(fitted) => FitStatus::Found(fitted),
+            Reply::Refused(why) => FitStatus::Refused(why),
         };
     }
 }

@@ -114,7 +114,7 @@ pub struct Forecasts {
 
 /// An answer relative to the instant that is shown.
 #[derive(Clone, Copy, Debug)]
-pub struct Standing<'a> {
+pub struct AgedForecast<'a> {
     /// What was found.
     pub answer: &'a Foreseen,
     /// How far from a full cook it may be.
@@ -125,7 +125,7 @@ pub struct Standing<'a> {
     pub is_current: bool,
 }
 
-impl Standing<'_> {
+impl AgedForecast<'_> {
     /// Core temperature at a time from the shown instant on, and half the width of its band [K].
     pub fn core_in(&self, s: f64) -> (f64, f64) {
         let after_s = self.age_s + s;

@@ -2,7 +2,7 @@
 
 use saute_plan::forecast::{Foreseen, Question};
 
-use super::{Forecasts, Shown, Standing, Watched};
+use super::{AgedForecast, Forecasts, Shown, Watched};
 use crate::Session;
 use crate::hands::Hands;
 use crate::work::Helper;
@@ -45,12 +45,12 @@ impl<H: Hands> Session<H> {
     }
 
     /// The last answer to a question about the piece that the panels show, relative to the shown instant.
-    pub fn foreseen(&self, question: Question) -> Option<Standing<'_>> {
+    pub fn foreseen(&self, question: Question) -> Option<AgedForecast<'_>> {
         let food = &self.steak()?.id;
         let of = |answer: &&Foreseen| answer.outlook.question == question && answer.outlook.food == *food;
         let answer = self.forecasts.answers.iter().find(of)?;
         let band = self.forecasts.bands.as_ref()?.of(question)?;
-        Some(Standing {
+        Some(AgedForecast {
             answer,
             band,
             age_s: answer.age_s(self.kitchen.frame()),

@@ -2,7 +2,7 @@
 
 use saute_kitchen::{Command, Place};
 use saute_plan::goal::{Goal, Judgement, Outcome};
-use saute_plan::schedule::follow::{Done, Followed, Hand, Standing, follow};
+use saute_plan::schedule::follow::{Done, Followed, Hand, StepStatus, follow};
 use saute_plan::schedule::kept::Kept;
 use saute_plan::schedule::voice::Keeping;
 use saute_plan::schedule::{Deed, Plan};
@@ -51,8 +51,8 @@ impl Guidance {
     /// In how many seconds the next step is due; negative once it is late [s].
     pub fn due_in_s(&self) -> Option<f64> {
         match self.next.first()?.standing {
-            Standing::Open(in_s) => Some(in_s),
-            Standing::Done(_) | Standing::LeftOut => None,
+            StepStatus::Open(in_s) => Some(in_s),
+            StepStatus::Done(_) | StepStatus::LeftOut => None,
         }
     }
 
@@ -140,8 +140,8 @@ impl Live {
         let first = steps.iter().find(|f| is_open(f)).map(|f| f.step.at_s);
         let next = steps.iter().copied().filter(|f| is_open(f) && Some(f.step.at_s) == first).collect();
         let done = |f: &Followed| match f.standing {
-            Standing::Done(late_s) => Some((f.step, late_s)),
-            Standing::Open(_) | Standing::LeftOut => None,
+            StepStatus::Done(late_s) => Some((f.step, late_s)),
+            StepStatus::Open(_) | StepStatus::LeftOut => None,
         };
         let when = |(step, late_s): &(saute_plan::schedule::Step, f64)| f64::from(step.at_s) + late_s;
         let last = steps.iter().filter_map(done).max_by(|a, b| when(a).total_cmp(&when(b)));
@@ -193,7 +193,7 @@ impl Live {
 }
 
 fn is_open(followed: &Followed) -> bool {
-    matches!(followed.standing, Standing::Open(_))
+    matches!(followed.standing, StepStatus::Open(_))
 }
 
 /// What was done in the cook up to the shown instant, in order.

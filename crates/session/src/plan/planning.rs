@@ -13,7 +13,7 @@ use crate::work::Helper;
 
 /// Status of a search.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub enum Standing {
+pub enum SearchStatus {
     /// Nothing was requested.
     #[default]
     Idle,
@@ -35,7 +35,7 @@ pub struct Planning {
     begun: Option<Instant>,
     /// The best plan of the search so far.
     so_far: Option<Box<PlanData>>,
-    standing: Standing,
+    standing: SearchStatus,
 }
 
 /// Share of a search from which its pace shows how long it takes [-] (chosen: the first jobs are the shortest).
@@ -43,7 +43,7 @@ const PACE_SHARE: f64 = 0.1;
 
 impl Planning {
     /// Status of the search.
-    pub fn standing(&self) -> &Standing {
+    pub fn standing(&self) -> &SearchStatus {
         &self.standing
     }
 
@@ -54,7 +54,7 @@ impl Planning {
 
     /// The plan, once it is found.
     pub fn plan(&self) -> Option<&Plan> {
-        if let Standing::Found(plan) = &self.standing { Some(plan) } else { None }
+        if let SearchStatus::Found(plan) = &self.standing { Some(plan) } else { None }
     }
 
     /// Returns true while frames are to be drawn for the search.
@@ -64,14 +64,14 @@ impl Planning {
 
     /// About how long the search still takes at the pace of its candidates so far [wall s]; none before it has a pace.
     pub fn left_s(&self) -> Option<f64> {
-        let Standing::Searching(Some(progress)) = &self.standing else { return None };
+        let SearchStatus::Searching(Some(progress)) = &self.standing else { return None };
         let passed_s = self.begun?.elapsed().as_secs_f64();
         left_s(progress.share, passed_s)
     }
 
     /// Returns true while it searches.
     pub fn is_searching(&self) -> bool {
-        matches!(self.standing, Standing::Searching(_))
+        matches!(self.standing, SearchStatus::Searching(_))
     }
 
     /// Returns true if there is a helper that takes requests.
@@ -87,7 +87,7 @@ impl Planning {
         let order = PlanOrder { number: self.number, home, asked: asked.clone() };
         let order = postcard::to_allocvec(&order).expect("an order has no kind that postcard lacks");
         helper.ask(order);
-        (self.asked, self.so_far, self.standing) = (Some(asked), None, Standing::Searching(None));
+        (self.asked, self.so_far, self.standing) = (Some(asked), None, SearchStatus::Searching(None));
         self.begun = Some(Instant::now());
     }
 
@@ -98,18 +98,18 @@ impl Planning {
 
     /// Ends the search; the best plan so far is kept.
     pub fn stop(&mut self, library: &Library) {
-        if let Some(helper) = self.helper.as_mut().filter(|_| matches!(self.standing, Standing::Searching(_))) {
+        if let Some(helper) = self.helper.as_mut().filter(|_| matches!(self.standing, SearchStatus::Searching(_))) {
             helper.ask(Vec::new());
             self.standing = match (self.so_far.take(), &self.asked) {
                 (Some(data), Some(asked)) => found(data, asked, library),
-                _ => Standing::Idle,
+                _ => SearchStatus::Idle,
             };
         }
     }
 
     /// A helper with other data is hired for the next search, and no plan of the old data is shown.
     pub fn forget(&mut self) {
-        (self.helper, self.standing) = (None, Standing::Idle);
+        (self.helper, self.standing) = (None, SearchStatus::Idle);
     }
 
     /// Takes what the helper has answered.
@@ -120,7 +120,7 @@ impl Planning {
             None => {
                 self.helper = None;
                 if self.is_searching() {
-                    self.standing = Standing::Idle;
+                    self.standing = SearchStatus::Idle;
                 }
             }
         }
@@ -135,19 +135,19 @@ impl Planning {
         self.standing = match reply {
             Reply::Progress(PlanProgress { search, so_far }) => {
                 self.so_far = so_far;
-                Standing::Searching(Some(search))
+                SearchStatus::Searching(Some(search))
             }
-            Reply::Refused(why) => Standing::Refused(why),
+            Reply::Refused(why) => SearchStatus::Refused(why),
             Reply::Found(data) => found(data, asked, library),
         };
     }
 }
 
 /// A plan that answers the request.
-fn found(data: Box<PlanData>, asked: &Asked, library: &Library) -> Standing {
+fn found(data: Box<PlanData>, asked: &Asked, library: &Library) -> SearchStatus {
     match asked.order(library) {
-        Ok(order) => Standing::Found(Box::new(data.plan(order))),
-        Err(error) => Standing::Refused(error.into()),
+        Ok(order) => SearchStatus::Found(Box::new(data.plan(order))),
+        Err(error) => SearchStatus::Refused(error.into()),
     }
 }
 

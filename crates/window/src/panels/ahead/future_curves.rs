@@ -9,7 +9,7 @@ use crate::panels::curve::Curve;
 use crate::ui::palette::Palette;
 use saute_controls::ahead_words::are_shown;
 use saute_controls::context::PanelContext;
-use saute_session::forecasts::Standing;
+use saute_session::forecasts::AgedForecast;
 
 /// How strongly a band is drawn, and what holds no more [-] (chosen: behind the curves).
 const BAND_SEEN: f32 = 0.25;
@@ -46,7 +46,7 @@ pub(crate) fn futures(state: &PanelContext, palette: &Palette) -> Vec<Future> {
 }
 
 /// Minutes and degrees from the shown instant on, each with half the width of the band. The full model has none.
-fn points(state: &PanelContext, standing: &Standing, question: Question) -> Vec<([f64; 2], f64)> {
+fn points(state: &PanelContext, standing: &AgedForecast, question: Question) -> Vec<([f64; 2], f64)> {
     let (settings, now_s) = (state.settings, state.session.kitchen.time_s());
     let begun_s = |frame: u64| frame as f64 * FRAME_S;
     let point = |time_s: f64, core: f64, half: f64| {
@@ -67,7 +67,7 @@ fn points(state: &PanelContext, standing: &Standing, question: Question) -> Vec<
     core_now.into_iter().chain(ahead).map(|(at_s, core, half)| point(at_s, core, half)).collect()
 }
 
-fn peak(state: &PanelContext, standing: &Standing) -> ([f64; 2], String) {
+fn peak(state: &PanelContext, standing: &AgedForecast) -> ([f64; 2], String) {
     let outlook = &standing.answer.outlook;
     let at_s = outlook.frame as f64 * FRAME_S + outlook.peak.after_s;
     let shown = state.settings.temperature(celsius(outlook.peak.core));

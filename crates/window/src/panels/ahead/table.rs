@@ -9,7 +9,7 @@ use saute_controls::act::{Act, Acts, CookAct};
 use saute_controls::ahead_words::{age_words, class, half_band, number, question_words};
 use saute_controls::context::PanelContext;
 use saute_controls::settings::Settings;
-use saute_session::forecasts::Standing;
+use saute_session::forecasts::AgedForecast;
 use saute_words::act_words::command_words;
 
 /// Height of a question with its answer, and of the words above [points].
@@ -123,7 +123,7 @@ fn lower_to(commands: &[Command]) -> Option<&Command> {
     commands.iter().find(|command| matches!(command, Command::Hob(_) | Command::HobHold { .. }))
 }
 
-fn answer(state: &PanelContext, standing: &Standing, ui: &Ui, row: Rect) {
+fn answer(state: &PanelContext, standing: &AgedForecast, ui: &Ui, row: Rect) {
     let (settings, outlook) = (state.settings, &standing.answer.outlook);
     let palette = theme::of(ui);
     let ink = if standing.is_current { palette.text } else { palette.quiet };
@@ -152,7 +152,7 @@ fn highest_words(settings: &Settings, outlook: &Outlook) -> String {
 }
 
 /// How far the highest core may be off; a bound has no band.
-fn band_words(settings: &Settings, standing: &Standing) -> Option<String> {
+fn band_words(settings: &Settings, standing: &AgedForecast) -> Option<String> {
     let has_peak = !standing.answer.outlook.still_warms();
     has_peak.then(|| format!("± {}", half_band(settings, standing.band.peak_k)))
 }
@@ -168,7 +168,7 @@ fn underside(state: &PanelContext, last: &Sample, ui: &Ui, at: Pos2, ink: Color3
 }
 
 /// An answer as it is read out.
-fn spoken(state: &PanelContext, question: Question, standing: &Standing) -> String {
+fn spoken(state: &PanelContext, question: Question, standing: &AgedForecast) -> String {
     let (settings, l, outlook) = (state.settings, state.settings.language, &standing.answer.outlook);
     let [one, two, five] = SPANS_S.map(|span| number(settings, standing.core_in(span).0));
     let browned = outlook.samples.last().map_or(0.0, |last| last.faces[0].browned_pct);

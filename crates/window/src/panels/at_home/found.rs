@@ -13,7 +13,7 @@ use crate::ui::theme;
 use saute_controls::act::{Act, Acts, LearnAct};
 use saute_controls::at_home::AtHomeAct;
 use saute_controls::context::PanelContext;
-use saute_session::at_home::fitting::Standing;
+use saute_session::at_home::fitting::FitStatus;
 use saute_session::at_home::kept::KeptKitchen;
 
 /// Height of the plot [points].
@@ -23,12 +23,12 @@ const PLOT: f32 = 210.0;
 pub fn show(state: &AtHomeState, ui: &mut Ui, acts: &mut Acts) {
     let l = state.settings.language;
     match state.at_home.standing() {
-        Standing::Idle => {}
-        Standing::Fitting(share) => fitting(state, ui, acts, *share),
-        Standing::Refused(why) => {
+        FitStatus::Idle => {}
+        FitStatus::Fitting(share) => fitting(state, ui, acts, *share),
+        FitStatus::Refused(why) => {
             ui.label(RichText::new(l.fill("athome.refused", &[("why", &why.words(l))])).color(theme::of(ui).accent));
         }
-        Standing::Found(fitted) => found(state, fitted, ui, acts),
+        FitStatus::Found(fitted) => found(state, fitted, ui, acts),
     }
     if let Some(kept) = &state.settings.kitchen {
         ui.add_space(8.0);

@@ -8,7 +8,7 @@ use crate::ui::theme;
 use saute_controls::act::{Act, Acts, Card, LearnAct};
 use saute_controls::plan::PlanAct;
 use saute_controls::plan::plan_state::PlanState;
-use saute_session::plan::planning::Standing;
+use saute_session::plan::planning::SearchStatus;
 use saute_words::clock::clock;
 use saute_words::plan_words;
 
@@ -38,7 +38,7 @@ pub fn show(state: &PlanState, ui: &Ui, acts: &mut Acts, whole: Rect) {
 
 /// What was found comes first once there is something.
 fn narrow(state: &PlanState, ui: &mut Ui, acts: &mut Acts) {
-    if *state.planning.standing() == Standing::Idle {
+    if *state.planning.standing() == SearchStatus::Idle {
         form::show(state, ui, acts);
         ui.separator();
         found(state, ui, acts);
@@ -52,18 +52,18 @@ fn narrow(state: &PlanState, ui: &mut Ui, acts: &mut Acts) {
 fn found(state: &PlanState, ui: &mut Ui, acts: &mut Acts) {
     let l = state.settings.language;
     match state.planning.standing() {
-        Standing::Idle => {
+        SearchStatus::Idle => {
             ui.label(RichText::new(l.text("plan.how")).color(theme::of(ui).quiet));
         }
-        Standing::Searching(progress) => {
+        SearchStatus::Searching(progress) => {
             let (share, count) = progress.map_or((0.0, 0), |progress| (progress.share, progress.candidates));
             let stage = progress.map_or("plan.stage_first", |progress| plan_words::stage(progress.stage));
             searching(state, ui, acts, share as f32, &l.fill(stage, &[("count", &count)]));
         }
-        Standing::Refused(why) => {
+        SearchStatus::Refused(why) => {
             ui.label(RichText::new(l.fill("plan.refused", &[("why", &why.words(l))])).color(theme::of(ui).accent));
         }
-        Standing::Found(plan) => answer::show(state, plan, ui, acts),
+        SearchStatus::Found(plan) => answer::show(state, plan, ui, acts),
     }
 }
 

@@ -15,7 +15,7 @@ use saute_plan::fit::parameters::Parameters;
 use saute_recipe::{Cook, Recipe, Recording};
 use saute_session::SteakChoice;
 use saute_session::at_home::entered::{Row, Seen};
-use saute_session::at_home::fitting::Standing;
+use saute_session::at_home::fitting::FitStatus;
 use saute_session::at_home::kept::KeptKitchen;
 use saute_session::kept::link;
 use saute_session::work::executor::Executor;
@@ -132,7 +132,7 @@ fn a_log_gives_the_kitchen_which_is_kept_used_and_left_again() {
     }
     steps(&mut harness, 3);
     save(&mut harness, "athome-found");
-    let Standing::Found(fitted) = harness.state().at_home().standing().clone() else {
+    let FitStatus::Found(fitted) = harness.state().at_home().standing().clone() else {
         panic!("{:?}", harness.state().at_home().standing())
     };
     let found = fitted.found;

@@ -218,12 +218,12 @@ fn a_cook_by_the_guide_gives_what_was_promised() {
 #[test]
 fn a_flip_by_the_turner_in_the_hand_is_a_step_of_the_guide() {
     use saute_plan::schedule::Deed;
-    use saute_plan::schedule::follow::Standing;
+    use saute_plan::schedule::follow::StepStatus;
     let library = Library::embedded().expect("embedded data");
     let mut harness = found(WIDE, plan(&library));
     harness.get_by_label("Cook it live").click();
     steps(&mut harness, 3);
-    let flips = |harness: &Harness<'static, SauteApp>| -> Vec<Standing> {
+    let flips = |harness: &Harness<'static, SauteApp>| -> Vec<StepStatus> {
         let followed = harness.state().guidance().expect("a guide").steps;
         followed.iter().filter(|f| matches!(f.step.deed, Deed::Flip(_))).map(|f| f.standing).collect()
     };
@@ -232,15 +232,15 @@ fn a_flip_by_the_turner_in_the_hand_is_a_step_of_the_guide() {
     session.command(&Command::Put { food: food.clone(), at: [0.0; 2], heap: false }).expect("puts");
     (0..30).for_each(|_| session.tick().map(drop).expect("ticks"));
     crate::teaching::turned::turn_by_hand(&mut harness);
-    assert!(matches!(flips(&harness)[..], [Standing::Done(_), Standing::Open(_)]), "{:?}", flips(&harness));
+    assert!(matches!(flips(&harness)[..], [StepStatus::Done(_), StepStatus::Open(_)]), "{:?}", flips(&harness));
     let session = harness.state_mut().session_mut();
     session.command(&Command::Flip { food }).expect("flips");
-    assert!(matches!(flips(&harness)[..], [_, Standing::Done(_)]), "at once: {:?}", flips(&harness));
+    assert!(matches!(flips(&harness)[..], [_, StepStatus::Done(_)]), "at once: {:?}", flips(&harness));
     let session = harness.state_mut().session_mut();
     let before = session.recorder.turns().count();
     (0..40).for_each(|_| session.tick().map(drop).expect("ticks"));
     assert_eq!((before, session.recorder.turns().count()), (1, 2), "it was turned");
-    let [Standing::Done(first_s), Standing::Done(second_s)] = flips(&harness)[..] else { panic!("both are done") };
+    let [StepStatus::Done(first_s), StepStatus::Done(second_s)] = flips(&harness)[..] else { panic!("both are done") };
     assert!(second_s + 60.0 > first_s + 1.0, "the second is the command, {first_s} s and {second_s} s");
 }
 
