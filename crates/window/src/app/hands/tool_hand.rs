@@ -68,7 +68,7 @@ impl SauteApp {
         self.inputs.tool_hand.turner = self.session.kitchen.led_tool().map(|_| turner);
     }
 
-    /// Changes where the turner is wanted; food on its blade is rolled high enough above the pan.
+    /// Changes where the turner is to be; food on its blade is rolled high enough above the pan.
     pub(crate) fn with_turner(&mut self, change: impl FnOnce(&mut TurnerPose)) {
         if self.stands_still() || self.inputs.tool_hand.tool != Tool::Turner {
             return;
