@@ -10,19 +10,19 @@ use crate::settings::Settings;
 use saute_session::forecasts::AgedForecast;
 use saute_words::doneness_words;
 
-/// Returns true if forecasts are made and wanted: then there is room for them.
+/// Returns true if forecasts are made and enabled: then there is room for them.
 pub fn are_shown(state: &PanelContext) -> bool {
     state.settings.foresees() && state.guided.is_none() && state.session.forecasts().are_made()
 }
 
-/// The class in which the core ends, in the cook's words; none where no scale says anything about it.
+/// The class in which the core ends, in the cook's words; none where no scale covers it.
 pub fn class(state: &PanelContext, outlook: &Outlook) -> Option<String> {
     let (piece, scale) = (state.session.steak()?, state.scale()?);
     let class = outlook.class(&scale, at_core(piece, &scale))?;
     Some(doneness_words::class(&scale, &scale.class[class].name, state.settings.language).to_owned())
 }
 
-/// The class of a highest core temperature [°C], in the cook's words; none where no scale tells doneness by it.
+/// The class of a highest core temperature [°C], in the cook's words; none where no scale determines doneness by it.
 pub fn class_of_peak(state: &PanelContext, peak_c: f64) -> Option<String> {
     let scale = state.scale().filter(|scale| scale.measure() == Measure::Peak)?;
     let class = &scale.class[scale.class_of(kelvin(peak_c))];
@@ -45,7 +45,7 @@ pub fn age_words(state: &PanelContext, standing: &AgedForecast) -> Option<String
     standing.is_old().then(|| state.settings.language.fill("ahead.age", &[("seconds", &seconds)]))
 }
 
-/// What is asked, in words.
+/// The question, in words.
 pub fn question_words(state: &PanelContext, question: Question) -> &'static str {
     state.settings.language.text(match question {
         Question::AsItIs => "ahead.as_it_is",

@@ -12,7 +12,7 @@ use crate::settings::Settings;
 use saute_session::guided::Guided;
 use saute_session::permits::{Permit, Permits};
 
-/// What every panel may read. A panel that reads more takes a state of its own, which derefs to this; what it wants changed it returns as
+/// What every panel may read. A panel that reads more takes its own state, which derefs to this; the changes that it requests it returns as
 /// an [`Act`].
 #[derive(Clone, Copy)]
 pub struct PanelContext<'a> {
@@ -24,7 +24,7 @@ pub struct PanelContext<'a> {
     pub guided: Option<&'a Guided>,
 }
 
-/// Lets what every panel reads be read of a state that has it as its `context`.
+/// Lets what every panel reads be read from a state that has it as its `context`.
 #[macro_export]
 macro_rules! reads_context {
     ($state:ident) => {
@@ -45,17 +45,17 @@ impl PanelContext<'_> {
         !self.settings.skill_mode && !self.is_blind()
     }
 
-    /// The scale of doneness in whose words the food that the panels show is spoken of.
+    /// The scale of doneness in whose words the food that the panels show is described.
     pub fn scale(&self) -> Option<Arc<Scale>> {
         self.session.scale(&self.settings.scale)
     }
 
-    /// The scale in whose words a piece is spoken of.
+    /// The scale in whose words a piece is described.
     pub fn scale_of(&self, piece: &Piece) -> Option<Arc<Scale>> {
         self.session.scales(&self.settings.scale).of(&piece.model).cloned()
     }
 
-    /// About how long the whole cook of the shown food takes to its goal [s]; none of food whose doneness is told by something else than
+    /// About how long the whole cook of the shown food takes to its goal [s]; none of food whose doneness is determined by something other than
     /// the temperature of its core.
     pub fn whole_time_s(&self) -> Option<f64> {
         let scale = self.scale().filter(|scale| scale.measure() == Measure::Peak)?;

@@ -18,9 +18,9 @@ pub enum ControlKind {
     Radio,
     /// Opens a list.
     Menu,
-    /// Holds a number in a range.
+    /// Contains a number in a range.
     Slider,
-    /// Holds a text.
+    /// Contains a text.
     Text,
     /// Is only read.
     Label,
@@ -31,7 +31,7 @@ pub enum ControlKind {
 /// One of them.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Control {
-    /// Its number, as text: scripts do not hold it as a number.
+    /// Its number, as text: scripts do not store it as a number.
     pub id: String,
     /// What it is.
     pub kind: ControlKind,
@@ -43,13 +43,13 @@ pub struct Control {
     /// Lowest and highest value, and the present one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub range: Option<[f64; 3]>,
-    /// The text that it holds; of a slider its value with the unit.
+    /// The text that it contains; of a slider its value with the unit.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub text: Option<String>,
     /// True if it cannot be used now.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub off: bool,
-    /// True if it stands on a card or in a menu, over all else.
+    /// True if it is on a card or in a menu, over all else.
     #[serde(skip)]
     pub is_over: bool,
 }
@@ -75,13 +75,13 @@ pub fn under_card(controls: &mut [Control]) {
     }
 }
 
-/// What a control is by, when the panels have numbered their controls anew: they do when what is above them changes.
+/// What identifies a control when the panels have renumbered their controls: they do when what is above them changes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Identity {
     id: String,
     kind: ControlKind,
     name: String,
-    /// How many of its kind and name stand before it.
+    /// How many of its kind and name are before it.
     number: usize,
 }
 
@@ -175,7 +175,7 @@ mod tests {
         assert_eq!(found(&[(2, Role::Button, "Recent")], "2"), None, "it is gone");
     }
 
-    /// Promise: under an open card nothing is on, and what stands on the card stays as it is.
+    /// Promise: under an open card nothing is on, and what is on the card stays as it is.
     #[test]
     fn what_lies_under_a_card_is_off() {
         let mut root = Node::new(Role::Window);

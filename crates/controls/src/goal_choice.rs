@@ -5,7 +5,7 @@ use crate::settings::Settings;
 use saute_kitchen::data::goals::GoalDescription;
 use saute_plan::goal::{Goal, Wish};
 
-/// Returns the goal of the food that the panels show; none where no scale says anything about it.
+/// Returns the goal of the food that the panels show; none where no scale covers it.
 pub fn goal_of(session: &Session, settings: &Settings) -> Option<Goal> {
     if let Some(named) = named_goal(session, settings) {
         let scale = match &named.scale {

@@ -1,4 +1,4 @@
-//! What a person at the window can do, has set, holds and is told. Nothing here draws, and nothing knows egui.
+//! What a person at the window can do, has set, holds and is told. Nothing here draws, and nothing depends on egui.
 //!
 //! [`act::Act`] is one thing to do; keys, panels, gamepads and the Now line give acts, and the window carries them out.
 //! [`settings::Settings`] are remembered from one start to the next. [`context::PanelContext`] is what every panel reads.

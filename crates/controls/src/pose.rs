@@ -33,7 +33,7 @@ impl Pose {
     ///
     /// # Errors
     ///
-    /// Says the range of the instant.
+    /// States the range of the instant.
     pub fn check(&self, recipe: &Recipe) -> Result<(), String> {
         if (0.0..=recipe.max_s).contains(&self.at_s) {
             return Ok(());

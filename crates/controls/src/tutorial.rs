@@ -53,7 +53,7 @@ impl Step {
         Self::Result,
     ];
 
-    /// Time that it takes to read what it says and to find its control [wall s] (chosen: a sentence of twenty words, and a look
+    /// Time that it takes to read its text and to find its control [wall s] (chosen: a sentence of twenty words, and a look
     /// round).
     pub fn reading_s(self) -> f64 {
         match self {

@@ -1,4 +1,4 @@
-//! The class that a worker's script uses: it does one kind of work for the page, in an instance of its own.
+//! The class that a worker's script uses: it does one kind of work for the page, in its own instance.
 
 use std::time::Duration;
 

@@ -1,4 +1,4 @@
-//! What a page's script asks for.
+//! What a page's script requests.
 
 use saute_window::browser::host::{Host, Opening};
 use saute_words::language::Language;
@@ -16,7 +16,7 @@ pub(crate) struct Options {
     pub recipe: Option<String>,
     /// Id of a shipped study, and the code of its participant.
     pub study: Option<(String, String)>,
-    /// True if somebody has tried whether this machine holds the speed of the study.
+    /// True if somebody has tried whether this machine sustains the speed of the study.
     pub machine_is_tried: bool,
     /// Id of a shipped scenario, the code of its student, and true if it cannot be left.
     pub lesson: Option<(String, String, bool)>,
@@ -39,7 +39,7 @@ impl Options {
     ///
     /// # Errors
     ///
-    /// Says which value is unknown.
+    /// States which value is unknown.
     pub fn read(object: &JsValue) -> Result<Self, String> {
         let [backend, lang, recipe, link] = ["backend", "lang", "recipe", "link"].map(|key| text(object, key));
         let language = match lang.as_str() {

@@ -123,8 +123,8 @@ impl Page {
         }
     }
 
-    /// Returns true if Tab, or Shift+Tab for `back`, leaves the picture now: no control has the keys, and forward the last one had
-    /// them.
+    /// Returns true if Tab, or Shift+Tab for `back`, leaves the picture now: no control has the focus, and forward the last one had
+    /// it.
     pub fn tab_leaves(&self, back: bool) -> bool {
         self.app.get().is_some_and(|mut app| app.tab_leaves(back))
     }
@@ -143,7 +143,7 @@ impl Page {
         }
     }
 
-    /// Sets what a control holds: a text, else a number.
+    /// Sets the value of a control: a text, else a number.
     pub fn set_control(&self, id: &str, value: &str, is_text: bool) {
         if let Some(app) = self.app.get() {
             app.set_control(id, value, is_text);

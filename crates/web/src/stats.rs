@@ -20,7 +20,7 @@ pub(crate) struct Stats {
     rests: bool,
     /// Simulated time [s].
     time_s: f64,
-    /// Simulated seconds per second that are asked for.
+    /// Simulated seconds per second that are requested.
     speed: f64,
     /// Simulated seconds per second over the last ten seconds.
     time_ratio: f64,
@@ -46,7 +46,7 @@ pub(crate) struct Stats {
     travels: bool,
     /// End of what was recorded [s].
     end_s: f64,
-    /// What was said, the last first.
+    /// The notices, the last first.
     said: Vec<String>,
     /// Memory of the module [bytes].
     memory_bytes: usize,

@@ -82,7 +82,7 @@ pub struct SauteApp {
     pub(crate) pace: Pace,
     pub(crate) graphics: Graphics,
     pub(crate) keeps: Keeps,
-    /// Who finds helpers for heavy work, if anyone does.
+    /// The agency that finds helpers for heavy work, if there is one.
     agency: Option<Box<dyn Agency>>,
     /// What the window has of the desktop, or of its page.
     pub(crate) host: CurrentHost,
@@ -99,8 +99,8 @@ impl SauteApp {
     }
 
     /// As [`Self::new`], with any egui context and graphics state, and remembered settings as JSON: `{}` at the first
-    /// start, when the system's language holds and the card of the first steps is shown; none where nothing is ever
-    /// remembered, as for pictures: then the window speaks English.
+    /// start, when the system's language applies and the card of the first steps is shown; none where nothing is ever
+    /// remembered, as for pictures: then the window is in English.
     pub fn start(
         context: &egui::Context,
         graphics: Option<&egui_wgpu::RenderState>,
@@ -176,7 +176,7 @@ impl SauteApp {
         self.graphics.frugal && self.graphics.software
     }
 
-    /// Gives the kitchen a command and says so if it refuses.
+    /// Sends a command to the kitchen and shows a notice if it is refused.
     pub(crate) fn command(&mut self, command: &Command) {
         self.give(command);
     }
@@ -211,12 +211,12 @@ impl SauteApp {
         card || asks || self.photo_is_open() || self.offered_s().is_some()
     }
 
-    /// Says a text that leaves nothing open.
+    /// Shows a notice whose text has no placeholders.
     pub(crate) fn say(&self, key: &'static str) {
         self.desk.notice.say(self.settings.language.text(key));
     }
 
-    /// Says why a command was not carried out.
+    /// Shows why a command was not carried out.
     pub(crate) fn say_not_done(&self, not_done: &NotDone) {
         match not_done {
             NotDone::Locked => self.say("guided.locked"),
@@ -227,7 +227,7 @@ impl SauteApp {
         }
     }
 
-    /// Says what the core could not do; recipes and data have their own words, with file and line.
+    /// Shows what the core could not do; errors of recipes and data have their own words, with file and line.
     pub(crate) fn say_trouble(&self, error: &dyn std::fmt::Display) {
         self.desk.notice.say(self.settings.language.fill("notice.trouble", &[("error", error)]));
     }

@@ -24,7 +24,7 @@ type ReadFile = (String, Result<Vec<u8>, String>);
 pub(crate) struct Inbox {
     pub(crate) files: Arc<Mutex<Vec<ReadFile>>>,
     pub(crate) font: Arc<Mutex<Option<Vec<u8>>>>,
-    /// The font that was taken: a picture that begins anew needs it again.
+    /// The font that was taken: a picture that begins again needs it again.
     pub(crate) taken_font: Option<Arc<egui::FontData>>,
 }
 
@@ -46,7 +46,7 @@ impl Inbox {
 pub fn announce(name: &str) {
     let Some(window) = web_sys::window() else { return };
     if let Ok(event) = CustomEvent::new(name) {
-        // An event that nobody hears is no error.
+        // An event without a listener is no error.
         let _ = window.dispatch_event(&event);
     }
 }

@@ -26,7 +26,7 @@ pub trait Host {
     /// Lets the motors of the first gamepad turn so fast; nothing where it has none.
     fn turn_motors(&mut self, rumble: &Rumble);
 
-    /// Returns who plays what is heard, once, or why nobody does; none where that is known, or nobody is asked for.
+    /// Returns the listener that plays what is heard, once, or why there is none; none where that is known, or no sound is requested.
     fn speaker(&mut self) -> Option<Result<Box<dyn Listener>, String>>;
 
     /// Returns what writes a picture.
@@ -45,7 +45,7 @@ pub trait Host {
     /// Closes the photo mode.
     fn close_photo(&mut self);
 
-    /// Hands a result of a lesson to whoever asked for it.
+    /// Hands a result of a lesson to whoever requested it.
     fn report(&self, row: &ResultRow);
 
     /// Copies a text to the clipboard where the window itself has none.

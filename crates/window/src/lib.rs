@@ -1,6 +1,6 @@
 //! The window of the frying-pan simulator: panels, the scene below them, the half mirror, and what a desktop or a page does for them.
 //!
-//! [`SauteApp`] owns the state. Panels read a [`saute_controls::context::PanelContext`], or a state of their own that derefs to it, and return
+//! [`SauteApp`] owns the state. Panels read a [`saute_controls::context::PanelContext`], or their own state that derefs to it, and return
 //! [`saute_controls::act::Act`]s; keys and gamepads give acts too. [`SauteApp::act`] alone carries them out.
 
 pub mod app;

@@ -1,8 +1,8 @@
-//! Who plays what the window hears: a sound card, a page, a test.
+//! Listeners, which play what is heard in the window: a sound card, a page, a test.
 
 use saute_sound::{Event, Told};
 
-/// Who plays what is heard.
+/// Plays what is heard.
 pub trait Listener {
     /// Takes what there is to hear. It never waits.
     fn hear(&mut self, told: &Told, events: &[Event]);

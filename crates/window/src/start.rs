@@ -43,7 +43,7 @@ impl Start {
 /// What a desktop lets the window use; a page ignores it.
 #[derive(Clone, Debug, Default)]
 pub struct DesktopOptions {
-    /// True lets threads work beside the window; without them nobody does.
+    /// True lets worker threads run in the background; without them nothing does.
     pub threads: bool,
     /// True plays the sound of the cook on the system's sound card.
     pub speaker: bool,

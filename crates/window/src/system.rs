@@ -1,4 +1,4 @@
-//! What is known of the system and of the person at it: the language, the time of day, fonts, and in browsers the
+//! Properties of the system and of the person at it: the language, the time of day, fonts, and in browsers the
 //! address, the pointer and the wish for less motion.
 
 #[cfg(target_arch = "wasm32")]

@@ -14,7 +14,7 @@ pub enum AppAct {
     ChooseFile,
     /// Saves a file that is made of the cook.
     Export(saute_session::export::Export),
-    /// Copies an address that holds the cook.
+    /// Copies an address that contains the cook.
     CopyLink,
     /// Emergency stop of all devices.
     StopHands,
@@ -36,7 +36,7 @@ pub enum AppAct {
     Host(HostAct),
     /// Changes a remembered setting.
     Set(Setting),
-    /// Says something over the scene.
+    /// Shows a notice over the scene.
     Say(String),
     /// Opens a card in place of the one that is open.
     Open(Card),
@@ -46,7 +46,7 @@ pub enum AppAct {
     Settings,
     /// This list.
     Help,
-    /// What was said so far.
+    /// The notices so far.
     Messages,
     /// Closes list and card; no probe is put in.
     Close,

@@ -9,7 +9,7 @@ pub enum Card {
     Help,
     /// The settings.
     Settings,
-    /// What was said so far.
+    /// The notices so far.
     Messages,
     /// The half mirror.
     Mirror,

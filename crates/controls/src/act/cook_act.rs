@@ -29,7 +29,7 @@ pub enum CookAct {
     Flip,
     /// Onto the board.
     Out,
-    /// Does what a forecast asks about with the piece that the panels show.
+    /// Does what a forecast is about with the piece that the panels show.
     Asked(Question),
     /// The knife halves what was taken out.
     Halve,

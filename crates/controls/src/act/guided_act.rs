@@ -9,7 +9,7 @@ pub enum GuidedAct {
     Agree,
     /// Does not take part.
     Decline,
-    /// Tries once more whether the machine holds the speed.
+    /// Tries once more whether the machine sustains the speed.
     TryMachine,
     /// Begins the trial that is next.
     BeginTrial,
@@ -35,7 +35,7 @@ pub enum GuidedAct {
     SaveResult,
     /// Copies the result as a line for a sheet.
     CopyResult,
-    /// Begins the lesson anew.
+    /// Begins the lesson again.
     AgainLesson,
     /// Leaves the lesson.
     Leave,

@@ -11,7 +11,7 @@ use saute_session::permits::Permit;
 pub enum LearnAct {
     /// Begins the tutorial, or leaves it.
     Tutorial(bool),
-    /// What a study or a lesson asks for.
+    /// What a study or a lesson requests.
     Guided(GuidedAct),
     /// Does something about a plan.
     Plan(PlanAct),

@@ -22,7 +22,7 @@ use saute_session::at_home::open_log::Columns;
 use saute_session::export::Export;
 use saute_words::language::Language;
 
-/// Samples with the pattern that each of them stands for. What has no sample does not compile.
+/// Samples with the pattern that each of them represents. What has no sample does not compile.
 macro_rules! samples {
     ($kind:ty: $($pattern:pat => $sample:expr),+ $(,)?) => {{
         let _: fn(&$kind) = |sample| match sample { $($pattern => {})+ };

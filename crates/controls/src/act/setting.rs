@@ -36,7 +36,7 @@ pub enum Setting {
     Goal(f64),
     /// The goal that a cook is judged by, by its id.
     GoalNamed(String),
-    /// True if the coach speaks.
+    /// True if the coach is on.
     Coach(bool),
     /// True if the result opens by itself.
     ResultOpens(bool),

@@ -26,7 +26,7 @@ pub enum TimeAct {
     Scrub(f64),
     /// Turns time to an instant from which another way is tried [s].
     TryFrom(f64),
-    /// Holds time still, or lets it go on.
+    /// Stops time, or lets it go on.
     HoldTime(bool),
     /// Goes over to another branch, by its place.
     Branch(usize),

@@ -1,4 +1,4 @@
-//! What is true of each act beside what it does.
+//! What is true of each act in addition to what it does.
 
 use saute_session::permits::Permit;
 
@@ -25,7 +25,7 @@ pub struct Traits {
 }
 
 impl Traits {
-    /// Key of the words for acts that have none of their own.
+    /// Key of the words for acts without their own.
     pub const NO_WORDS: &str = "waiting.act";
 
     /// Those of an act without a key that is about the window.

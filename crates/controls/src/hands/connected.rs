@@ -111,7 +111,7 @@ impl Connected {
         self.control.resume();
     }
 
-    /// Returns true if it is simulated in a process of its own.
+    /// Returns true if it is simulated in its own process.
     pub fn is_simulated(&self) -> bool {
         self.simulator.is_some()
     }

@@ -31,7 +31,7 @@ impl GamepadDevice {
         Self { pads: Gilrs::new().ok(), motors: None }
     }
 
-    /// What the first gamepad says; none where none is plugged in.
+    /// State of the first gamepad; none where none is plugged in.
     pub fn read(&mut self) -> Option<PadState> {
         let pads = self.pads.as_mut()?;
         while pads.next_event().is_some() {}

@@ -36,7 +36,7 @@ impl Felt {
         self.watch.forget();
     }
 
-    /// Returns the rumble of a gamepad now, `wall` after the last call [s]; none while time stands still or runs
+    /// Returns the rumble of a gamepad now, `wall` after the last call [s]; none while time is stopped or runs
     /// faster.
     pub fn rumble(&mut self, wall: f64) -> Rumble {
         self.listened = true;

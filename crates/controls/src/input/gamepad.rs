@@ -73,7 +73,7 @@ impl PadState {
     }
 }
 
-/// Wanted motion of pan and tool as shares of their full speed, −1…1 [-]; to the right, away from the cook, up.
+/// Requested motion of pan and tool as shares of their full speed, −1…1 [-]; to the right, away from the cook, up.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PadMotion {
     /// The pan moves.
@@ -121,7 +121,7 @@ static ACTS: [(PadButton, Act); 10] = [
     (PadButton::Select, Act::App(AppAct::Help)),
 ];
 
-/// What sticks and triggers ask for.
+/// What sticks and triggers request.
 pub fn motion(now: &PadState) -> PadMotion {
     let [left, right] = [now.left, now.right].map(response);
     let held = |button| f64::from(u8::from(now.is_down(button)));
@@ -136,7 +136,7 @@ pub fn motion(now: &PadState) -> PadMotion {
     }
 }
 
-/// What the buttons ask for that have gone down since a state.
+/// What the buttons request that have gone down since a state.
 pub fn acts(before: &PadState, now: &PadState) -> impl Iterator<Item = Act> {
     let pressed = |button| now.is_down(button) && !before.is_down(button);
     ACTS.iter().filter(move |(button, _)| pressed(*button)).map(|(_, act)| act.clone())

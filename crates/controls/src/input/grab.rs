@@ -10,7 +10,7 @@ pub enum Hold {
     Nothing,
     /// It turns the eye.
     Eye,
-    /// A finger that was held still asks what is under it.
+    /// A finger that was held still shows what is under it.
     Asks,
     /// It carries a piece that waits on the board.
     Waiting(String),

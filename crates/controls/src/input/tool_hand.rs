@@ -9,9 +9,9 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 pub struct ToolHand {
     /// Which tool.
     pub tool: Tool,
-    /// Where the turner is wanted; none while it lies aside.
+    /// Where the turner is to be; none while it lies aside.
     pub turner: Option<TurnerPose>,
-    /// What the right stick's tongs hold, and where they are wanted [m].
+    /// What the right stick's tongs hold, and where they are to be [m].
     pub tongs: Option<(String, DVec3)>,
 }
 
@@ -21,7 +21,7 @@ impl Default for ToolHand {
     }
 }
 
-/// Where a turner is wanted.
+/// Where a turner is to be.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TurnerPose {
     /// Middle of the blade, in the kitchen [m].

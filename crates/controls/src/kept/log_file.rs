@@ -21,7 +21,7 @@ pub struct LogFile {
 }
 
 impl LogFile {
-    /// Opens the log of a participant in a folder, with the rows that it holds, and writes the data dictionary beside it. A last line that
+    /// Opens the log of a participant in a folder, with the rows that it contains, and writes the data dictionary next to it. A last line that
     /// was cut off is removed.
     pub fn open(folder: &Path, participant: &Participant) -> Result<(Self, Vec<LogRow>), String> {
         let path = folder.join(format!("study-{participant}.csv"));
@@ -77,7 +77,7 @@ impl LogKeeper for LogFile {
     }
 }
 
-/// A study whose log is a file in a folder; one that is there is gone on with.
+/// A study whose log is a file in a folder; an existing one is continued.
 ///
 /// # Errors
 ///
@@ -87,7 +87,7 @@ pub fn study_in_folder(protocol: Arc<Protocol>, participant: Participant, folder
     StudyStart::resumed(protocol, participant, (Box::new(file), earlier))
 }
 
-/// Writes a text in place of what a file holds, and waits until it is on the disk; the file's end is where it goes on.
+/// Writes a text in place of what a file contains, and waits until it is on the disk; the file's end is where it goes on.
 fn rewrite(file: &mut File, text: &str) -> io::Result<()> {
     file.set_len(0)?;
     file.seek(SeekFrom::Start(0))?;

@@ -1,4 +1,4 @@
-//! A session file that grows while the session lives: what happened is appended, and brought to the disk every half second.
+//! A session file that grows while the session runs: what happened is appended, and brought to the disk every half second.
 
 use std::fs::{File, OpenOptions};
 use std::io::{self, Seek, SeekFrom, Write};
@@ -18,14 +18,14 @@ pub struct SessionFile {
 }
 
 impl SessionFile {
-    /// Begins a file with what a recording holds; what was at the path is replaced.
+    /// Begins a file with what a recording contains; what was at the path is replaced.
     pub fn create(path: &Path, recording: &mut Recording) -> io::Result<Self> {
         let mut file = Self { file: File::create(path)?, synced: Instant::now() };
         file.bring_up_to_date(recording)?;
         Ok(file)
     }
 
-    /// Goes on with a file that was read, after the bytes that hold.
+    /// Goes on with a file that was read, after the valid bytes.
     pub fn resume(path: &Path, sound_bytes: u64) -> io::Result<Self> {
         let mut file = OpenOptions::new().write(true).open(path)?;
         file.set_len(sound_bytes)?;

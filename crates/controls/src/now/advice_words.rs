@@ -47,7 +47,7 @@ pub fn advice_words(advice: Advice, state: &PanelContext) -> String {
     }
 }
 
-/// The class of the core of the piece that the panels show; empty where no scale says anything about it.
+/// The class of the core of the piece that the panels show; empty where no scale covers it.
 pub fn class_now(state: &PanelContext) -> String {
     let class = |piece: &Piece| {
         let scale = state.scale_of(piece)?;
@@ -56,7 +56,7 @@ pub fn class_now(state: &PanelContext) -> String {
     state.session.steak().and_then(class).unwrap_or_default()
 }
 
-/// What a resting piece has reached, with its class where a scale says anything about it.
+/// What a resting piece has reached, with its class where a scale covers it.
 pub fn resting_words(key: &'static str, peak_c: f64, state: &PanelContext) -> String {
     let l = state.settings.language;
     let reached = match state.scale() {

@@ -12,13 +12,13 @@ use saute_words::clock::{clock, whole_minutes};
 use saute_words::language::Language;
 use saute_words::speech::capitalised;
 
-/// Share of the goal's temperature from which the pace of the core tells how long it takes [-] (chosen: before, it still follows the
+/// Share of the goal's temperature from which the pace of the core shows how long it takes [-] (chosen: before, it still follows the
 /// first heat of the pan, and a cook was told 5 min and then 12).
 const STEADY: f64 = 0.5;
 
 /// The button of the line.
 pub struct Deed {
-    /// What stands on it.
+    /// Its text.
     pub text: String,
     /// What it is called.
     pub spoken: String,
@@ -29,13 +29,13 @@ pub struct Deed {
 }
 
 impl Deed {
-    /// A button that is called what stands on it.
+    /// A button whose name is its text.
     pub fn called(text: &str, act: Act, is_lit: bool) -> Self {
         Self { text: text.to_owned(), spoken: text.to_owned(), act, is_lit }
     }
 }
 
-/// What the line says.
+/// What the line shows.
 pub struct NowWords {
     /// The verb, or what goes on.
     pub verb: String,
@@ -50,13 +50,13 @@ pub struct NowWords {
 }
 
 impl NowWords {
-    /// Words of whoever else leads: what is heard is what is seen.
+    /// Words of another lead: what is heard is what is seen.
     pub fn told(verb: String, why: String, deed: Option<Deed>, is_due: bool, l: Language) -> Self {
         let spoken = l.fill("now.spoken", &[("verb", &verb), ("why", &why)]);
         Self { verb, why, spoken, deed, is_due }
     }
 
-    /// Words for an advice about the hob, which tell no time.
+    /// Words for an advice about the hob, which contain no time.
     pub fn without_time(advice: Advice, state: &NowState) -> Self {
         Self::of(advice, state, &mut TimeLeft::default())
     }
@@ -83,7 +83,7 @@ fn deed(advice: Advice, state: &PanelContext) -> Option<Deed> {
             Some(Deed { spoken: l.text("coach.take_out_spoken").to_owned(), ..deed })
         }
         Advice::Rested { .. } => of(l.text("result.title").to_owned(), Act::App(AppAct::Open(Card::Result))),
-        // Whoever does not want to wait may look: the result tells that it still rests. All controls have a button of their own for it.
+        // Whoever does not want to wait may look: the result shows that it still rests. All controls have their own button for it.
         Advice::Resting { .. } if state.settings.few => {
             Some(Deed::called(l.text("result.title"), Act::App(AppAct::Open(Card::Result)), false))
         }
@@ -162,7 +162,7 @@ impl Words<'_> {
         }
     }
 
-    /// In how long the advice asks for a flip, where that can be told: once the side below is brown or half of the heat is in; from then on
+    /// In how long the advice requests a flip, where that can be determined: once the side below is brown or half of the heat is in; from then on
     /// the sides take turns.
     fn flip_in(&self, peak_c: f64, goal: f64, memory: &mut TimeLeft) -> Option<f64> {
         let session = &self.state.session;

@@ -2,11 +2,11 @@
 
 use std::collections::{BTreeMap, VecDeque};
 
-/// Fall of a value from which its pace begins anew, as a share of it [-] (chosen: another face is below, cold food is in the pan).
+/// Fall of a value from which its pace begins again, as a share of it [-] (chosen: another face is below, cold food is in the pan).
 const FALLS: f64 = 0.2;
 /// Simulated time between two samples [s].
 const EVERY_S: f64 = 1.0;
-/// The longest time that is told [s] (chosen: beyond half an hour the pace says nothing).
+/// The longest time that is shown [s] (chosen: beyond half an hour the pace means nothing).
 const LONGEST_S: f64 = 1800.0;
 
 /// What goes towards a goal.
@@ -87,7 +87,7 @@ mod tests {
             at(&mut left, f64::from(s), 30.0 - 0.01 * f64::from(s - 200));
         }
         assert_eq!(at(&mut left, 400.0, 28.0), None);
-        // Time was turned back: the pace begins anew.
+        // Time was turned back: the pace begins again.
         assert_eq!(at(&mut left, 100.0, 20.0), None);
         assert_eq!(at(&mut left, 110.0, 10.0), None, "it fell");
         assert_eq!(left.samples[&Course::Core].len(), 1);

@@ -1,4 +1,4 @@
-//! "Plan my steak": what is asked for, the search for a plan, and the cook that follows it.
+//! "Plan my steak": the request, the search for a plan, and the cook that follows it.
 
 pub mod kitchen_card;
 pub mod plan_state;
@@ -14,7 +14,7 @@ use saute_words::plan_words;
 /// What is done about a plan.
 #[derive(Clone, Debug, PartialEq)]
 pub enum PlanAct {
-    /// Chooses the target and what else a plan is asked for.
+    /// Chooses the target and what else is requested of a plan.
     Choose(PlanChoice),
     /// Searches for a plan.
     Find,
@@ -44,7 +44,7 @@ pub enum PlanFile {
 }
 
 impl PlanFile {
-    /// Keys of what is said once one is saved, or cannot be.
+    /// Keys of the notices once one is saved, or cannot be.
     pub const SAID: [&str; 2] = ["plan.saved", "plan.not_saved"];
 
     /// How the name of the file ends.

@@ -52,7 +52,7 @@ pub struct Settings {
     pub theme: Theme,
     /// Size of the interface.
     pub size: InterfaceSize,
-    /// True if what glides jumps; as the system says unless it was chosen.
+    /// True if what glides jumps; as the system states unless it was chosen.
     pub less_motion: Option<bool>,
     /// White balance of the look.
     pub white_balance: WhiteBalance,
@@ -80,11 +80,11 @@ pub struct Settings {
     pub eases: bool,
     /// The food and the pan.
     pub choice: SteakChoice,
-    /// What a plan is asked for.
+    /// The request for a plan.
     pub plan: PlanChoice,
     /// The kitchen at home that was found.
     pub kitchen: Option<KeptKitchen>,
-    /// Goal for the core's peak of food whose scale states no goal of its own [°C]: at first medium.
+    /// Goal for the core's peak of food whose scale states no goal [°C]: at first medium.
     pub goal_c: f64,
     /// Goals for the core by the ids of the scales that state one, in the unit of the scale [°C or %].
     pub goals: BTreeMap<String, f64>,
@@ -184,7 +184,7 @@ impl Settings {
         Self { few: true, eases: true, speed: EASED, plan, ..self }
     }
 
-    /// The speed to begin with: the chosen one, or what the machine held of it [-].
+    /// The speed to begin with: the chosen one, or what the machine sustained of it [-].
     pub fn first_speed(&self) -> f64 {
         self.speed.min(self.held_speed.unwrap_or(self.speed))
     }
@@ -199,7 +199,7 @@ impl Settings {
         (self.panels_hidden, self.projector) = (!self.hides_panels(), false);
     }
 
-    /// Returns true if forecasts are wanted: in skill mode nothing is read out.
+    /// Returns true if forecasts are enabled: in skill mode nothing is read out.
     pub fn foresees(&self) -> bool {
         self.forecasts && !self.skill_mode
     }
@@ -228,12 +228,12 @@ impl Settings {
         }
     }
 
-    /// Returns true if the look and a view of a field stand side by side.
+    /// Returns true if the look and a view of a field are shown side by side.
     pub fn is_split(&self) -> bool {
         self.split && self.view != View::Look
     }
 
-    /// How the user is spoken to.
+    /// Language and unit of the texts for the user.
     pub fn speech(&self) -> Speech {
         Speech { language: self.language, fahrenheit: self.fahrenheit }
     }

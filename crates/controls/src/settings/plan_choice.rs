@@ -1,4 +1,4 @@
-//! What a person asks a plan for, beside the food and the pan of the pantry: it is remembered.
+//! What a person requests of a plan, in addition to the food and the pan of the pantry: it is remembered.
 
 use saute_kitchen::Library;
 use saute_kitchen::food::Scale;
@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 use crate::settings::Settings;
 use saute_session::SteakChoice;
 
-/// Scale in whose classes a target is stated at first: the one that cooks speak.
+/// Scale in whose classes a target is stated at first: the one that cooks use.
 const FIRST_SCALE: &str = "chefs";
 /// Flips at first [-] (chosen: one in a minute of a steak of 25 mm).
 const FIRST_FLIPS: usize = 8;
@@ -19,7 +19,7 @@ pub const MOST_FLIPS: usize = 30;
 /// Most powers of a hob [-] (chosen: as many as a hob has levels).
 const MOST_POWERS: usize = 20;
 
-/// What a plan is asked for.
+/// The request for a plan.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 #[serde(default)]
 pub struct PlanChoice {
@@ -63,7 +63,7 @@ impl PlanChoice {
         self.crust_pct.unwrap_or_else(usual)
     }
 
-    /// Returns the class that is wanted on a scale: the chosen one, else that of the goal.
+    /// Returns the class that is requested on a scale: the chosen one, else that of the goal.
     pub fn class_on<'a>(&self, scale: &'a Scale, settings: &Settings) -> &'a str {
         let chosen = scale.class.iter().find(|class| class.name == self.class);
         let of_goal = || scale.class.get(scale.class_of(scale.of_nodes(settings.goal(scale))));
@@ -83,7 +83,7 @@ impl PlanChoice {
         powers
     }
 
-    /// Returns what is asked for a choice of food and pan.
+    /// Returns the request for a choice of food and pan.
     pub fn asked(&self, choice: &SteakChoice, library: &Library, settings: &Settings) -> Asked {
         let scale = scale_for(library, &choice.kind, &self.scale);
         let class = scale.map_or(String::new(), |scale| self.class_on(scale, settings).to_owned());

@@ -6,7 +6,7 @@ use saute_scene::quality::Quality;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Deserialize, serde::Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum QualityChoice {
-    /// Quick on a software rasteriser, else the best that holds 50 frames a second.
+    /// Quick on a software rasteriser, else the best that sustains 50 frames a second.
     #[default]
     Automatic,
     /// Always this one.

@@ -11,7 +11,7 @@ pub enum Theme {
     Dark,
     /// Dark text on paper.
     Light,
-    /// As the system says; dark where it says nothing.
+    /// As the system states; dark where it states nothing.
     System,
 }
 

@@ -1,4 +1,4 @@
-//! What is said aloud of a cook, once each: what happened to food, what is to be done, smoke and fire, and notices.
+//! What is announced of a cook, once each: what happened to food, what is to be done, smoke and fire, and notices.
 
 use std::collections::BTreeMap;
 use std::fmt::Display;
@@ -12,7 +12,7 @@ use saute_words::piece_words::{group_of, place};
 use crate::session::Session;
 use crate::spoken::notice::Notice;
 
-/// Share of the smoke that is seen below which it has ended [-] (chosen: what flickers about the limit is said once).
+/// Share of the smoke that is seen below which it has ended [-] (chosen: what flickers about the limit is announced once).
 const ENDED: f64 = 0.5;
 
 /// How a piece lies: where, on which face, and in how many parts.
@@ -23,12 +23,12 @@ struct Lies {
     is_halved: bool,
 }
 
-/// Remembers what was said.
+/// Remembers what was announced.
 #[derive(Clone, Debug, Default)]
 pub struct Announcer {
     /// How pieces lay; none before the first look and while time is turned: where they lie then is no news.
     pieces: Option<BTreeMap<String, Lies>>,
-    /// The order that was said last, until somebody does something.
+    /// The order that was announced last, until somebody does something.
     order: Option<String>,
     smokes: bool,
     burns: bool,
@@ -36,7 +36,7 @@ pub struct Announcer {
 }
 
 impl Announcer {
-    /// Sentences that were not said before; `order` is what is to be done now: a verb, and the sentence with its reason.
+    /// Sentences that were not announced before; `order` is what is to be done now: a verb, and the sentence with its reason.
     pub fn news(
         &mut self,
         session: &Session,
@@ -63,7 +63,7 @@ impl Announcer {
         }
         let least = if self.smokes { ENDED * SMOKE_SEEN_MG_S } else { SMOKE_SEEN_MG_S };
         let smokes = smoke >= least;
-        // Where readings are hidden, a study asks what is seen.
+        // Where readings are hidden, a study contains questions about what is seen.
         if smokes != self.smokes && !burns && session.permits.allow(&[Permit::ReadOuts]) {
             said.push(l.text(if smokes { "told.smokes" } else { "told.smokes_no_more" }).to_owned());
         }
@@ -164,7 +164,7 @@ mod tests {
         assert_eq!(said, ["The oil smokes.", "The smoke has stopped."]);
     }
 
-    /// Promise: what happens is said once, in the order in which it happens, and nothing is said of what stays as it is.
+    /// Promise: what happens is announced once, in the order in which it happens, and nothing is announced of what stays as it is.
     #[test]
     fn events_orders_and_notices_are_said_once() {
         let library = Arc::new(Library::embedded().expect("embedded data"));

@@ -1,4 +1,4 @@
-//! What is said of a cook and of a view: sentences that need the session or a picture.
+//! Descriptions of a cook and of a view: sentences that need the session or a picture.
 
 pub mod announcer;
 pub mod notice;

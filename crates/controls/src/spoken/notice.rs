@@ -11,20 +11,20 @@ const STAYS_S: f32 = 7.0;
 /// Sentences that are kept at most (chosen: those of an evening).
 const KEPT: usize = 100;
 
-/// A sentence that was said.
+/// A sentence that was shown.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Said {
     /// The sentence.
     pub text: String,
-    /// The file that it speaks of, if it can be shown.
+    /// The file that it is about, if it can be shown.
     pub file: Option<PathBuf>,
-    /// How many were said before it.
+    /// How many were shown before it.
     pub number: u64,
     /// When.
     at: Instant,
 }
 
-/// All that was said; clones speak into the same list, so that a picture saved later can say so.
+/// All notices; clones add to the same list, so that a picture saved later can be reported.
 #[derive(Clone, Debug, Default)]
 pub struct Notice {
     said: Arc<Mutex<VecDeque<Said>>>,
@@ -44,7 +44,7 @@ impl Notice {
     fn keep(&self, text: String, file: Option<PathBuf>) {
         let Ok(mut said) = self.said.lock() else { return };
         let number = said.back().map_or(1, |last| last.number + 1);
-        // What is said again is kept once.
+        // What is shown again is kept once.
         if said.back().is_some_and(|last| last.text == text) {
             said.pop_back();
         }
@@ -60,20 +60,20 @@ impl Notice {
         said.back().filter(|last| last.at.elapsed().as_secs_f32() < STAYS_S).cloned()
     }
 
-    /// Returns what was said after the sentence of a number, the first first.
+    /// Returns what was shown after the sentence of a number, the first first.
     pub fn after(&self, number: u64) -> Vec<Said> {
         let Ok(said) = self.said.lock() else { return Vec::new() };
         said.iter().filter(|one| one.number > number).cloned().collect()
     }
 
-    /// Returns all that was said, the last first.
+    /// Returns all that was shown, the last first.
     pub fn all(&self) -> Vec<Said> {
         self.said.lock().map(|said| said.iter().rev().cloned().collect()).unwrap_or_default()
     }
 }
 
 impl Said {
-    /// How long ago it was said [s].
+    /// How long ago it was shown [s].
     pub fn ago_s(&self) -> f32 {
         self.at.elapsed().as_secs_f32()
     }

@@ -39,7 +39,7 @@ pub fn told(session: &Session, settings: &Settings) -> String {
     sentences.join(l.text("told.joint"))
 }
 
-/// True if what is measured is not told: in skill mode, and where a study or a lesson does not allow it.
+/// True if what is measured is not stated: in skill mode, and where a study or a lesson does not allow it.
 fn is_hidden(session: &Session, settings: &Settings) -> bool {
     settings.skill_mode || !session.permits.allow(&[Permit::ReadOuts])
 }

@@ -14,7 +14,7 @@ pub trait ViewWords {
     /// Name for people.
     fn name(self, l: Language) -> &'static str;
 
-    /// What its colours say, with the unit; for the look what it shows.
+    /// What its colours mean, with the unit; for the look what it shows.
     fn meaning(self, speech: Speech) -> String;
 
     /// A value of its field in words, with the unit.
@@ -54,7 +54,7 @@ impl ViewWords for View {
     }
 }
 
-/// The class of doneness, with the highest temperature so far or the share of the change that tells it.
+/// The class of doneness, with the highest temperature so far or the share of the change that determines it.
 fn doneness(value: f64, speech: Speech, scale: Option<&Scale>) -> String {
     let l = speech.language;
     let class = scale.map(|s| doneness_words::class(s, s.name_of(s.of_nodes(value)), l));

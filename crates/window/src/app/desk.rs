@@ -4,7 +4,7 @@ use crate::panels::memory::PanelMemory;
 use saute_controls::act::Card;
 use saute_controls::spoken::notice::Notice;
 
-/// What is over the scene: a card, what was said, and what panels keep.
+/// What is over the scene: a card, notices, and what panels keep.
 #[derive(Default)]
 pub(crate) struct Desk {
     /// The card that is open.

@@ -1,4 +1,4 @@
-//! The files of a cook: written, and what is said of it.
+//! The files of a cook: writing them, and the notices about them.
 
 use std::path::Path;
 
@@ -6,11 +6,11 @@ use saute_session::export::Export;
 
 use crate::app::SauteApp;
 
-/// Keys of what is said once a cook is saved, or cannot be.
+/// Keys of the notices once a cook is saved, or cannot be.
 pub(crate) const COOK_SAID: [&str; 2] = ["notice.cook_saved", "notice.cook_not_saved"];
 
 impl SauteApp {
-    /// Writes the file of the cook by `write`, if there is one, and says by the keys of both where it is or why it is not.
+    /// Writes the file of the cook by `write`, if there is one, and shows by the keys of both where it is or why it is not.
     pub(crate) fn export_by(
         &self,
         what: Export,
@@ -28,7 +28,7 @@ impl SauteApp {
         }
     }
 
-    /// Says that a file was written, or why not, by the keys of both; returns true if it was.
+    /// Shows that a file was written, or why not, by the keys of both; returns true if it was.
     pub(crate) fn say_written(
         &self,
         path: &Path,

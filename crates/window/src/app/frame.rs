@@ -17,8 +17,8 @@ use saute_session::guided::Guided;
 
 /// Longest that one frame may spend on stepping the world [ms] (chosen: half a frame at 25 frames a second).
 const STEP_BUDGET_MS: u64 = 20;
-/// In a browser, where another process draws, and where a study's speed is held, stepping may take this share of a slow frame [-], up
-/// to this long [s] (chosen: five times real time is held at a few frames a second, and the page still answers).
+/// In a browser, where another process draws, and where a study's speed is kept, stepping may take this share of a slow frame [-], up
+/// to this long [s] (chosen: five times real time is sustained at a few frames a second, and the page still answers).
 const STEP_SHARE: f64 = 0.5;
 const LONGEST_STEPPING_S: f64 = 0.15;
 /// Held keys move the pan no further at once than in this time [s] (chosen: a slow frame makes no leap).
@@ -64,7 +64,7 @@ impl SauteApp {
         acts.into_iter().for_each(|act| self.act(act, ui.ctx()));
     }
 
-    /// Shows the panels and cards; returns what they ask for.
+    /// Shows the panels and cards; returns the requested acts.
     fn show_panels(&mut self, ui: &mut Ui, layout: &Layout) -> Acts {
         let found = self.find_out();
         let mut acts = Acts::new();
@@ -121,12 +121,12 @@ impl SauteApp {
             self.note_pace(since, self.session.kitchen.time_s() - before_s);
         }
         self.pace.meter.frame(now, self.session.kitchen.time_s());
-        // While time stands still frames come when there is something to see.
+        // While time is stopped frames come when there is something to see.
         if !self.session.paused && !waits {
             self.graphics.governor.frame(wall, begun.elapsed().as_secs_f64());
         }
         self.do_what_waited(ctx);
-        // Studies and lessons ask what will come.
+        // Studies and lessons contain questions about what will come.
         let shown = match self.settings.foresees() && self.leads.guided.is_none() {
             true if self.settings.curves_open => Shown::Table,
             true => Shown::Line,
@@ -162,7 +162,7 @@ fn is_table(name: &str) -> bool {
     [".csv", ".tsv", ".txt", ".log", ".json", ".xlsx", ".xls", ".ods"].iter().any(|ending| name.ends_with(ending))
 }
 
-/// How long a frame may spend on stepping the world, when the last one took `wall_s`. A speed that is to be held goes before smooth
+/// How long a frame may spend on stepping the world, when the last one took `wall_s`. A speed that is to be kept takes precedence over smooth
 /// frames.
 pub(crate) fn step_budget(wall_s: f64, holds_speed: bool) -> Duration {
     let least = Duration::from_millis(STEP_BUDGET_MS);

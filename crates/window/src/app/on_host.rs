@@ -16,7 +16,7 @@ pub(crate) trait OnHost {
     /// Takes what a desktop lets the window use: threads, sound, a folder of pictures.
     fn take_options(&mut self, options: DesktopOptions, ctx: &Context);
 
-    /// Makes itself at home: connects devices, opens what an address names, keeps the cook if it `keeps` it.
+    /// Sets the app up: connects devices, opens what an address names, keeps the cook if it `keeps` it.
     fn settle_in(&mut self, start: HostStart, keeps: bool, ctx: &Context);
 
     /// Reads the state of the devices, first of all in a frame.
@@ -67,6 +67,6 @@ pub(crate) trait OnHost {
     /// Makes room for what is shown of devices.
     fn make_room(&self, layout: Layout) -> Layout;
 
-    /// Returns true if a language cannot be shown yet; its font is then asked for.
+    /// Returns true if a language cannot be shown yet; its font is then requested.
     fn waits_for_font(&mut self, language: Language) -> bool;
 }

@@ -8,7 +8,7 @@ use saute_recipe::session::Opened;
 use super::SauteApp;
 
 impl SauteApp {
-    /// Opens a session's file: it is played again up to its end. Says what of it was lost, or why it cannot be opened.
+    /// Opens a session's file: it is played again up to its end. Reports what of it was lost, or why it cannot be opened.
     pub(crate) fn open_session(&mut self, name: &str, bytes: &[u8]) {
         let l = self.settings.language;
         let Opened { recording, damage } = match Recording::from_file(bytes) {

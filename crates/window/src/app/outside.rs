@@ -32,7 +32,7 @@ impl SauteApp {
         self.agency = Some(agency);
     }
 
-    /// Hires a helper for a kind of work; none where nobody works beside the window.
+    /// Hires a helper for a kind of work; none where there is no agency.
     pub fn hire(&self, kind: WorkKind) -> Option<Box<dyn Helper>> {
         self.agency.as_ref().map(|agency| agency.hire(kind, &self.session.library))
     }
@@ -42,8 +42,8 @@ impl SauteApp {
         self.sights.slice
     }
 
-    /// Returns true if Tab, or Shift+Tab for `back`, leaves the picture now: no control has the keys, and forward the last one had
-    /// them.
+    /// Returns true if Tab, or Shift+Tab for `back`, leaves the picture now: no control has the focus, and forward the last one had
+    /// it.
     pub fn tab_leaves(&mut self, back: bool) -> bool {
         self.inputs.tab_end.leaves(back)
     }
@@ -53,7 +53,7 @@ impl SauteApp {
         self.desk.memory.pantry.count = count;
     }
 
-    /// Chooses the window's language; a page without a font for Japanese asks its host for one first.
+    /// Chooses the window's language; a page without a font for Japanese requests one from its host first.
     pub fn set_language(&mut self, language: Language) {
         if !self.waits_for_font(language) {
             self.settings.language = language;
@@ -86,7 +86,7 @@ impl SauteApp {
         self.desk.card == Some(Card::Settings)
     }
 
-    /// All that was said, the last first.
+    /// All notices, the last first.
     pub fn said(&self) -> Vec<String> {
         self.desk.notice.all().into_iter().map(|said| said.text).collect()
     }

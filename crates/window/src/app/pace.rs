@@ -1,4 +1,4 @@
-//! A speed that the machine cannot hold gives way to one that it can.
+//! A speed that the machine cannot sustain gives way to one that it can.
 
 use super::SauteApp;
 use crate::app::apply::waiting::Waiting;
@@ -25,7 +25,7 @@ pub(crate) struct Pace {
 }
 
 impl SauteApp {
-    /// Slows to real time while an advice asks for a hand, and returns to what the machine holds of the chosen speed.
+    /// Slows to real time while an advice needs a hand, and returns to what the machine sustains of the chosen speed.
     pub(super) fn ease(&mut self, advice: &[Advice]) {
         let somebody_leads = self.leads.guided.is_some() || self.leads.learn.tutorial.is_some();
         if !self.settings.eases || self.settings.skill_mode || somebody_leads {
@@ -37,7 +37,7 @@ impl SauteApp {
         }
     }
 
-    /// Watches the clock through `wall` seconds. The chosen speed stays in the settings, beside the one that the machine holds; a
+    /// Watches the clock through `wall` seconds. The chosen speed stays in the settings, next to the one that the machine sustains; a
     /// speed that is locked stays, and what is missing is noted.
     pub(super) fn keep_up(&mut self, wall: f64) {
         let (now, time_s) = (self.session.speed, self.session.kitchen.time_s());

@@ -1,4 +1,4 @@
-//! The sound of the cook: what is heard is told to who plays it, once a picture.
+//! The sound of the cook: what is heard is sent to the listener that plays it, once a picture.
 
 use saute_session::hearing::plate;
 use saute_session::hearing::shown::Hearing;
@@ -18,7 +18,7 @@ pub(crate) struct Sounds {
 }
 
 impl SauteApp {
-    /// Lets somebody else play what is heard.
+    /// Lets another listener play what is heard.
     pub fn let_listen(&mut self, listener: Box<dyn Listener>) {
         self.sounds.listener = Some(listener);
     }
@@ -28,7 +28,7 @@ impl SauteApp {
         self.permits().allow(&[Permit::Sound]).then_some(self.sounds.hearing.shown())
     }
 
-    /// Tells what is heard now.
+    /// Sends what is heard now to the listener.
     pub(crate) fn sound(&mut self, now: f64) {
         let may_sound = self.permits().allow(&[Permit::Sound]);
         let is_paused = !may_sound || !self.settings.sound || self.session.time_stands() || self.time_waits();
@@ -48,7 +48,7 @@ impl SauteApp {
         }
     }
 
-    /// Says once that there is no sound, and why.
+    /// Reports once that there is no sound, and why.
     pub(crate) fn say_no_sound(&self, error: &str) {
         self.desk.notice.say(self.settings.language.fill("notice.no_sound", &[("error", &error)]));
     }

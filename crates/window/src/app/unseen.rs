@@ -1,11 +1,11 @@
-//! Time stands while nobody sees the window: a steak does not burn in a tab that is hidden.
+//! Time is stopped while nobody sees the window: a steak does not burn in a tab that is hidden.
 
 use super::SauteApp;
 use saute_session::permits::Permit;
 
 impl SauteApp {
-    /// Notes that the window is seen, or no longer: unseen, time stops. Seen again, it stands until the cook goes on, and that is
-    /// said; where a study or a lesson locks the pause it goes on at once.
+    /// Notes that the window is seen, or no longer: unseen, time stops. Seen again, it stays stopped until the cook goes on, and a notice
+    /// states that; where a study or a lesson locks the pause it goes on at once.
     pub fn be_seen(&mut self, seen: bool) {
         if !seen {
             let runs = !self.session.paused;

@@ -8,7 +8,7 @@ use saute_controls::input::gamepad::{PadButton, PadState};
 /// Numbers before the buttons: both sticks to the right and up, both triggers.
 const AXES: usize = 6;
 
-/// What the first gamepad says; none where none is plugged in.
+/// State of the first gamepad; none where none is plugged in.
 pub(crate) fn read(host: &Host) -> Option<PadState> {
     let said = host.read_pad()?;
     let (axes, buttons) = said.split_at_checked(AXES)?;

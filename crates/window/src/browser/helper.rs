@@ -1,4 +1,4 @@
-//! The page's workers as helpers: each works in an instance of the module of its own.
+//! The page's workers as helpers: each works in its own instance of the module.
 
 use std::sync::Arc;
 

@@ -43,7 +43,7 @@ extern "C" {
     #[wasm_bindgen(method, js_name = readTilt)]
     pub(crate) fn read_tilt(this: &Host) -> Option<Vec<f64>>;
 
-    /// Tells what there is to hear, as numbers ([`saute_sound::letter`]).
+    /// Sends what there is to hear, as numbers ([`saute_sound::letter`]).
     #[wasm_bindgen(method, js_name = tellSound)]
     fn tell_sound(this: &Host, letter: &[f32]);
 
@@ -51,7 +51,7 @@ extern "C" {
     #[wasm_bindgen(method, js_name = soundTrouble)]
     fn sound_trouble(this: &Host) -> Option<String>;
 
-    /// Gives the page's worker for a kind of work an order.
+    /// Sends an order to the page's worker for a kind of work.
     #[wasm_bindgen(method, js_name = askWorker)]
     pub(crate) fn ask_worker(this: &Host, kind: &str, order: &[u8]);
 
@@ -63,7 +63,7 @@ extern "C" {
     #[wasm_bindgen(method, js_name = showControls)]
     pub(crate) fn show_controls(this: &Host, controls: &str);
 
-    /// Describes how the cook stands, for those who ask.
+    /// Describes the status of the cook, for those who request it.
     #[wasm_bindgen(method)]
     pub(crate) fn describe(this: &Host, cook: &str);
 
@@ -71,11 +71,11 @@ extern "C" {
     #[wasm_bindgen(method)]
     pub(crate) fn announce(this: &Host, sentence: &str);
 
-    /// Copies what a report of a problem needs: version, browser, and what was said.
+    /// Copies what a report of a problem needs: version, browser, and the notices.
     #[wasm_bindgen(method, js_name = copyReport)]
     pub(crate) fn copy_report(this: &Host, said: &str);
 
-    /// Hands a result to the page around this one, if the address says to whom.
+    /// Hands a result to the page around this one, if the address states to whom.
     #[wasm_bindgen(method, js_name = reportResult)]
     fn report_result(this: &Host, row: &str);
 
@@ -113,7 +113,7 @@ pub struct Opening {
 }
 
 impl Host {
-    /// Hands a result to the page around this one, if the address says to whom.
+    /// Hands a result to the page around this one, if the address states to whom.
     pub(crate) fn report(&self, row: &saute_study::class::ResultRow) {
         if let Ok(text) = serde_json::to_string(row) {
             self.report_result(&text);
@@ -134,7 +134,7 @@ impl HostPlays {
 }
 
 impl Listener for HostPlays {
-    /// A pause is told once: a page that is silent needs no sound.
+    /// A pause is sent once: a page that is silent needs no sound.
     fn hear(&mut self, told: &Told, events: &[Event]) {
         if !(told.is_paused && self.is_paused) {
             self.host.tell_sound(&letter::written(told, events));

@@ -1,4 +1,4 @@
-//! The panels a second time, as HTML beside the canvas: what egui tells screen readers goes to the page's script, and what is done
+//! The panels a second time, as HTML beside the canvas: what egui gives screen readers goes to the page's script, and what is done
 //! there comes back.
 
 use egui::accesskit::{Action, ActionData, ActionRequest, NodeId, TreeId};
@@ -32,7 +32,7 @@ pub(crate) struct Passed {
     pub(crate) seen: Option<Vec<Control>>,
     /// What the page shows.
     pub(crate) shown: Vec<Control>,
-    /// What was done to that, until the panels are looked at anew.
+    /// What was done to that, until the panels are looked at again.
     pub(crate) asked: Vec<Asked>,
     /// Where to do it in the panels: the ids that the controls had when they were looked at.
     pub(crate) found: Vec<(String, Asked)>,
@@ -48,7 +48,7 @@ impl Passed {
 
     /// Finds the controls that were pressed in the present panels; what is gone by now is not pressed.
     fn find(&mut self, now: &[Control]) {
-        // Where the panels had numbered anew in the very frame in which it was done, it was missed.
+        // Where the panels had changed their numbers in the very frame in which it was done, it was missed.
         let is_missed = |id: &str, asked: &Asked| asked.control.find(now).is_some_and(|control| control.id != id);
         let missed = std::mem::take(&mut self.found).into_iter().filter(|(id, asked)| is_missed(id, asked));
         let asked = missed.map(|(_, asked)| asked).chain(self.asked.drain(..));

@@ -16,7 +16,7 @@ pub(crate) struct PageLog {
 }
 
 impl PageLog {
-    /// Opens the log, with the rows that it holds; none where the browser gives the page no storage.
+    /// Opens the log, with the rows that it contains; none where the browser gives the page no storage.
     ///
     /// # Errors
     ///
@@ -40,7 +40,7 @@ impl LogKeeper for PageLog {
     }
 }
 
-/// A study whose log is in the browser's storage, in memory where there is none; one that is there is gone on with.
+/// A study whose log is in the browser's storage, in memory where there is none; an existing log is continued.
 ///
 /// # Errors
 ///

@@ -39,7 +39,7 @@ pub(crate) fn show_instead(_: &PanelContext, _: &CurrentHost, _: &Ui, _: &mut Ac
 /// A page reaches no device.
 pub(crate) fn devices(_: &PanelContext, _: &Ui, _: &mut Acts, _: &Layout) {}
 
-/// Says that a page reaches no device.
+/// Shows that a page reaches no device.
 pub(crate) fn device_settings(state: &PanelContext, _: &mut HostMemory, ui: &mut Ui, _: &mut Acts, is_narrow: bool) {
     explained(ui, is_narrow, state.settings.language.text("settings.native_only"));
 }
@@ -52,7 +52,7 @@ pub(crate) fn has_button(_: &Said) -> bool {
 /// A page cannot show a file.
 pub(crate) fn file_button(_: &PanelContext, _: &mut Ui, _: &mut Acts, _: &Said) {}
 
-/// A page does not know the paths of files.
+/// The paths of files are unknown to a page.
 pub(crate) fn recent_files(_: &PanelContext, _: &mut Ui, _: &mut Acts) {}
 
 /// Shows whether the phone holds the pan, where it can.

@@ -1,4 +1,4 @@
-//! What is known of the browser and of the person at it.
+//! Properties of the browser and of the person at it.
 
 use saute_words::language::Language;
 
@@ -22,7 +22,7 @@ pub(crate) fn page_address() -> Option<String> {
     address.split(['?', '#']).next().map(str::to_owned)
 }
 
-/// Returns what the browser answers to a query of a style sheet.
+/// Returns the browser's result of a media query.
 pub(crate) fn asks(query: &str) -> bool {
     let asked = web_sys::window().and_then(|window| window.match_media(query).ok().flatten());
     asked.is_some_and(|answer| answer.matches())

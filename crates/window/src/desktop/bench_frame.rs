@@ -81,7 +81,7 @@ pub fn bench_frame(start: Start, case: FrameCase, process_start: Instant) -> Res
     window.frame(0.0);
     let first_frame_s = process_start.elapsed().as_secs_f64();
     while window.app.session().kitchen.time_s() < from_s && !window.app.session().paused {
-        // A recipe that goes wrong shows as frames of a standing kitchen; its title and times are reported.
+        // A recipe that goes wrong shows as frames of an idle kitchen; its title and times are reported.
         if window.app.session_mut().tick().is_err() {
             break;
         }

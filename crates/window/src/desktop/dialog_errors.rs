@@ -1,5 +1,5 @@
 //! Whether a file dialog could be shown. The library that shows it returns nothing both where a person cancels and where the system
-//! has no dialog (no desktop portal, as on kiosks and bare window managers); only its log tells them apart.
+//! has no dialog (no desktop portal, as on kiosks and bare window managers); only its log distinguishes them.
 
 use crate::desktop::files::DialogAnswer;
 use log::{LevelFilter, Log, Metadata, Record};
@@ -12,7 +12,7 @@ const LIBRARY: &str = "rfd";
 /// Set once the library has logged an error.
 static FAILED: AtomicBool = AtomicBool::new(false);
 
-/// Hears the errors of the library, and nothing else.
+/// Receives the errors of the library, and nothing else.
 struct Hears;
 
 impl Log for Hears {

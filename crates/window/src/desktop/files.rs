@@ -13,7 +13,7 @@ const LARGEST_MIB: u64 = 16;
 /// Numbers that are tried for a new file [-] (chosen: nobody looks through more).
 const MOST_NAMES: u32 = 10_000;
 
-/// What a dialog asks for.
+/// What a dialog is for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Asked {
     /// A file to open.
@@ -35,7 +35,7 @@ pub(crate) enum DialogAnswer {
     NotShown,
 }
 
-/// A dialog that is open in a thread of its own; the window goes on.
+/// A dialog that is open in its own thread; the window goes on.
 #[derive(Debug, Default)]
 pub(crate) struct Dialog(pub(crate) Option<(Asked, Receiver<DialogAnswer>)>);
 

@@ -73,7 +73,7 @@ impl Host for Desktop {
         self.photo.open = false;
     }
 
-    /// Nobody asks a window of its own.
+    /// No page embeds a native window to receive results.
     fn report(&self, _: &ResultRow) {}
 
     /// The window's own clipboard serves it.

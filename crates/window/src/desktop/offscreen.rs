@@ -121,7 +121,7 @@ impl Offscreen {
             renderer.render(&mut pass, &primitives, &screen);
         }
         queue.submit(buffers.into_iter().chain([encoder.finish()]));
-        // A device that is lost gives no frame; the next frame says so by its own error.
+        // A device that is lost gives no frame; the next frame reports its own error.
         let _ = device.poll(wgpu::PollType::wait_indefinitely());
         for id in output.textures_delta.free.drain() {
             renderer.free_texture(&id);

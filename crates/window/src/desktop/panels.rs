@@ -49,7 +49,7 @@ pub(crate) fn device_settings(
     hand::section(state, memory, ui, acts, is_narrow);
 }
 
-/// Returns true if what was said has a button.
+/// Returns true if a notice has a button.
 pub(crate) fn has_button(said: &Said) -> bool {
     said.file.is_some()
 }
@@ -74,5 +74,5 @@ pub(crate) fn recent_files(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
     }
 }
 
-/// A window is held by no phone.
+/// No phone controls a window.
 pub(crate) fn tilt_button(_: &PanelContext, _: &CurrentHost, _: &mut Ui, _: &mut Acts) {}

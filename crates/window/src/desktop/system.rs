@@ -1,4 +1,4 @@
-//! What is known of the system and of the person at it.
+//! Properties of the system and of the person at it.
 
 use saute_words::language::Language;
 
@@ -20,7 +20,7 @@ pub(crate) fn page_address() -> Option<String> {
     None
 }
 
-/// What a style sheet could ask is known of pages only.
+/// Media queries have results in pages only.
 pub(crate) fn asks(_: &str) -> bool {
     false
 }

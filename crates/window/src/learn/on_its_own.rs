@@ -27,7 +27,7 @@ pub fn picture(words: &ResultWords, piece: &Piece, l: Language) -> Picture {
     let mut cut = CutOfResult::default();
     let mut canvas = Canvas::default();
     let mut used = Rect::NOTHING;
-    // The first pass measures: an interface knows its sizes only once it was laid out.
+    // The first pass measures: the sizes of an interface are known only once it was laid out.
     for _ in 0..2 {
         let input = RawInput { screen_rect: Some(Rect::from_min_size(Pos2::ZERO, SIZE)), ..RawInput::default() };
         let output = context.run_ui(input, |ui| {

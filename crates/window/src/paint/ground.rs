@@ -1,4 +1,4 @@
-//! The ground of a panel, drawn by an own small pipeline.
+//! The ground of a panel, drawn by its own small pipeline.
 
 use egui_wgpu::{CallbackResources, CallbackTrait, ScreenDescriptor};
 use saute_scene::gpu::overlay::{self, Overlay};

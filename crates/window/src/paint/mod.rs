@@ -1,4 +1,4 @@
-//! What is painted with pipelines or shapes of its own inside egui's pass.
+//! What is painted with separate pipelines or shapes inside egui's pass.
 
 mod damage;
 pub mod ground;

@@ -1,5 +1,5 @@
 //! The panels as a kept picture: on a software rasteriser their many small triangles cost more than the scene, so they are
-//! drawn anew a few times a second and laid over the scene in between.
+//! drawn again a few times a second and laid over the scene in between.
 
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
@@ -25,7 +25,7 @@ const TOUCH_S: f64 = 0.3;
 /// What is to be drawn next.
 #[derive(Default)]
 struct Pending {
-    /// The panels, if they are to be drawn anew.
+    /// The panels, if they are to be drawn again.
     panels: Option<Vec<ClippedPrimitive>>,
     textures: egui::TexturesDelta,
 }
@@ -58,7 +58,7 @@ impl PanelLayer {
         context.add_plugin(Self { shared, rects: Arc::default(), drawn_s: never, touched_s: never, window: None });
     }
 
-    /// Returns true if the panels are to be drawn anew.
+    /// Returns true if the panels are to be drawn again.
     fn is_due(&mut self, ctx: &Context, points: f32) -> bool {
         let (now, touched) = ctx.input(|i| (i.time, !i.events.is_empty() || i.pointer.any_down()));
         if touched {
@@ -184,7 +184,7 @@ impl PanelPresenter {
         Self { shared, renderer, pipeline, layout, kept: None }
     }
 
-    /// Draws the panels, if they are to be drawn anew.
+    /// Draws the panels, if they are to be drawn again.
     fn draw(
         &mut self,
         device: &wgpu::Device,

@@ -22,7 +22,7 @@ pub struct SceneCallback {
     pub size: [u32; 2],
     /// Rendering quality.
     pub quality: Quality,
-    /// Which part of a split window, from 0: each has a renderer of its own, made when it is first used.
+    /// Which part of a split window, from 0: each has its own renderer, made when it is first used.
     pub pane: usize,
     /// Takes note of a picture that is not final.
     pub rest: SceneRest,

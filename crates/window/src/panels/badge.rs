@@ -1,4 +1,4 @@
-//! Short messages over the scene: a machine too slow, and what was said last.
+//! Short messages over the scene: a machine too slow, and the last notice.
 
 use egui::{Align2, Area, FontId, Id, RichText, Ui};
 use saute_kitchen::food::Rules;
@@ -18,7 +18,7 @@ const RIBBON: f32 = 66.0;
 /// Height of the legend with its space, on a narrow window [points].
 const LEGEND: f32 = 70.0;
 
-/// Shows the badges where there is something to say: what was said last, and what waits until the instant is reached to which time is
+/// Shows the badges where there is something to show: the last notice, and what waits until the instant is reached to which time is
 /// turned.
 pub fn show(
     state: &PanelContext,
@@ -63,7 +63,7 @@ fn clear_of(state: &PanelContext, layout: &Layout) -> f32 {
     }
 }
 
-/// What holds all the time: the legend of the view, and simplified rules.
+/// What applies all the time: the legend of the view, and simplified rules.
 fn standing(state: &PanelContext, ui: &Ui, acts: &mut Acts, layout: &Layout) {
     if layout.ways.is_some() || !says_what_holds(state) {
         return;
@@ -91,7 +91,7 @@ pub fn what_holds(state: &PanelContext, ui: &mut Ui, acts: &mut Acts, width: f32
     }
 }
 
-/// Where a message is that stands so far from the edge of the scene, and which point of it: below the upper edge, on a narrow window above
+/// Where a message is that is so far from the edge of the scene, and which point of it: below the upper edge, on a narrow window above
 /// the drawer, where no food lies.
 fn place(layout: &Layout, drop: f32) -> (egui::Pos2, Align2) {
     let below = |drop: f32| egui::vec2(0.0, drop);

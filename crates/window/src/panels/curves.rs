@@ -62,7 +62,7 @@ pub fn show(state: &PanelContext, ui: &mut Ui, height: f32) {
 /// Axes of time and temperature in a plot of a height [points].
 pub(super) fn axes<'a>(state: &PanelContext, name: &'static str, height: f32) -> Plot<'a> {
     let settings = state.settings;
-    // The axis leaves numbers away that stand closer than this.
+    // The axis omits numbers that are closer than this.
     let levels = ((f64::from(height) - 21.0) / 24.0).clamp(2.0, 6.0);
     Plot::new(name)
         .height(height)
@@ -209,7 +209,7 @@ fn events(ui: &Ui, lane: Rect, transform: &PlotTransform, marks: &[Mark], l: Lan
     }
 }
 
-/// The numbers of the probes at the ends of their curves; those that would lie on each other make room.
+/// The numbers of the probes at the ends of their curves; those that would overlap make room.
 fn ends(ui: &Ui, transform: &PlotTransform, curves: &[Curve]) {
     let painter = ui.painter().with_clip_rect(transform.frame().intersect(ui.clip_rect()));
     let mut taken: Vec<Rect> = Vec::new();

@@ -13,7 +13,7 @@ use saute_controls::settings::Settings;
 use saute_words::doneness_words;
 use saute_words::piece_words::change;
 
-/// Bounds of a class in the chosen unit; the first and the last bear the unit.
+/// Bounds of a class in the chosen unit; the first and the last have the unit.
 fn range(settings: &Settings, scale: &Scale, class: usize) -> String {
     let share = scale.measure() == Measure::Share;
     let shown = |bound: f64| if share { bound } else { settings.degrees(bound) };
@@ -26,7 +26,7 @@ fn range(settings: &Settings, scale: &Scale, class: usize) -> String {
     }
 }
 
-/// Shows the shares of a section in the words of the food, or the changes of a food that no scale knows.
+/// Shows the shares of a section in the words of the food, or the changes of a food without a scale.
 pub fn show(state: &PanelContext, inside: &Inside, ui: &mut Ui, acts: &mut Acts) {
     let Some(scale) = state.scale() else {
         changes(state, inside, ui);
@@ -128,7 +128,7 @@ fn width_in_letters(name: &str) -> f32 {
     name.chars().map(|c| if c.is_ascii() { 1.0 } else { 1.6 }).sum()
 }
 
-/// What heat has changed in a food that no scale of doneness knows: name and mean share of each change.
+/// What heat has changed in a food without a scale of doneness: name and mean share of each change.
 fn changes(state: &PanelContext, inside: &Inside, ui: &mut Ui) {
     let l = state.settings.language;
     let caption = l.text("doneness.changed");

@@ -116,7 +116,7 @@ fn skill(state: &InsideState, ui: &mut Ui, acts: &mut Acts) {
     let l = state.settings.language;
     ui.label(RichText::new(l.text("skill.title")).size(16.0).strong());
     ui.label(RichText::new(l.text("skill.how")).size(13.5).color(theme::of(ui).quiet));
-    // It stands for what a cook hears.
+    // It replaces what a cook hears.
     heard::show(state, state.heard.as_ref(), ui);
     ui.horizontal_wrapped(|ui| {
         result(state, ui, acts);

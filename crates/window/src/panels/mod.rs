@@ -73,9 +73,9 @@ pub struct Parts<'a> {
     pub card: Option<Card>,
     /// How far a cook came with which the window offers to go on [s].
     pub unfinished_s: Option<f64>,
-    /// All that was said so far.
+    /// All notices so far.
     pub said: &'a Notice,
-    /// What was said last, while it is still shown.
+    /// The last notice, while it is still shown.
     pub notice: Option<Said>,
     /// What waits until the instant is reached to which time is turned.
     pub waiting: Vec<String>,
@@ -101,7 +101,7 @@ pub struct Parts<'a> {
     pub at_home: AtHomeState<'a>,
 }
 
-/// Shows all panels, what is said over the scene, and the card that is open.
+/// Shows all panels, the notices over the scene, and the card that is open.
 pub fn show_all(parts: &Parts, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut Acts, layout: &Layout) {
     let (state, whole) = (&parts.context, layout.whole);
     if host_panels::show_instead(state, parts.host, ui, acts, layout) {
@@ -116,7 +116,7 @@ pub fn show_all(parts: &Parts, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut
     if state.reads_out() {
         read_out::show(state, parts.scene, ui, whole);
     }
-    // What is due at the goal, and what a plan says, is said with the panels hidden, too; to a class all of it is.
+    // What is due at the goal, and the words of a plan, are shown with the panels hidden, too; to a class all words are.
     if !state.settings.panels_hidden || parts.now.alarm || parts.now.is_led() {
         now::show(&parts.now, &mut memory.now, ui, acts, layout);
     }

@@ -58,7 +58,7 @@ pub fn show(state: &PanelContext, memory: &mut PantryMemory, ui: &mut Ui, acts: 
     free(state, !state.forbids(&Act::App(AppAct::ChooseFile)), ui, |ui| recipes(state, ui, acts));
 }
 
-/// Shows controls; those that a study or a lesson locks look so, and say why.
+/// Shows controls; those that a study or a lesson locks look so, and show why.
 fn free(state: &PanelContext, is_free: bool, ui: &mut Ui, content: impl FnOnce(&mut Ui)) {
     let shown = ui.add_enabled_ui(is_free, content).response;
     if !is_free {

@@ -13,7 +13,7 @@ use saute_words::language::Language;
 use saute_words::piece_words::group_of;
 use saute_words::piece_words::{doneness, grams, place};
 
-/// What a line says.
+/// What a line shows.
 struct Line {
     name: String,
     /// True if a group is unfolded; none for a piece.

@@ -10,7 +10,7 @@ use saute_kitchen::Library;
 pub struct Stills(BTreeMap<String, Option<TextureHandle>>);
 
 impl Stills {
-    /// Returns the picture of a food; none for a food of the user's own.
+    /// Returns the picture of a food; none for the user's own food.
     pub fn of(&mut self, ctx: &Context, food: &str) -> Option<TextureHandle> {
         if !self.0.contains_key(food) {
             let image = Library::food_picture(food).and_then(decoded);

@@ -58,7 +58,7 @@ pub fn few(state: &TopState, ui: &mut Ui, acts: &mut Acts) {
     });
 }
 
-/// Shows what there is to learn, the help among it, the settings and, where there is room, what was said, from the right.
+/// Shows what there is to learn, the help among it, the settings and, where there is room, the notices, from the right.
 pub fn learn_and_settings(state: &TopState, ui: &mut Ui, acts: &mut Acts) {
     ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
         // A study leads: what there is to learn is locked, the help is not.
@@ -148,7 +148,7 @@ impl Drawn {
     }
 }
 
-/// A speech bubble: the list of what was said.
+/// A speech bubble: the list of notices.
 fn messages(state: &TopState, ui: &mut Ui, acts: &mut Acts) {
     let act = Act::App(AppAct::Messages);
     Drawn {
@@ -210,7 +210,7 @@ fn is_off(state: &PanelContext, act: &Act) -> bool {
     act.traits().reads && !state.reads_out()
 }
 
-/// What a chip does and its key; of a view also what its colours say.
+/// What a chip does and its key; of a view also what its colours mean.
 fn explained(state: &PanelContext, act: &Act) -> String {
     let hint = hint(act, state.settings.language);
     match act {

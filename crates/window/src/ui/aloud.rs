@@ -19,12 +19,12 @@ pub fn name_panel(ui: &Ui, name: &str) {
     });
 }
 
-/// Tells screen readers the value of a slider with its unit.
+/// Gives screen readers the value of a slider with its unit.
 pub fn spoken_value(ui: &Ui, response: &Response, text: String) {
     ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(text));
 }
 
-/// Tells screen readers the range and the value of a slider; returns the value that one asks for, within the range.
+/// Gives screen readers the range and the value of a slider; returns the value that one requests, within the range.
 pub fn spoken_range(ui: &Ui, response: &Response, range: RangeInclusive<f64>, now: f64) -> Option<f64> {
     ui.ctx().accesskit_node_builder(response.id, |node| {
         node.set_min_numeric_value(*range.start());

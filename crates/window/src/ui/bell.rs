@@ -1,4 +1,4 @@
-//! A bell: it swings while something is due, and stands still where nothing is to move.
+//! A bell: it swings while something is due, and is still where nothing is to move.
 
 use egui::{Color32, Pos2, Rect, Stroke, Ui, vec2};
 
@@ -15,7 +15,7 @@ const DRAWN: f32 = 28.0;
 pub struct Bell<'a> {
     /// Its size [points].
     pub size: f32,
-    /// What it says to those who do not see it.
+    /// Its text for those who do not see it.
     pub spoken: &'a str,
     /// True while it rings.
     pub rings: bool,

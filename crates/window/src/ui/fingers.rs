@@ -1,4 +1,4 @@
-//! Fingers on a touch screen: once they are known of, every control is as high as a thumb is wide.
+//! Fingers on a touch screen: once they are detected, every control is as high as a thumb is wide.
 
 use egui::{Context, Id, Ui};
 

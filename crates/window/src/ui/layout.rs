@@ -6,7 +6,7 @@ use crate::ui::theme::TOUCH;
 use crate::ui::ways_layout::WaysLayout;
 use saute_controls::settings::Settings;
 
-/// Below this width the panels gather in one drawer [points] (chosen: hob and clock still stand in one row).
+/// Below this width the panels gather in one drawer [points] (chosen: hob and clock still fit in one row).
 const NARROW: f32 = 1080.0;
 /// Width of the drawer beside the scene [points].
 const DRAWER_WIDTH: f32 = 366.0;

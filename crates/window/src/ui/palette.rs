@@ -50,7 +50,7 @@ impl Palette {
         self.probes[number.saturating_sub(1) % self.probes.len()]
     }
 
-    /// Colour of a way beside others, by its slot from 0: they are told apart as probes are.
+    /// Colour of a way next to others, by its slot from 0: they are distinguished as probes are.
     pub fn way(&self, slot: usize) -> Color32 {
         self.probe(slot + 1)
     }

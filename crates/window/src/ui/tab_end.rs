@@ -1,20 +1,20 @@
-//! The end of the Tab order: after the last control, or after Escape, Tab leaves the picture instead of beginning anew.
+//! The end of the Tab order: after the last control, or after Escape, Tab leaves the picture instead of beginning again.
 
 use egui::{Context, Id, Key};
 
-/// Where the keys are between the first and the last control.
+/// Where the focus is between the first and the last control.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct TabEnd {
-    /// The control that had the keys at the end of the last frame.
+    /// The control that had the focus at the end of the last frame.
     focused: Option<Id>,
-    /// Tab went past the last control: egui gives the keys to the first one in the next frame.
+    /// Tab went past the last control: egui gives the focus to the first one in the next frame.
     goes_round: bool,
     /// The end is reached.
     is_reached: bool,
 }
 
 impl TabEnd {
-    /// Looks where the keys are, at the end of a frame.
+    /// Looks where the focus is, at the end of a frame.
     pub(crate) fn look(&mut self, ctx: &Context) {
         let before = std::mem::replace(&mut self.focused, ctx.memory(|memory| memory.focused()));
         if std::mem::take(&mut self.goes_round) {
@@ -31,7 +31,7 @@ impl TabEnd {
         }
     }
 
-    /// Takes the keys from the first control, to which egui has just given them.
+    /// Takes the focus from the first control, to which egui has just given it.
     fn stop_at_the_end(&mut self, ctx: &Context) {
         if let Some(first) = self.focused.take() {
             ctx.memory_mut(|memory| memory.surrender_focus(first));

@@ -1,4 +1,4 @@
-//! The theme of the panels: which palette holds, type and spacing.
+//! The theme of the panels: which palette applies, type and spacing.
 
 use egui::{
     CornerRadius, FontFamily, FontId, Frame, Margin, Response, Stroke, StrokeKind, Style, TextEdit, TextStyle, Ui,
@@ -14,7 +14,7 @@ pub const CONTROL_CORNER: u8 = 8;
 /// Height of a control that a finger can hit [points].
 pub const TOUCH: f32 = 44.0;
 
-/// The colours that hold here.
+/// The colours that apply here.
 pub fn of(ui: &Ui) -> &'static Palette {
     Palette::of(ui.visuals().dark_mode)
 }
@@ -81,7 +81,7 @@ fn visuals(p: &Palette) -> Visuals {
         &mut v.widgets.noninteractive,
     ] {
         widget.corner_radius = CornerRadius::same(CONTROL_CORNER);
-        // Text takes this colour, except on what is chosen: there `selection` holds.
+        // Text takes this colour, except on what is chosen: there `selection` applies.
         widget.fg_stroke.color = p.text;
     }
     // What has the focus of the keyboard, and what is pressed.

@@ -9,7 +9,7 @@ use saute_session::timeline::MOST_BESIDE;
 pub const MOST: usize = MOST_BESIDE + 1;
 /// Columns on a narrow window (chosen: a pan is still seen in each).
 const NARROW_COLUMNS: usize = 2;
-/// Height of a column's name with its stand, and of a button for fingers beside them [points].
+/// Height of a column's name with its progress, and of a button for fingers beside them [points].
 const HEAD: f32 = 44.0;
 /// Height of its cut with the readings below it, and on a narrow window [points].
 const CUT: f32 = 84.0;
@@ -23,7 +23,7 @@ const EYE_HEIGHT: f32 = 26.0;
 /// A column: one way.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WayColumn {
-    /// Its name and stand.
+    /// Its name and progress.
     pub head: Rect,
     /// The pan.
     pub picture: Rect,
@@ -36,7 +36,7 @@ pub struct WayColumn {
 pub struct WaysLayout {
     /// All of it.
     pub ground: Rect,
-    /// The columns; the first `count` hold.
+    /// The columns; the first `count` are used.
     columns: [WayColumn; MOST],
     count: usize,
     /// The column of the way that goes on.

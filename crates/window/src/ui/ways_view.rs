@@ -1,4 +1,4 @@
-//! Ways side by side: when they are shown, and the pans of those beside the one that goes on.
+//! Ways side by side: when they are shown, and the pans of those next to the one that goes on.
 
 use saute_picture::stage::Stage;
 use std::collections::BTreeMap;

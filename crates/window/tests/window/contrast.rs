@@ -31,7 +31,7 @@ fn contrast(a: Color32, b: Color32) -> f64 {
     (a.max(b) + 0.05) / (a.min(b) + 0.05)
 }
 
-/// The least contrast of a colour on any of the grounds that it may stand on.
+/// The least contrast of a colour on any of the grounds that it may be drawn on.
 fn least(ink: Color32, grounds: &[Color32]) -> f64 {
     grounds.iter().map(|ground| contrast(ground.blend(ink), *ground)).fold(f64::INFINITY, f64::min)
 }
@@ -47,7 +47,7 @@ struct Drawn {
 /// All that was drawn in the last frame.
 #[derive(Default)]
 struct Page {
-    /// Filled areas in the order in which they were drawn; none stands for the scene.
+    /// Filled areas in the order in which they were drawn; none represents the scene.
     fills: Vec<(Rect, Option<Color32>)>,
     texts: Vec<Drawn>,
     edges: Vec<Drawn>,
@@ -216,7 +216,7 @@ fn the_contrast_of_black_on_white_is_21_and_what_is_faint_is_found() {
     assert!(least(Color32::BLACK, &page.grounds(Pos2::ZERO)) > 20.9);
 }
 
-/// Colours that stand for something wherever a panel uses them, also where the tour above does not come by.
+/// Colours that have a meaning wherever a panel uses them, also where the tour above does not come by.
 #[test]
 fn the_colours_of_curves_probes_and_states_stand_out_in_both_themes() {
     for p in [true, false].map(Palette::of) {

@@ -58,9 +58,9 @@ text = "Was it fun?"
 answer = "likert"
 "#;
 
-/// A machine that holds what is set.
+/// A machine that sustains the speed that is set.
 const HOLDS: Pace = Pace { set: 5.0, held_median: 5.0, behind_s: 0.0 };
-/// A machine that holds three of five.
+/// A machine that sustains a speed of three where five is set.
 const TOO_SLOW: Pace = Pace { set: 5.0, held_median: 3.0, behind_s: 10.0 };
 
 fn start(folder: &Path) -> Start {

@@ -82,7 +82,7 @@ impl HapticDevice for Scripted {
     }
 }
 
-/// Lets wall and kitchen go on together, without drawing, until a condition holds; returns true if it came to hold
+/// Lets wall and kitchen go on together, without drawing, until a condition is met; returns true if it was met
 /// within a minute.
 fn until(harness: &mut Harness<'static, SauteApp>, mut enough: impl FnMut(&SauteApp) -> bool) -> bool {
     let begun = Instant::now();
@@ -172,7 +172,7 @@ fn the_window_names_the_safety_rule_that_fired_and_only_a_hand_goes_on() {
     assert!(settled(&mut harness, || script.lock().expect("script").command.enabled));
 }
 
-/// Draws and lets time go on until a condition of the device holds, and then until the panel shows it.
+/// Draws and lets time go on until a condition of the device is met, and then until the panel shows it.
 fn settled(harness: &mut Harness<'static, SauteApp>, holds: impl Fn() -> bool) -> bool {
     steps(harness, 2);
     let came = until(harness, |_| holds());

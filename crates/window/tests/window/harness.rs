@@ -10,7 +10,7 @@ use egui_wgpu::{RenderState, RendererOptions, WgpuSetup, WgpuSetupExisting};
 use saute_window::{SauteApp, Start};
 use saute_words::language::Language;
 
-/// The language of the tests beside English.
+/// The language of the tests in addition to English.
 pub fn japanese() -> Language {
     Language::of_code("ja").expect("Japanese is a language")
 }
@@ -70,7 +70,7 @@ pub fn cook(harness: &mut Harness<'static, SauteApp>, seconds: f64) {
     steps(harness, 12);
 }
 
-/// Keeps a picture of the window for people to look at, where they ask for it by `SAUTE_PICTURES=1`.
+/// Keeps a picture of the window for people to look at, where they request it with `SAUTE_PICTURES=1`.
 pub fn save(harness: &mut Harness<'static, SauteApp>, name: &str) {
     if std::env::var_os("SAUTE_PICTURES").is_none() {
         return;

@@ -30,7 +30,7 @@ fn japanese(size: egui::Vec2) -> Harness<'static, SauteApp> {
     harness
 }
 
-/// Everything that the window says to a screen reader, and so everything that it shows as text.
+/// Everything that the window gives a screen reader, and so everything that it shows as text.
 fn said(harness: &Harness<'static, SauteApp>) -> Vec<String> {
     let nodes: Vec<_> = harness.root().children_recursive().collect();
     let both = |n: &egui_kittest::Node<'_>| [n.accesskit_node().label(), n.accesskit_node().value()];

@@ -1,4 +1,4 @@
-//! Promise: keys do what they say and nothing else; time stands still where nobody can cook; nothing that was chosen is lost.
+//! Promise: keys do what their descriptions state and nothing else; time is stopped where nobody can cook; nothing that was chosen is lost.
 
 use egui::{Event, Key, Modifiers, vec2};
 use egui_kittest::{Harness, kittest::Queryable};

@@ -1,4 +1,4 @@
-//! The texts of the window: both languages say everything, and nothing is said that no file holds.
+//! The texts of the window: both languages contain every text, and no text is shown that no file contains.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -38,7 +38,7 @@ fn keys(texts: &Texts) -> BTreeSet<String> {
     texts.iter().flat_map(|(section, keys)| keys.keys().map(move |key| format!("{section}.{key}"))).collect()
 }
 
-/// What a text leaves open, in the order of the alphabet.
+/// The placeholders of a text, in alphabetical order.
 fn open(text: &str) -> Vec<&str> {
     let mut open: Vec<&str> = text.split('{').skip(1).filter_map(|rest| rest.split('}').next()).collect();
     open.sort_unstable();
@@ -58,7 +58,7 @@ fn both_languages_leave_the_same_things_open() {
     let [english, japanese] = [Language::ENGLISH, crate::harness::japanese()].map(texts);
     for (section, keys) in &english {
         for (key, text) in keys {
-            // A language may repeat a thing; it may not forget or invent one.
+            // A language may repeat a placeholder; it may not omit or add one.
             assert_eq!(open(text), open(&japanese[section][key]), "{section}.{key}");
         }
     }

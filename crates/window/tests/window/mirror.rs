@@ -1,5 +1,5 @@
-//! Promise: the half mirror has a window of its own, which shows the food on black or the calibration's pattern; its
-//! marks are moved by mouse and keys, and its choices stand on a card.
+//! Promise: the half mirror has its own window, which shows the food on black or the calibration's pattern; its
+//! marks are moved by mouse and keys, and its choices are on a card.
 
 use egui::{Event, Key, Modifiers, Pos2, Ui, pos2, vec2};
 use egui_kittest::{Harness, kittest::Queryable};
@@ -155,7 +155,7 @@ fn a_key_opens_the_mirror_beside_the_operators_panels() {
 fn the_mirrors_choices_stand_on_a_card_in_both_languages() {
     for (size, name) in [(vec2(1280.0, 720.0), "wide"), (vec2(390.0, 844.0), "phone")] {
         let mut harness = window(size);
-        // A card is laid out anew until it has found its size.
+        // A card is laid out again until it has found its size.
         harness.get_by_label("Settings").click();
         steps(&mut harness, 8);
         harness.get_by_label("Half mirror…").click();

@@ -1,4 +1,4 @@
-//! Promise: the photo mode shows the scene alone, holds time still, and saves a picture of the chosen size and a time
+//! Promise: the photo mode shows the scene alone, stops time, and saves a picture of the chosen size and a time
 //! lapse of the cook.
 
 use std::path::PathBuf;
@@ -11,7 +11,7 @@ use saute_window::{DesktopOptions, SauteApp, Start};
 
 use crate::harness::{cook, press, save, steps, window_with};
 
-/// A window that saves pictures into a folder of its own.
+/// A window that saves pictures into its own folder.
 fn window(name: &str, size: egui::Vec2) -> (Harness<'static, SauteApp>, PathBuf) {
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("photos-{name}"));
     let _ = std::fs::remove_dir_all(&folder);
@@ -30,7 +30,7 @@ fn window(name: &str, size: egui::Vec2) -> (Harness<'static, SauteApp>, PathBuf)
     (harness, folder)
 }
 
-/// Waits for a file that is made beside the window.
+/// Waits for a file that is made in the background.
 fn wait_for(harness: &mut Harness<'static, SauteApp>, file: &std::path::Path) {
     let begun = std::time::Instant::now();
     while !file.exists() || harness.state().photo_mode().progress().is_some() {

@@ -102,7 +102,7 @@ fn card_choices_and_size_are_reached_with_keys() {
     a_key_shows_it_to_a_class(&mut harness);
 }
 
-/// Choices lie within the window and on no other one.
+/// Choices are within the window and on no other one.
 #[track_caller]
 fn choices_have_room(harness: &Harness<'static, SauteApp>, size: egui::Vec2) {
     let points = Rect::from_min_size(pos2(0.0, 0.0), size / harness.ctx.zoom_factor());

@@ -14,7 +14,7 @@ use saute_words::language::Language;
 
 use crate::harness::{cook, press, save, steps, window};
 
-/// Keeps what it is told instead of playing it.
+/// Keeps what it receives instead of playing it.
 #[derive(Clone, Default)]
 pub struct Witness(Arc<Mutex<Kept>>);
 
@@ -38,7 +38,7 @@ impl Listener for Witness {
 }
 
 impl Witness {
-    /// Lets a window tell it what is heard.
+    /// Lets a window send it what is heard.
     pub fn of(harness: &mut Harness<'static, SauteApp>) -> Self {
         let witness = Self::default();
         harness.state_mut().let_listen(Box::new(witness.clone()));
@@ -46,7 +46,7 @@ impl Witness {
         witness
     }
 
-    /// What was told last.
+    /// What was received last.
     pub fn told(&self) -> Told {
         self.0.lock().expect("nobody panicked").told
     }
@@ -87,7 +87,7 @@ fn hands_are_heard_at_once(harness: &mut Harness<'static, SauteApp>, witness: &W
     assert!(witness.told().snapshot.steam[Steam::Floor as usize] > 1e-5, "{:?}", witness.told());
 }
 
-/// Under *More* a caption and a meter say what is heard.
+/// Under *More* a caption and a meter show what is heard.
 fn it_is_read(harness: &mut Harness<'static, SauteApp>, witness: &Witness) {
     assert!(harness.query_by_label_contains("sizzle").is_none());
     harness.get_by_label("More: curves and all readings").click();

@@ -37,7 +37,7 @@ fn time_s(harness: &Harness<'static, SauteApp>) -> f64 {
     harness.state().session().kitchen.time_s()
 }
 
-/// A steak that was put in, turned over after a while, and fried on; time stands still.
+/// A steak that was put in, turned over after a while, and fried on; time is stopped.
 fn fried(size: egui::Vec2) -> Harness<'static, SauteApp> {
     let mut harness = window(size);
     harness.state_mut().session_mut().set_paused(true);
@@ -232,7 +232,7 @@ fn a_cook_is_saved_as_a_whole_or_not_at_all() {
     let end = hash(&harness);
     press(&mut harness, Key::N);
     assert!(harness.query_by_label("Save this cook…").is_some());
-    // What lies ahead is saved, too.
+    // What is ahead is saved, too.
     undo(&mut harness);
     harness.state_mut().save_export(saute_session::export::Export::Cook, &folder.join("mine"));
     steps(&mut harness, 2);
@@ -256,7 +256,7 @@ fn a_cook_is_saved_as_a_whole_or_not_at_all() {
     std::fs::remove_dir_all(&folder).expect("removes");
 }
 
-/// A system without file dialogs is told from a person who cancels: what is saved goes into the folder of pictures, and no file
+/// A system without file dialogs is distinguished from a person who cancels: what is saved goes into the folder of pictures, and no file
 /// that is there is written over.
 #[test]
 fn without_a_file_dialog_a_cook_is_saved_with_the_pictures() {

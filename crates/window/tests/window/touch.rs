@@ -1,4 +1,4 @@
-//! Promise: a window without mouse and keys is used by fingers: one moves the pan, two the eye, one held still asks what is under
+//! Promise: a window without mouse and keys is used by fingers: one moves the pan, two the eye, one held still shows what is under
 //! it; every control is as high as a thumb is wide.
 
 use egui::{Event, Pos2, Rect, TouchPhase, accesskit::Role, pos2, vec2};
@@ -38,7 +38,7 @@ fn lift(harness: &mut Harness<'static, SauteApp>, at: Pos2) {
     steps(harness, 2);
 }
 
-/// A window that has been touched beside everything.
+/// A window that has been touched outside of all controls.
 fn touched(size: egui::Vec2) -> Harness<'static, SauteApp> {
     let mut harness = window(size);
     let beside = pos2(4.0, 0.3 * size.y);

@@ -189,7 +189,7 @@ fn a_probe_is_placed_named_followed_moved_and_taken_out() {
     assert!(harness.state().session().probes.all().is_empty(), "with the piece its probes are gone");
 }
 
-/// Lets time pass although the window stands still.
+/// Lets time pass although time in the window is stopped.
 fn cook_on(harness: &mut Harness<'static, SauteApp>, seconds: f64) {
     harness.state_mut().session_mut().set_paused(false);
     cook(harness, seconds);

@@ -95,7 +95,7 @@ fn ways_are_seen_side_by_side_and_turned_together() {
     act(&mut harness, Act::Time(TimeAct::Scrub(45.0)));
     settle(&mut harness);
     assert!(harness.query_all_by_label("the same until 1:00").count() == 2);
-    // A way whose kitchen is not computed yet says so, and no frame waits for it.
+    // A way whose kitchen is not computed yet states that, and no frame waits for it.
     turn_to(&mut harness, 97.3);
     let session = harness.state_mut().session_mut();
     session.forget_beside();

@@ -40,7 +40,7 @@ impl SauteApp {
         }
     }
 
-    /// Does what a forecast asks about with the piece that the panels show; the eye follows what is taken out.
+    /// Does what a forecast is about with the piece that the panels show; the eye follows what is taken out.
     pub(super) fn do_asked(&mut self, question: Question) {
         let food = self.session.steak_id();
         let commands = question.commands(&self.session.kitchen, &food).unwrap_or_default();
@@ -85,7 +85,7 @@ impl SauteApp {
         }
     }
 
-    /// Says that another cook begins, and how the one before comes back, if there is one.
+    /// Shows a notice that another cook begins, and how the one before comes back, if there is one.
     pub(crate) fn say_new_beginning(&self) {
         if self.session.can_undo() && self.leads.guided.is_none() {
             self.say("notice.begun_anew");

@@ -19,7 +19,7 @@ impl SauteApp {
         }
     }
 
-    /// Returns true if an act would show what skill mode hides; says so then.
+    /// Returns true if an act would show what skill mode hides; shows a notice then.
     pub(super) fn is_hidden(&self, act: &Act) -> bool {
         let is_hidden = self.settings.skill_mode && act.traits().reads;
         if is_hidden {

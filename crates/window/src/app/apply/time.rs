@@ -6,7 +6,7 @@ use saute_words::act_words::act_words;
 use saute_words::clock::clock;
 
 impl SauteApp {
-    /// Goes back to before the last act, and says so.
+    /// Goes back to before the last act, and shows a notice.
     pub(super) fn undo(&mut self) {
         let (undone, l) = (self.session.undo(), self.settings.language);
         self.time_was_turned();
@@ -21,7 +21,7 @@ impl SauteApp {
         }
     }
 
-    /// Goes forward again, and says so.
+    /// Goes forward again, and shows a notice.
     pub(super) fn redo(&mut self) {
         let done = self.session.redo();
         self.time_was_turned();

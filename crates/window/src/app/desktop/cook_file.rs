@@ -44,7 +44,7 @@ impl CookStore for CookFile {
 }
 
 impl SauteApp {
-    /// Keeps the cook in a file from now on. What the file holds of an earlier cook is offered first.
+    /// Keeps the cook in a file from now on. What the file contains of an earlier cook is offered first.
     pub fn keep_cook_in(&mut self, path: &Path) {
         let earlier = regular_file::read(path, session_file::LARGEST_MIB).ok();
         self.keep_cook_by(Box::new(CookFile { path: path.to_owned(), file: None }), earlier.as_deref());

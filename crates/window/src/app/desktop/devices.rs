@@ -4,7 +4,7 @@ use crate::app::SauteApp;
 use egui::{Context, Key, Modifiers};
 use saute_controls::hands::{HandsStart, Role};
 
-/// Interval at which the panel is redrawn while time stands still [s] (chosen: numbers that can be read).
+/// Interval at which the panel is redrawn while time is stopped [s] (chosen: numbers that can be read).
 const ANEW_S: f64 = 0.1;
 
 impl SauteApp {

@@ -13,7 +13,7 @@ use std::sync::mpsc::channel;
 
 /// Recipes that are remembered at most (chosen: what is seen without scrolling).
 const REMEMBERED: usize = 5;
-/// Key of what is said once a file is saved without a dialog.
+/// Key of the notice once a file is saved without a dialog.
 const SAVED_WITHOUT_DIALOG: &str = "notice.no_dialog_saved";
 
 impl SauteApp {
@@ -77,13 +77,13 @@ impl SauteApp {
         }
     }
 
-    /// Writes a file that is made of the cook, and says so; or states why it cannot.
+    /// Writes a file that is made of the cook, and shows a notice; or states why it cannot.
     pub fn save_export(&mut self, what: Export, path: &Path) {
         let path = if path.extension().is_some() { path.to_owned() } else { path.with_extension(what.ending()) };
         self.export_to(what, &path, COOK_SAID);
     }
 
-    /// Writes a file that is made of the cook where no dialog can ask for its place: into the folder of pictures.
+    /// Writes a file that is made of the cook where no dialog can be shown: into the folder of pictures.
     pub fn export_without_dialog(&mut self, what: Export) {
         let Some(path) = self.place_without_dialog(&what.file_name(self.settings.language)) else { return };
         self.export_to(what, &path, [SAVED_WITHOUT_DIALOG, COOK_SAID[1]]);
@@ -96,13 +96,13 @@ impl SauteApp {
         self.export_by(what, path, said, |bytes| write_whole(path, bytes).map_err(|error| error.to_string()));
     }
 
-    /// Writes a file that is made of a plan, and says so; or states why it cannot.
+    /// Writes a file that is made of a plan, and shows a notice; or states why it cannot.
     pub fn save_plan_at(&mut self, file: PlanFile, path: &Path) {
         let path = if path.extension().is_some() { path.to_owned() } else { path.with_extension(file.ending()) };
         self.write_plan(file, &path, PlanFile::SAID);
     }
 
-    /// Writes a file that is made of a plan where no dialog can ask for its place: into the folder of pictures.
+    /// Writes a file that is made of a plan where no dialog can be shown: into the folder of pictures.
     fn save_plan_without_dialog(&mut self, file: PlanFile) {
         let Some(path) = self.place_without_dialog(&file.file_name(self.settings.language)) else { return };
         self.write_plan(file, &path, [SAVED_WITHOUT_DIALOG, PlanFile::SAID[1]]);
@@ -119,7 +119,7 @@ impl SauteApp {
         free_path(&self.host.pictures_folder(), name).map_err(|error| self.say_trouble(&error)).ok()
     }
 
-    /// Says how a file is opened where no dialog can be shown.
+    /// Shows how a file is opened where no dialog can be shown.
     fn say_how_to_open(&self) {
         let folder = self.host.pictures_folder();
         self.desk.notice.say(self.settings.language.fill("notice.no_dialog_open", &[("folder", &folder.display())]));

@@ -14,7 +14,7 @@ impl SauteApp {
         self.begin_making(ctx, |making| making.photo(scene, size));
     }
 
-    /// Plays the cook again beside the window, seen as now, and saves a time lapse of it.
+    /// Plays the cook again in the background, seen as now, and saves a time lapse of it.
     pub(crate) fn make_time_lapse(&mut self, ctx: &egui::Context) {
         let options = saute_picture::still::shot::ShotOptions {
             view: self.settings.view,
@@ -33,7 +33,7 @@ impl SauteApp {
         self.begin_making(ctx, |making| making.time_lapse(recording, library, options));
     }
 
-    /// Begins in a thread of its own; one at a time is made.
+    /// Begins in its own thread; one at a time is made.
     fn begin_making(
         &mut self,
         ctx: &egui::Context,
@@ -48,7 +48,7 @@ impl SauteApp {
         }
     }
 
-    /// Says what was made since the last frame.
+    /// Shows a notice of what was made since the last frame.
     pub(crate) fn take_photo_made(&mut self) {
         let Some(made) = self.host.photo.making.as_ref().and_then(Making::made) else { return };
         self.host.photo.making = None;

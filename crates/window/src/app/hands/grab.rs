@@ -88,7 +88,7 @@ impl SauteApp {
         let touched = ui.input(|i| i.any_touches());
         let asks = self.sights.scene.hold == Hold::Asks;
         let finger = ui.input(|i| i.pointer.latest_pos()).filter(|_| asks);
-        // A finger on its way to a tap or a drag asks nothing.
+        // A finger on its way to a tap or a drag requests no read-out.
         let idle = response.hover_pos().filter(|_| self.sights.scene.hold == Hold::Nothing && !touched);
         self.sights.scene.reads_at = finger.or(idle).map(|at| (at, asks));
         let within = if asks { GRAB } else { TOUCH };

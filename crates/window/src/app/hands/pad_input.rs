@@ -24,7 +24,7 @@ impl SauteApp {
         }
     }
 
-    /// Begins the double pulse of a gamepad when the coach begins to say that the food is to be taken out.
+    /// Begins the double pulse of a gamepad when the coach begins to state that the food is to be taken out.
     pub(crate) fn pulse_at_goal(&mut self, at_goal: bool) {
         if at_goal && !self.inputs.pad.at_goal {
             self.inputs.pad.pulse.begin();
@@ -45,7 +45,7 @@ impl SauteApp {
         self.inputs.pad.plugged = said.is_some();
     }
 
-    /// Carries out what the gamepad's buttons ask for and returns what its sticks do.
+    /// Carries out what the gamepad's buttons request and returns what its sticks do.
     pub(crate) fn take_pad(&mut self, ctx: &Context) -> PadMotion {
         self.listen();
         let (before, now) = (self.inputs.pad.before, self.inputs.pad.now);

@@ -23,7 +23,7 @@ const HZ: f64 = 3.0;
 const SHAKE_S: f64 = 60.0;
 
 impl SauteApp {
-    /// Moves pan and tool as held keys and the gamepad say, over `wall` seconds.
+    /// Moves pan and tool as held keys and the gamepad command, over `wall` seconds.
     pub(crate) fn take_hands(&mut self, ctx: &Context, wall: f64) {
         self.look_at_tool();
         let pad = self.take_pad(ctx);
@@ -36,7 +36,7 @@ impl SauteApp {
         self.move_tool(pad.tool, pad.twist, wall);
     }
 
-    /// Says that nothing moves while time stands still.
+    /// Shows a notice that nothing moves while time is stopped.
     fn say_if_held(&self, ctx: &Context) {
         const KEYS: [Key; 9] = [Key::W, Key::A, Key::S, Key::D, Key::E, Key::Q, Key::R, Key::F, Key::Z];
         let held = ctx.input(|i| i.modifiers.shift_only() && KEYS.iter().any(|key| i.key_pressed(*key)));
@@ -46,7 +46,7 @@ impl SauteApp {
         }
     }
 
-    /// Way and lean of the pan that held keys ask for (−1…1).
+    /// Way and lean of the pan that held keys request (−1…1).
     fn take_held_keys(&mut self, ctx: &Context) -> (DVec3, DVec2) {
         let (down, keys) = ctx.input(|i| (i.keys_down.clone(), i.modifiers));
         let shift = keys.shift_only();

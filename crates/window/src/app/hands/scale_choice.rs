@@ -6,7 +6,7 @@ use saute_words::doneness_words;
 use std::sync::Arc;
 
 impl SauteApp {
-    /// The scale of doneness in whose words the food that the panels show is spoken of.
+    /// The scale of doneness in whose words the panels describe the food that they show.
     pub fn scale(&self) -> Option<Arc<Scale>> {
         self.session.scale(&self.settings.scale)
     }

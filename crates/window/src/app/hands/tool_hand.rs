@@ -68,7 +68,7 @@ impl SauteApp {
         self.inputs.tool_hand.turner = self.session.kitchen.led_tool().map(|_| turner);
     }
 
-    /// Changes where the turner is wanted; food on its blade is rolled high enough above the pan.
+    /// Changes where the turner is to be; food on its blade is rolled high enough above the pan.
     pub(crate) fn with_turner(&mut self, change: impl FnOnce(&mut TurnerPose)) {
         if self.stands_still() || self.inputs.tool_hand.tool != Tool::Turner {
             return;
@@ -84,7 +84,7 @@ impl SauteApp {
         }
     }
 
-    /// Returns true if time stands still, and says so in the window.
+    /// Returns true if time is stopped, and then shows a notice.
     pub(crate) fn stands_still(&self) -> bool {
         if self.session.paused {
             self.say("notice.paused");
@@ -100,7 +100,7 @@ impl SauteApp {
         self.command(&Command::Lead { tool: Tool::Tongs, to, grip: Some(id.to_owned()) });
     }
 
-    /// Moves and turns the tool as a stick says, seen from the eye, over `wall` seconds (−1…1 each).
+    /// Moves and turns the tool as a stick commands, seen from the eye, over `wall` seconds (−1…1 each).
     pub(crate) fn move_tool(&mut self, way: DVec3, [roll, pitch]: [f64; 2], wall: f64) {
         if way == DVec3::ZERO && roll == 0.0 && pitch == 0.0 {
             return;

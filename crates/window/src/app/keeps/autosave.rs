@@ -36,7 +36,7 @@ impl SauteApp {
         }
     }
 
-    /// Writes what happened, a few times a second, or at once. An error is said once; then nothing is kept any longer.
+    /// Writes what happened, a few times a second, or at once. An error is reported once; then nothing is kept any longer.
     pub fn keep_cook(&mut self, at_once: bool) {
         if self.keeps.autosave.offered.is_some() {
             return;

@@ -7,7 +7,7 @@ use saute_session::kept::link::{LONGEST, fragment, read};
 use saute_session::permits::Permit;
 
 impl SauteApp {
-    /// Copies an address that holds the cook, and states how long it is; one that is too long to be sent is not copied.
+    /// Copies an address that contains the cook, and states how long it is; one that is too long to be sent is not copied.
     pub(crate) fn copy_link(&mut self) {
         let Some(address) = page_address() else { return };
         let link = format!("{address}#{}", fragment(&self.session.whole_recording()));
@@ -19,7 +19,7 @@ impl SauteApp {
         self.desk.notice.say(l.fill("link.copied", &[("length", &length)]));
     }
 
-    /// Opens the cook that a fragment holds; nothing if it is about something else.
+    /// Opens the cook that a fragment contains; nothing if it is about something else.
     pub fn open_link(&mut self, fragment: &str) {
         if !self.permits().allow(&[Permit::Leaving]) {
             return;

@@ -43,7 +43,7 @@ impl SauteApp {
         }
     }
 
-    /// Takes a recipe's text as what was cooked at home; one that cannot be read is said to be wrong.
+    /// Takes a recipe's text as what was cooked at home; one that cannot be read is reported as wrong.
     pub(crate) fn take_cooked(&mut self, name: &str, text: &str) {
         if saute_recipe::Recipe::parse(text, name, &self.keeps.library).is_err() {
             return self.open_recipe(text, name);

@@ -27,7 +27,7 @@ impl SauteApp {
         }
     }
 
-    /// Takes over the goal of a plan: the panels speak of the same scale and of the same class, or of the same core.
+    /// Takes over the goal of a plan: the panels show the same scale and the same class, or the same core.
     pub(crate) fn aim_at(&mut self, goal: &Goal) {
         self.settings.goal_id = None;
         if let Some(scale) = self.session.library.scale(&goal.scale.id).cloned() {

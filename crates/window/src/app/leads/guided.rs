@@ -53,7 +53,7 @@ impl SauteApp {
         self.permits().allow(&[Permit::ReadOuts])
     }
 
-    /// Returns true if an act is locked, and says so.
+    /// Returns true if an act is locked, and then shows a notice.
     pub(crate) fn refuses(&self, act: &Act) -> bool {
         let refused = !self.permits().allow(act.traits().needs);
         if refused {
@@ -62,7 +62,7 @@ impl SauteApp {
         refused
     }
 
-    /// Leads the study or the lesson: ends what is over, and tells what has become known.
+    /// Leads the study or the lesson: ends what is over, and reports what has become known.
     pub(crate) fn guide(&mut self, ctx: &egui::Context) {
         self.try_machine();
         match &mut self.leads.guided {
@@ -151,7 +151,7 @@ impl SauteApp {
         }
     }
 
-    /// Closes what the list of what is allowed has not: other views, the cut, curves, the list of the pieces, the food.
+    /// Closes what the list of what is allowed does not contain: other views, the cut, curves, the list of the pieces, the food.
     fn show_only_what_is_allowed(&mut self) {
         (self.sights.glance, self.desk.card) = (None, None);
         let permits = self.permits();
@@ -251,7 +251,7 @@ impl SauteApp {
         }
     }
 
-    /// Saves a table, and says where it is if it has a path.
+    /// Saves a table, and shows where it is if it has a path.
     fn save_table(&self, name: &str, csv: &str) {
         match self.host.save_table(name, csv) {
             Ok(None) => {}

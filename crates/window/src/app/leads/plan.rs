@@ -79,7 +79,7 @@ impl SauteApp {
         self.followed().is_some()
     }
 
-    /// How the person stands to the plan that is followed.
+    /// How the person keeps to the plan that is followed.
     pub(crate) fn keeping(&self) -> Option<Keeping> {
         self.followed().map(|live| live.keeping(&self.session))
     }

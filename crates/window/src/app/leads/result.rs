@@ -45,7 +45,7 @@ impl SauteApp {
         }
     }
 
-    /// The cook so far, judged by its goal: a plan's cook by what the plan was made for. None without food that a scale knows.
+    /// The cook so far, judged by its goal: a plan's cook by what the plan was made for. None without food that has a scale.
     fn judged(&self) -> Option<(Goal, Judgement)> {
         let live = self.leads.live.as_ref().filter(|live| live.judges(&self.session));
         let goal = live.map(|live| live.goal().clone()).or_else(|| goal_of(&self.session, &self.settings))?;
@@ -62,7 +62,7 @@ impl SauteApp {
         let words = ResultWords::of(&judgement, &goal, &self.session.noun(speech.language), speech)
             .with_marks(marks, speech.language);
         let live = self.leads.live.as_ref().filter(|live| live.judges(&self.session));
-        // A plan says itself when it is served.
+        // A plan itself states when it is served.
         let words = match (live, rise) {
             (Some(live), _) => words.of_plan(live.plan(), &live.kept(&self.session, &judgement), speech),
             (None, Some(rise)) => return Some((words.while_it_rests(rise.peak_c, speech), None)),
@@ -72,7 +72,7 @@ impl SauteApp {
         Some((words, try_from_s))
     }
 
-    /// Opens the result of a plan once its rest is over, unless it is switched off: time stands still then.
+    /// Opens the result of a plan once its rest is over, unless it is switched off: time is then stopped.
     pub(crate) fn open_result_of_plan(&mut self) {
         let is_free = self.desk.card.is_none() && !self.card_is_open() && !self.shows_ways();
         if self.settings.result_opens && is_free && self.leads.guided.is_none() && self.session.is_out() {

@@ -1,4 +1,4 @@
-//! The trial run of a study's machine, and what of a locked speed is held.
+//! The trial run of a study's machine, and the share of a locked speed that the machine sustains.
 
 use std::sync::Arc;
 

@@ -48,7 +48,7 @@ impl SauteApp {
         }
         let is_due = advice.iter().any(|one| one.is_due());
         let speed = if tutorial.step.waits() && !is_due { FAST } else { SLOW };
-        // A speed that the machine cannot hold stays given up until the next wait.
+        // A speed that the machine cannot sustain stays given up until the next wait.
         if speed != tutorial.set {
             self.session.set_speed(speed);
             tutorial.set = speed;
@@ -56,7 +56,7 @@ impl SauteApp {
         self.leads.learn.tutorial = Some(tutorial);
     }
 
-    /// Returns true if what a step asks for is done.
+    /// Returns true if what a step requests is done.
     fn is_done(&self, step: Step, advice: &[Advice]) -> bool {
         let (kitchen, piece) = (&self.session.kitchen, self.session.steak());
         let is_at = |wanted: fn(Place) -> bool| piece.is_some_and(|piece| wanted(piece.place));

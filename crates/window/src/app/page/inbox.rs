@@ -19,7 +19,7 @@ use web_sys::{File, HtmlInputElement};
 const FONT_WANTED: &str = "saute-font";
 
 impl SauteApp {
-    /// Takes a font with the characters of Japanese; the window then speaks it.
+    /// Takes a font with the characters of Japanese; the window is then in Japanese.
     pub fn offer_font(&self, bytes: Vec<u8>) {
         if let Ok(mut font) = self.host.inbox.font.lock() {
             *font = Some(bytes);

@@ -1,4 +1,4 @@
-//! The panels a second time, as HTML beside the canvas: what egui tells screen readers goes to the page's script, and what is done
+//! The panels a second time, as HTML beside the canvas: what egui gives screen readers goes to the page's script, and what is done
 //! there comes back.
 
 use crate::app::SauteApp;
@@ -6,11 +6,11 @@ use egui::accesskit::{Action, ActionData};
 use saute_controls::spoken::told::told;
 use web_time::{Duration, Instant};
 
-/// Time between two descriptions of the cook (chosen: whoever asks for one hears how it stands now).
+/// Time between two descriptions of the cook (chosen: whoever requests one hears the present status).
 const TELL_EVERY: Duration = Duration::from_secs(5);
 
 impl SauteApp {
-    /// Shows the page what the panels show, if that is new, announces what happens, and describes now and then how the cook stands.
+    /// Shows the page what the panels show, if that is new, announces what happens, and describes the status of the cook now and then.
     pub(super) fn show_mirrored(&mut self) {
         let Some(host) = &self.host.script else { return };
         if let Some(text) = self.host.mirrored.news(self.card_is_open()) {
@@ -36,7 +36,7 @@ impl SauteApp {
         self.ask_control(id, Action::Click, None);
     }
 
-    /// Sets what a control of the page holds: a text, else a number.
+    /// Sets the value of a control of the page: a text, else a number.
     pub fn set_control(&self, id: &str, value: &str, is_text: bool) {
         let number = value.parse().ok().filter(|_| !is_text).map(ActionData::NumericValue);
         let data = number.unwrap_or_else(|| ActionData::Value(value.into()));

@@ -19,7 +19,7 @@ use saute_controls::act::HostAct;
 use saute_controls::plan::PlanFile;
 
 impl OnHost for SauteApp {
-    /// A page has workers, sound and downloads of its own.
+    /// A page has its own workers, sound and downloads.
     fn take_options(&mut self, _: DesktopOptions, _: &Context) {}
 
     fn settle_in(&mut self, start: HostStart, _: bool, ctx: &Context) {

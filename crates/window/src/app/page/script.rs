@@ -43,7 +43,7 @@ impl SauteApp {
         }
     }
 
-    /// Copies what a report of a problem needs, and says so.
+    /// Copies what a report of a problem needs, and shows a notice.
     pub(super) fn report_problem(&self) {
         if let Some(host) = &self.host.script {
             host.copy_report(&self.said().join("\n"));

@@ -32,7 +32,7 @@ pub(crate) struct Sights {
     pub(crate) glance: Option<Glance>,
     /// The kitchen, by its number, whose food was looked for last.
     pub(crate) looked_for: Option<u64>,
-    /// True while the eye stands where it went by itself to see food beside the pan.
+    /// True while the eye is where it went by itself to see food beside the pan.
     pub(crate) stands_back: bool,
     /// True if time was turned since.
     pub(crate) looks_again: bool,

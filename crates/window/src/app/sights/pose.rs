@@ -7,11 +7,11 @@ use saute_kitchen::TICK_S;
 use saute_recipe::Recipe;
 
 impl SauteApp {
-    /// Takes a condition on; time then stands still, and its picture is smoothed at once.
+    /// Takes a condition on; time is then stopped, and its picture is smoothed at once.
     ///
     /// # Errors
     ///
-    /// Says what is wrong with the recipe.
+    /// States what is wrong with the recipe.
     pub fn pose(&mut self, pose: &Pose) -> Result<(), String> {
         self.cook_to(pose)?;
         self.sights.scene.rest.at_once = true;
@@ -24,7 +24,7 @@ impl SauteApp {
         self.settings.forecasts = false;
         self.sights.camera_preset = (pose.camera + 2) % 3;
         self.next_camera();
-        // The eye stands where the condition states it, whatever was seen before, and all controls are there.
+        // The eye is where the condition states it, whatever was seen before, and all controls are there.
         (self.sights.looked_for, self.sights.looks_again) = (Some(self.session.generation), false);
         (self.sights.glance, self.sights.stands_back, self.settings.few) = (None, false, false);
         self.sights.slice = None;

@@ -1,4 +1,4 @@
-//! Ways side by side: when they are shown, and the pans of those beside the one that goes on.
+//! Ways side by side: when they are shown, and the pans of those next to the one that goes on.
 
 use crate::app::SauteApp;
 use crate::app::frame::step_budget;
@@ -11,7 +11,7 @@ use saute_picture::stage::{Places, StageOptions};
 use std::sync::Arc;
 use web_time::Duration;
 
-/// Longest that a frame may spend on the ways beside the one that goes on while that one is computed too [ms] (chosen: a frame stays
+/// Longest that a frame may spend on the ways next to the one that goes on while that one is computed too [ms] (chosen: a frame stays
 /// below a twentieth of a second).
 const BESIDE_MS: u64 = 8;
 
@@ -34,7 +34,7 @@ impl SauteApp {
         }
     }
 
-    /// Lets the ways beside the one that goes on follow it, for a part of a frame.
+    /// Lets the ways next to the one that goes on follow it, for a part of a frame.
     pub(crate) fn keep_ways_beside(&mut self, wall_s: f64) {
         self.follow_way();
         if !self.shows_ways() {
@@ -70,7 +70,7 @@ impl SauteApp {
         layout.with_ways(self.session.all_ways().count(), before)
     }
 
-    /// Draws the pans of the ways beside the one that goes on.
+    /// Draws the pans of the ways next to the one that goes on.
     pub(crate) fn draw_ways(&mut self, ui: &Ui, layout: &Layout, options: &StageOptions, fineness: f32) {
         let Some(places) = &layout.ways else { return };
         let quality = self.quality();

@@ -22,12 +22,12 @@ const THICKER: f32 = 0.0023;
 /// with food in it needs less).
 const TIGHT_N: f64 = 6.0;
 
-/// How far beyond its motor a number stands, and how far from a panel [points] (chosen: no two motors are as near).
+/// How far beyond its motor a number is, and how far from a panel [points] (chosen: no two motors are as near).
 const BEYOND: f32 = 22.0;
 
 const CLEAR: f32 = 16.0;
 
-/// Nearest place to the pan where the number of a motor out of view stands, and steps that look for one [-] (chosen).
+/// Nearest place to the pan where the number of a motor out of view can be, and steps that look for one [-] (chosen).
 const NEAREST: f32 = 0.3;
 
 const STEP: f32 = 0.02;
@@ -93,14 +93,14 @@ fn number_place(eye: &Camera, pane: &Pane, string: &Seen) -> Option<Pos2> {
     let free = pane.free.shrink(CLEAR);
     let at = |part: f32| project(eye, pane.rect, string.from.lerp(string.to, part));
     let beyond = at(1.0).zip(at(0.0)).map(|(motor, pan)| motor + BEYOND * (motor - pan).normalized());
-    // Strings that cross stay distinct where their numbers stand at different distances.
+    // Strings that cross stay distinct where their numbers are at different distances.
     let skipped = if string.number.is_multiple_of(2) { APART } else { 0 };
     let along = (0..).map(|k| 1.0 - STEP * k as f32).take_while(|part| *part >= NEAREST).filter_map(at);
     let seen = |place: &Pos2| free.contains(*place);
     beyond.filter(seen).or_else(|| along.filter(seen).nth(skipped))
 }
 
-/// What thickness and lightness of a string say.
+/// What thickness and lightness of a string mean.
 pub(crate) fn legend(l: Language, ui: &mut Ui) {
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), 30.0), Sense::hover());
     response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Image, true, l.text("hand.legend")));

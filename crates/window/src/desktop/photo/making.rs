@@ -1,4 +1,4 @@
-//! Pictures and time lapses that are made beside the window, with a graphics device of their own.
+//! Pictures and time lapses that are made in the background, with their own graphics device.
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -55,7 +55,7 @@ impl Drop for Making {
     }
 }
 
-/// What the thread tells the window.
+/// What the thread sends to the window.
 struct Executor {
     done: Arc<AtomicU32>,
     stopped: Arc<AtomicBool>,
@@ -79,7 +79,7 @@ impl Executor {
 
 /// Begins to make something.
 pub struct Maker {
-    /// The window, which is drawn anew when something is done.
+    /// The window, which is drawn again when something is done.
     pub ctx: egui::Context,
     /// Where the file will be.
     pub folder: PathBuf,

@@ -11,7 +11,7 @@ use saute_controls::ahead_words::are_shown;
 use saute_controls::context::PanelContext;
 use saute_session::forecasts::AgedForecast;
 
-/// How strongly a band is drawn, and what holds no more [-] (chosen: behind the curves).
+/// How strongly a band is drawn, and what no longer applies [-] (chosen: behind the curves).
 const BAND_SEEN: f32 = 0.25;
 const STALE_SEEN: f32 = 0.45;
 

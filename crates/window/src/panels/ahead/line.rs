@@ -7,7 +7,7 @@ use crate::ui::theme;
 use saute_controls::ahead_words::{age_words, class, class_of_peak};
 use saute_controls::context::PanelContext;
 
-/// Its height, which it keeps while there is nothing to say [points].
+/// Its height, which it keeps while there is nothing to show [points].
 const HEIGHT: f32 = 16.0;
 /// How far ahead it looks [s].
 const AHEAD_S: f64 = 120.0;
@@ -23,7 +23,7 @@ pub fn show(state: &PanelContext, ui: &mut Ui) {
     child.add(label).on_hover_text(format!("{words}\n{hint}"));
 }
 
-/// The words, and whether they hold as things are.
+/// The words, and whether they still apply.
 fn words(state: &PanelContext) -> Option<(String, bool)> {
     let (settings, l) = (state.settings, state.settings.language);
     let as_it_is = state.session.foreseen(Question::AsItIs)?;

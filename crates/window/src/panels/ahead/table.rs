@@ -21,7 +21,7 @@ const CELL: f32 = 33.0;
 /// Side of the patch of colour [points].
 const PATCH: f32 = 10.0;
 
-/// Shows the table; its height is the same whatever is known.
+/// Shows the table; its height is the same whatever it contains.
 pub fn show(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
     ui.spacing_mut().item_spacing.y = 3.0;
     head(state, ui);
@@ -47,7 +47,7 @@ fn head(state: &PanelContext, ui: &mut Ui) {
     small(ui, pos2(cell(rect, SPANS_S.len()), rect.center().y), &highest, theme::of(ui).quiet);
 }
 
-/// How old the answers are, and whether they still hold.
+/// How old the answers are, and whether they still apply.
 fn note(state: &PanelContext, ui: &mut Ui) {
     let l = state.settings.language;
     let known = Question::ALL.into_iter().filter_map(|question| state.session.foreseen(question));
@@ -92,7 +92,7 @@ fn row(state: &PanelContext, question: Question, ui: &mut Ui, acts: &mut Acts) {
     }
 }
 
-/// What is asked: a button that does it, where there is something to do.
+/// The question: a button that does it, where there is something to do.
 fn ask(state: &PanelContext, question: Question, ui: &mut Ui, acts: &mut Acts, place: Rect) {
     let words = question_words(state, question);
     let Some(piece) = state.session.steak().filter(|_| question != Question::AsItIs) else {

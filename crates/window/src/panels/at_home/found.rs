@@ -19,7 +19,7 @@ use saute_session::at_home::kept::KeptKitchen;
 /// Height of the plot [points].
 const PLOT: f32 = 210.0;
 
-/// Shows how the fit stands, and the kitchen that is kept.
+/// Shows the status of the fit, and the kitchen that is kept.
 pub fn show(state: &AtHomeState, ui: &mut Ui, acts: &mut Acts) {
     let l = state.settings.language;
     match state.at_home.standing() {

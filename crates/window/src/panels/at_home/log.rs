@@ -169,7 +169,7 @@ fn as_read(state: &PanelContext, ui: &mut Ui, reading: &Reading) {
     ui.label(RichText::new(said).size(13.0).color(theme::of(ui).quiet));
 }
 
-/// What is wrong, or what would have to be known, with the answers that are possible.
+/// What is wrong, or what information is missing, with the answers that are possible.
 fn question(state: &PanelContext, ui: &mut Ui, error: &LogError, columns: &mut Columns) {
     let l = state.settings.language;
     ui.label(RichText::new(WhyNoFit::from(error.clone()).words(l)).size(13.5).color(theme::of(ui).accent));

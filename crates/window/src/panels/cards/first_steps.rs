@@ -12,7 +12,7 @@ use saute_words::doneness_words;
 
 /// Size of a picture [points].
 const PICTURE: Vec2 = vec2(112.0, 78.0);
-/// Below this width the steps lie below each other [points] (chosen: three columns of type that can be read).
+/// Below this width the steps are below each other [points] (chosen: three columns of type that can be read).
 const NARROW: f32 = 700.0;
 /// Wall time in which a cook waits for hands [s] (chosen: seven acts of six seconds).
 const HANDS_S: f64 = 40.0;

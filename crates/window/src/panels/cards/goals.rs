@@ -11,7 +11,7 @@ use saute_controls::context::PanelContext;
 use saute_controls::goal_choice::{goals_for, named_goal};
 use saute_words::doneness_words;
 
-/// Width of the card at most, and below which its names stand above their choices [points].
+/// Width of the card at most, and below which its names are above their choices [points].
 const WIDTH: f32 = 620.0;
 const NARROW: f32 = 560.0;
 /// Height of a button [points].
@@ -53,7 +53,7 @@ fn goals(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
     }
 }
 
-/// What a goal wants, in words.
+/// What a goal requires, in words.
 fn wants(state: &PanelContext, goal: &GoalDescription) -> String {
     let l = state.settings.language;
     let named = goal.scale.as_deref().and_then(|id| state.session.library.scale(id));

@@ -126,7 +126,7 @@ fn list(ui: &mut Ui, groups: &[Group], columns: usize, l: Language) {
     ui.columns(columns, |uis| {
         let mut filled = 0;
         for group in groups {
-            // The middle of a group decides in which column it stands.
+            // The middle of a group decides in which column it is.
             let column = ((filled + group.lines.len() / 2) / most.max(1)).min(columns - 1);
             filled += group.lines.len() + 2;
             shown(&mut uis[column], group, l);

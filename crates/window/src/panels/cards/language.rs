@@ -7,7 +7,7 @@ use saute_controls::act::{Act, Acts, AppAct, Setting};
 use saute_controls::context::PanelContext;
 use saute_words::language::{Font, Language};
 
-/// Shows a chip that bears the next language's own name; where its letters cannot be drawn, its code.
+/// Shows a chip with the next language's own name; where its letters cannot be drawn, its code.
 pub fn chip(state: &PanelContext, japanese_font: bool, ui: &mut Ui, acts: &mut Acts) {
     let next = state.settings.language.next();
     let name = name(japanese_font, next);

@@ -1,4 +1,4 @@
-//! The list of what was said, the last first.
+//! The list of notices, the last first.
 
 use egui::{Rect, RichText, ScrollArea, Ui};
 

@@ -16,7 +16,7 @@ use saute_controls::context::PanelContext;
 use saute_words::clock::clock;
 use saute_words::judgement_words::ResultWords;
 
-/// Width of the card at most, and below which its parts lie below each other [points].
+/// Width of the card at most, and below which its parts are below each other [points].
 const WIDTH: f32 = 660.0;
 const NARROW: f32 = 560.0;
 /// Size of the picture of the cut at most [points], and room beside it for the brackets of the grey band.
@@ -25,7 +25,7 @@ const BRACKET: f32 = 76.0;
 /// Fineness of the picture [pixels/mm] (chosen: sharp in the card and in the picture that is shared).
 const PER_MM: f64 = 8.0;
 
-/// The picture of the cut, painted anew when another result is shown.
+/// The picture of the cut, painted again when another result is shown.
 #[derive(Default)]
 pub struct CutOfResult {
     texture: Option<TextureHandle>,
@@ -105,7 +105,7 @@ fn buttons(state: &PanelContext, try_from_s: Option<f64>, ui: &mut Ui, acts: &mu
     }
 }
 
-/// What the card says, and what its picture shows: the cut, the verdict with its grade, what went well and what to do better.
+/// The text of the card, and what its picture shows: the cut, the verdict with its grade, what went well and what to do better.
 pub fn content(ui: &mut Ui, words: &ResultWords, cut: &CutOfResult, narrow: bool) {
     let palette = theme::of(ui);
     (ui.spacing_mut().item_spacing.y, ui.spacing_mut().interact_size.y) = (4.0, 18.0);
@@ -158,7 +158,7 @@ fn cut_picture(ui: &mut Ui, words: &ResultWords, cut: &CutOfResult) {
     bracket(ui, rect, [rect.bottom() - below, rect.bottom()], words.grey_mm[0]);
 }
 
-/// Least thickness of a band that is marked [mm] (chosen: it can be told from the line that marks it).
+/// Least thickness of a band that is marked [mm] (chosen: it can be distinguished from the line that marks it).
 const MARKED_MM: f64 = 0.2;
 
 /// A bracket at the right of a picture from one height to another, with a line across the picture where the band ends.

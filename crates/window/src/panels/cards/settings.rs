@@ -20,7 +20,7 @@ use saute_controls::settings::quality_choice::QualityChoice;
 use saute_controls::settings::theme::Theme;
 use saute_words::language::Language;
 
-/// Below this width names stand above their choices [points].
+/// Below this width names are above their choices [points].
 pub(super) const NARROW: f32 = 640.0;
 /// Width of the card at most [points].
 pub(super) const WIDTH: f32 = 660.0;

@@ -28,7 +28,7 @@ pub(crate) fn button(
     }
 }
 
-/// Says why a study or a lesson holds a button back.
+/// Shows why a study or a lesson disables a button.
 pub(crate) fn why_off(state: &PanelContext, response: egui::Response, act: &Act) -> egui::Response {
     match state.forbids(act) {
         true => response.on_disabled_hover_text(state.settings.language.text("guided.locked")),

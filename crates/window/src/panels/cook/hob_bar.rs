@@ -163,7 +163,7 @@ pub(crate) fn time(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
     speeds(state, ui, acts, |speed| speed != 3.0);
 }
 
-/// The same from the right, with the single step, which a first cook has not.
+/// The same from the right, with the single step, which a first cook does not have.
 pub(crate) fn time_right_to_left(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
     let usual = (ui.spacing().item_spacing.x, ui.spacing().button_padding.x);
     (ui.spacing_mut().item_spacing.x, ui.spacing_mut().button_padding.x) = (3.0, 6.0);
@@ -217,7 +217,7 @@ fn speed_button(state: &PanelContext, ui: &mut Ui, acts: &mut Acts, speed: Optio
         return;
     }
     let response = pressed(ui, &words, is_on, !state.forbids(&act), l.text(hint));
-    // What was chosen and cannot be held stays marked.
+    // What was chosen and cannot be sustained stays marked.
     if speed.is_some_and(|speed| !settings.eases && speed == settings.speed && speed != now) {
         let edge = egui::Stroke::new(1.5, theme::of(ui).quiet);
         ui.painter().rect_stroke(response.rect, theme::CONTROL_CORNER, edge, egui::StrokeKind::Inside);

@@ -56,14 +56,14 @@ fn advised(state: &CookState, ui: &Ui, power: &Power) {
     ui.painter().add(egui::Shape::convex_polygon(corners, theme::of(ui).accent, egui::Stroke::NONE));
 }
 
-/// Where powers lie on the track.
+/// Where powers are on the track.
 struct Power<'a> {
     track: Rect,
     /// Track and marks.
     whole: Rect,
     most: f64,
     settings: &'a [f64],
-    /// True for a switch with steps and nothing between them: they stand side by side, by their numbers.
+    /// True for a switch with steps and nothing between them: they are side by side, by their numbers.
     has_steps: bool,
 }
 
@@ -103,7 +103,7 @@ impl Power<'_> {
     }
 }
 
-/// The knob and the bar; returns the power that a drag, a click or an arrow key asks for.
+/// The knob and the bar; returns the power that a drag, a click or an arrow key requests.
 fn dragged(state: &PanelContext, ui: &mut Ui, power: &Power, now: f64) -> Option<f64> {
     let l = state.settings.language;
     let id = ui.scope_id().with("hob");

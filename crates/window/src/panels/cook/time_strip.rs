@@ -199,7 +199,7 @@ impl<'a> Strip<'a> {
         line(0.0, self.end_s, palette.pressed);
         line(0.0, self.shown_s, palette.chosen);
         for mark in self.marks {
-            // What lies ahead is hollow.
+            // What is ahead is hollow.
             let done = mark.time_s <= self.shown_s;
             let fill = if done { palette.text } else { palette.sunken };
             painter.circle(self.at(mark.time_s), MARK, fill, Stroke::new(1.0, palette.quiet));

@@ -147,7 +147,7 @@ fn truth(state: &PanelContext, lesson: &Lesson, place: usize, ui: &Ui, acts: &mu
     });
 }
 
-/// The food rests, and nobody need wait for it.
+/// The food rests, and waiting for it is not necessary.
 fn cooked_on(state: &PanelContext, desk: &LessonDesk, rest: &Rest, ui: &Ui, whole: Rect) {
     let l = state.settings.language;
     let content = |ui: &mut Ui| {
@@ -189,7 +189,7 @@ fn result(
     });
 }
 
-/// What was foreseen beside what came.
+/// What was foreseen next to what came.
 fn foreseen(state: &PanelContext, lesson: &Lesson, ui: &mut Ui) {
     let l = state.settings.language;
     if lesson.asked().is_empty() {

@@ -26,7 +26,7 @@ pub struct Entries {
 
 /// Width of a card at most [points].
 const WIDTH: f32 = 560.0;
-/// Height that a card needs beside what it scrolls [points].
+/// Height that a card needs in addition to what it scrolls [points].
 const BESIDE: f32 = 110.0;
 
 /// Shows the ribbon, or the card; returns true if a card is shown: nothing else is to be shown over it.

@@ -10,7 +10,7 @@ use saute_controls::act::{Act, Acts, LearnAct};
 use saute_controls::context::PanelContext;
 use saute_session::guided::{LessonDesk, StudyDesk};
 
-/// Names phase and trial, and ends the trial; it never states which condition holds.
+/// Names phase and trial, and ends the trial; it never states which condition applies.
 pub(super) fn of_study(state: &PanelContext, desk: &StudyDesk, ui: &Ui, acts: &mut Acts, layout: &Layout) {
     let Some(simulate) = desk.study().simulate() else { return };
     let Stage::Trial { phase, trial } = desk.study().stage() else { return };

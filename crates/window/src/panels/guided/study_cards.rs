@@ -125,7 +125,7 @@ fn next_trial(
     });
 }
 
-/// What came of the trial before, if the participant is told.
+/// What came of the trial before, if the participant is informed.
 fn told(state: &PanelContext, last: Option<&Measures>, ui: &mut Ui) {
     if let Some(measures) = last {
         ui.label(guided_words::outcome(measures, state.settings.speech()));

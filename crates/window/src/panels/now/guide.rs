@@ -1,5 +1,5 @@
 //! The guide of a cook that follows a plan, on the line: the next step with its time; below it its cue, a bell and a way out; in the
-//! end what it gave beside what was promised.
+//! end what it gave next to what was promised.
 
 use egui::{RichText, Ui, vec2};
 use saute_plan::goal::Outcome;
@@ -35,7 +35,7 @@ pub(super) struct Guide<'a> {
 }
 
 impl<'a> Guide<'a> {
-    /// What it says now.
+    /// Its words now.
     pub fn of(live: &'a Live, state: &PanelContext) -> Self {
         Self { live, guidance: live.guidance(state.session) }
     }
@@ -121,7 +121,7 @@ impl<'a> Guide<'a> {
     fn said(&self, l: Language) -> String {
         let [step, all] = self.guidance.place();
         let place = l.fill("plan.step_of", &[("step", &step), ("all", &all)]);
-        // After the last step time stands still.
+        // After the last step time is stopped.
         let said = match self.live.returns_to().filter(|_| step < all) {
             Some(speed) => l.fill("plan.returns_to", &[("speed", &format!("{speed:.0}"))]),
             None => last_words(&self.guidance, l),
@@ -143,7 +143,7 @@ impl<'a> Guide<'a> {
         if width < NARROW { NARROW_CUE + ui.spacing().item_spacing.y + fingers::height(ui, ROW) } else { CUE }
     }
 
-    /// Shows the bell, the cue and the way out; where the advice has the word, the step and its button too.
+    /// Shows the bell, the cue and the way out; where the line shows the advice, the step and its button too.
     pub fn show(&self, has_word: bool, state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
         let from_right = egui::Layout::right_to_left(egui::Align::Center);
         if ui.available_height() <= CUE {
@@ -199,7 +199,7 @@ impl<'a> Guide<'a> {
         Some(self.live.keeping(state.session)).filter(|keeping| *keeping != Keeping::Kept)
     }
 
-    /// Ends the guide; where the advice has the word, the guide's button is here.
+    /// Ends the guide; where the line shows the advice, the guide's button is here.
     fn ways_out(&self, has_word: bool, state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
         let (l, palette, size) = (state.settings.language, theme::of(ui), vec2(44.0, fingers::height(ui, ROW)));
         let leave = palette.button(l.text("plan.leave"), false).min_size(size);
@@ -218,7 +218,7 @@ impl<'a> Guide<'a> {
     }
 }
 
-/// How the plan was left, and who speaks then.
+/// How the plan was left, and who leads then.
 fn left_words(keeping: Keeping, l: Language) -> String {
     match keeping {
         Keeping::Kept => String::new(),

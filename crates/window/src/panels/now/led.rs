@@ -1,5 +1,5 @@
-//! Who leads besides the advice: a plan or the tutorial. Its words stand on the line while it has the word; what else it shows stands
-//! below them.
+//! The leads other than the advice: a plan or the tutorial. While one leads, its words are on the line; what else it shows is
+//! below the line.
 
 use egui::Ui;
 use saute_kitchen::advice::Advice;
@@ -12,7 +12,7 @@ use saute_controls::now::now_state::NowState;
 use saute_controls::now::now_words::NowWords;
 use saute_controls::tutorial::{Step, Tutorial};
 
-/// Who leads besides the advice.
+/// A lead other than the advice.
 pub(super) enum Lead<'a> {
     /// The guide of a cook that follows a plan.
     Plan(Guide<'a>),
@@ -21,13 +21,13 @@ pub(super) enum Lead<'a> {
 }
 
 impl<'a> Lead<'a> {
-    /// Who leads now.
+    /// The present lead.
     pub fn of(state: &NowState<'a>) -> Option<Self> {
         let guide = state.live.filter(|live| !live.is_closed()).map(|live| Self::Plan(Guide::of(live, state)));
         guide.or(state.tutorial.map(Self::Tutorial))
     }
 
-    /// Its words, unless the advice has the word: what is dangerous is always said, and who has left a plan is advised again.
+    /// Its words, unless the line shows the advice: what is dangerous is always shown, and who has left a plan is advised again.
     pub fn words(&self, advice: Option<Advice>, state: &NowState) -> Option<NowWords> {
         match self {
             Self::Plan(guide) => {
@@ -41,7 +41,7 @@ impl<'a> Lead<'a> {
         }
     }
 
-    /// The control that is meant where no button of the line stands for it.
+    /// The control that is meant where no button of the line does it.
     pub fn control(&self, state: &NowState) -> Option<Act> {
         match self {
             Self::Plan(_) => None,
@@ -57,7 +57,7 @@ impl<'a> Lead<'a> {
         }
     }
 
-    /// Shows what is below the line; `has_word` is true while the line tells its words.
+    /// Shows what is below the line; `has_word` is true while the line shows its words.
     pub fn show(&self, has_word: bool, state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
         match self {
             Self::Plan(guide) => guide.show(has_word, state, ui, acts),

@@ -1,5 +1,5 @@
 //! The line that states what to do now, over the foot of the scene: a verb, its reason or the time that is left, and the one button
-//! that does it. While a plan or the tutorial leads, its words stand there instead, and what else it shows below them.
+//! that does it. While a plan or the tutorial leads, its words are shown there instead, and what else it shows below them.
 
 pub mod control_place;
 mod guide;
@@ -75,7 +75,7 @@ pub fn in_drawer(state: &NowState, memory: &mut NowMemory, ui: &mut Ui, acts: &m
     }
 }
 
-/// What the line tells, and who leads.
+/// What the line shows, and who leads.
 struct Now<'a> {
     words: NowWords,
     lead: Option<&'a Lead<'a>>,
@@ -83,7 +83,7 @@ struct Now<'a> {
     is_led: bool,
 }
 
-/// Where the line stands: at the foot of the free part, clear of the legend and of the buttons of the eye.
+/// Where the line is: at the foot of the free part, clear of the legend and of the buttons of the eye.
 fn place(state: &PanelContext, layout: &Layout, size: Vec2) -> Rect {
     let free = layout.free;
     let left = free.center().x - 0.5 * size.x;
@@ -93,7 +93,7 @@ fn place(state: &PanelContext, layout: &Layout, size: Vec2) -> Rect {
 }
 
 impl<'a> Now<'a> {
-    /// What the line tells; nothing where readings are hidden and nobody else leads, nor while the card of a lesson or a study asks.
+    /// What the line shows; nothing where readings are hidden and nobody else leads, nor while the card of a lesson or a study contains a question.
     fn of(state: &NowState, lead: Option<&'a Lead<'a>>, memory: &mut TimeLeft) -> Option<Self> {
         if state.guided.is_some_and(Guided::asks) {
             return None;
@@ -153,7 +153,7 @@ impl<'a> Now<'a> {
         two_lines(ui, room, [(&words.verb, &VERB_SIZES, verb), (&words.why, &WHY_SIZES, palette.quiet)]);
     }
 
-    /// Lights the control that the button stands for, or that the tutorial means. Behind a card nothing is to be pressed.
+    /// Lights the control of the button's act, or that the tutorial means. Behind a card nothing is to be pressed.
     fn light(&self, state: &NowState, ui: &Ui) {
         if state.card_is_open {
             return;
@@ -206,7 +206,7 @@ fn button(ui: &mut Ui, acts: &mut Acts, deed: &Deed, room: Rect) -> f32 {
     let width = 24.0 + fitted(ui, &deed.text, &[16.0], f32::INFINITY, palette.on_accent).size().x;
     let width = width.max(96.0);
     let place = Rect::from_min_size(pos2(room.right() - width, room.center().y - 0.5 * TOUCH), vec2(width, TOUCH));
-    // In a ui of its own: what comes below the line begins below all of it.
+    // In its own ui: what comes below the line begins below all of it.
     let response = ui.new_child(UiBuilder::new().max_rect(place)).put(place, button);
     response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Button, true, &deed.spoken));
     let is_new = has_just_changed(ui, deed);
@@ -234,7 +234,7 @@ fn forget_button(ui: &Ui) {
     ui.ctx().data_mut(|data| data.remove::<(String, f64)>(Id::unique("now-deed")));
 }
 
-/// The temperature of the core, large, and the goal below it; none where doneness is told by something else.
+/// The temperature of the core, large, and the goal below it; none where doneness is determined by something else.
 fn core(state: &PanelContext) -> Option<[String; 2]> {
     let scale = state.scale().filter(|scale| scale.measure() == Measure::Peak)?;
     let piece = state.session.steak()?;

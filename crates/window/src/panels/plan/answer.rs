@@ -44,7 +44,7 @@ pub fn show(state: &PlanState, plan: &Plan, ui: &mut Ui, acts: &mut Acts) {
     ui.label(RichText::new(l.text("plan.honest")).size(12.5).color(theme::of(ui).quiet));
 }
 
-/// True if the food, the pan or the target was changed since the plan was asked for.
+/// True if the food, the pan or the target was changed since the plan was requested.
 fn is_of_other_choice(state: &PlanState) -> bool {
     let settings = state.settings;
     let now = settings.plan.asked(&settings.choice, &state.session.library, settings);

@@ -1,4 +1,4 @@
-//! The card of plans: what is asked on its left, what was found on its right.
+//! The card of plans: the request on its left, what was found on its right.
 
 use egui::{Rect, RichText, ScrollArea, Ui};
 
@@ -12,10 +12,10 @@ use saute_session::plan::planning::SearchStatus;
 use saute_words::clock::clock;
 use saute_words::plan_words;
 
-/// Width of the card at most, and of what is asked where the answer is beside it [points].
+/// Width of the card at most, and of the request where the answer is beside it [points].
 const WIDTH: f32 = 1000.0;
 const FORM: f32 = 318.0;
-/// Below this width the answer is below what is asked [points].
+/// Below this width the answer is below the request [points].
 const NARROW: f32 = 760.0;
 
 /// Shows the card over everything; Esc, the button or a click beside it closes it.

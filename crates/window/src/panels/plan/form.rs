@@ -1,4 +1,4 @@
-//! What a plan is asked for: food, size, start, target, crust, flips, pan and powers.
+//! The request for a plan: food, size, start, target, crust, flips, pan and powers.
 
 use egui::{RichText, TextEdit, Ui, vec2};
 use saute_plan::schedule::asked::{scale_for, scales_for};
@@ -17,7 +17,7 @@ use saute_words::doneness_words;
 /// Height of the kinds of plans [points] (chosen: what follows keeps its room in a low window).
 const CHIP: f32 = 34.0;
 
-/// Shows what is asked, and the button that searches.
+/// Shows the request, and the button that searches.
 pub fn show(state: &PlanState, ui: &mut Ui, acts: &mut Acts) {
     let (l, settings) = (state.settings.language, state.settings);
     let (mut choice, mut plan) = (settings.choice.clone(), settings.plan.clone());

@@ -1,4 +1,4 @@
-//! "Plan my steak": the card with what is asked and what was found.
+//! "Plan my steak": the card with the request and the result.
 
 mod answer;
 pub mod card;

@@ -49,7 +49,7 @@ pub(super) fn show(
     within(ui, column.cut, &format!("cut-{}", way.way.slot), |ui| cut(state, way, memory, ui, name));
 }
 
-/// Where a way's words are, and beside them, for fingers, the buttons to other ways: those of a mouse stand beside its name.
+/// Where a way's words are, and beside them, for fingers, the buttons to other ways: those of a mouse are next to its name.
 fn head_places(ui: &Ui, head: Rect, way: &WayBeside, memory: &WaysMemory) -> (Rect, Option<Rect>) {
     if !fingers::are_used(ui.ctx()) || way.place.is_none() || !memory.pages {
         return (head, None);
@@ -80,7 +80,7 @@ fn head(state: &WaysState, way: &WayBeside, memory: &mut WaysMemory, ui: &mut Ui
     ui.add(egui::Label::new(RichText::new(&text).size(12.5).color(colour)).truncate()).on_hover_text(&text);
 }
 
-/// Buttons to the way before and after, where there is room for one beside the one that goes on.
+/// Buttons to the way before and after, where there is room for one next to the one that goes on.
 fn pages(state: &WaysState, way: &WayBeside, memory: &mut WaysMemory, ui: &mut Ui) {
     let others: Vec<u64> = state.ways.iter().filter(|way| way.place.is_some()).map(|way| way.way.id).collect();
     let here = others.iter().position(|id| *id == way.way.id).unwrap_or(0);
@@ -109,7 +109,7 @@ fn stand(state: &PanelContext, way: &WayBeside) -> (String, bool) {
     }
 }
 
-/// The pan of a way beside the one that goes on: it is turned as that one is; a button goes over to it.
+/// The pan of a way next to the one that goes on: it is turned as that one is; a button goes over to it.
 fn beside(state: &PanelContext, place: usize, ui: &mut Ui, acts: &mut Acts, picture: Rect, name: &str) {
     let l = state.settings.language;
     let response = ui.interact(picture, ui.scope_id().with(("way-pan", place)), Sense::drag());

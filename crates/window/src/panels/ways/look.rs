@@ -1,4 +1,4 @@
-//! How a way is told from the others: its piece and the style of its lines.
+//! How a way is distinguished from the others: its piece and the style of its lines.
 
 use egui_plot::LineStyle;
 use saute_controls::context::PanelContext;

@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 pub struct WaysMemory {
     /// What the curves show.
     pub(crate) quantity: Quantity,
-    /// Number of the way that is shown beside the one that goes on, where there is room for one.
+    /// Number of the way that is shown next to the one that goes on, where there is room for one.
     pub(crate) other: Option<u64>,
     /// True if there is no room for all of them.
     pub(crate) pages: bool,

@@ -54,7 +54,7 @@ pub fn curves_in_drawer(state: &WaysState, memory: &mut WaysMemory, ui: &mut Ui)
     ui.separator();
 }
 
-/// The ways for which there are columns: all of them, or the one that goes on and one beside it.
+/// The ways for which there are columns: all of them, or the one that goes on and one next to it.
 pub(crate) fn displayed<'a, 'b>(
     ways: &'b [WayBeside<'a>],
     memory: &WaysMemory,

@@ -12,7 +12,7 @@ use crate::ui::{fingers, theme};
 use saute_controls::ways_state::WaysState;
 use saute_session::timeline::WayBeside;
 
-/// How strongly what is after the shown instant is drawn [-] (chosen: seen, and told from what has happened).
+/// How strongly what is after the shown instant is drawn [-] (chosen: seen, and distinguished from what has happened).
 const AHEAD_SEEN: f32 = 0.4;
 
 /// Height of a row of the legend [points].
@@ -56,7 +56,7 @@ impl Quantity {
 /// Shows the curves in a height [points]: faint after the instant that is shown.
 pub(super) fn show(state: &WaysState, quantity: Quantity, ui: &mut Ui, height: f32) {
     let palette = theme::of(ui);
-    // The one that goes on is the widest: the others lie on it.
+    // The one that goes on is the widest: the others are drawn on it.
     let mut ways: Vec<&WayBeside> = state.ways.iter().collect();
     ways.sort_by_key(|way| way.place.is_some());
     let curves: Vec<Curve> = ways.into_iter().map(|way| curve(state, way, quantity, ui)).collect();
@@ -97,7 +97,7 @@ fn curve(state: &WaysState, way: &WayBeside, quantity: Quantity, ui: &Ui) -> Cur
     }
 }
 
-/// Shows which curve is whose, and chooses what they show.
+/// Shows which curve belongs to which way, and chooses what they show.
 pub(super) fn legend(state: &WaysState, quantity: &mut Quantity, ui: &mut Ui) {
     let l = state.settings.language;
     ui.spacing_mut().item_spacing = vec2(6.0, 2.0);

@@ -52,7 +52,7 @@ fn cooked(pan: &str, mm: f64) -> Harness<'static, SauteApp> {
     steps(&mut harness, 2);
     let mut stages = 0;
     while !follow(&mut harness) {
-        // What the line says is looked at: a picture of every second minute.
+        // The words of the line are looked at: a picture of every second minute.
         if harness.state().session().kitchen.time_s() >= 100.0 * f64::from(stages) {
             save(&mut harness, &format!("now-{pan}-{stages}"));
             stages += 1;

@@ -1,5 +1,5 @@
 //! Promise: on a first visit time runs fast while nothing is to be done, and at the pace of a kitchen where a hand is needed; what is
-//! asked for beyond the few controls opens all of them.
+//! requested beyond the few controls opens all of them.
 
 use egui::{Context, RawInput};
 use saute_controls::act::{Act, AppAct, Card, CookAct, TimeAct, ViewAct};
@@ -40,7 +40,7 @@ impl FirstVisit {
         self.app.session().speed
     }
 
-    /// Cooks without frames until the coach asks for a hand, or `most_s` are over; returns how long that took [s].
+    /// Cooks without frames until the coach requests a hand, or `most_s` are over; returns how long that took [s].
     fn until_a_hand_is_needed(&mut self, most_s: f64) -> f64 {
         let from_s = self.app.session().kitchen.time_s();
         loop {

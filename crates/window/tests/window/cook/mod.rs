@@ -1,4 +1,4 @@
-//! A cook by what the window says, and one that nobody sees.
+//! A cook by the words of the window, and one that nobody sees.
 
 mod advice;
 mod first_cook;

@@ -1,8 +1,8 @@
-//! Promise: whoever presses the button of the line that states what to do, some seconds after it is lit and whatever it says, meets the
+//! Promise: whoever presses the button of the line that states what to do, some seconds after it is lit and whatever its words are, meets the
 //! goal at the first try.
 //!
-//! Every run presses after 10 s of wall time, by a clock of its own; `SAUTE_NOW=all`, as in the campaign, cooks four pans, three
-//! steaks and three classes with hands that are 2, 5, 10 and 20 s late, and asks for 95 of 100.
+//! Every run presses after 10 s of wall time, by its own clock; `SAUTE_NOW=all`, as in the campaign, cooks four pans, three
+//! steaks and three classes with hands that are 2, 5, 10 and 20 s late, and requires 95 of 100.
 
 use egui::accesskit::{Action, ActionRequest, NodeId, Role, TreeId, TreeUpdate};
 use egui::{Context, Event, RawInput};
@@ -23,7 +23,7 @@ const RESTED_K: f64 = 0.35;
 /// Share of the cooks that must meet their goal [%].
 const ENOUGH_PCT: usize = 95;
 
-/// A window without a picture, whose line is read by what it tells those who do not see it.
+/// A window without a picture, whose line is read from its words for those who do not see it.
 struct Cook {
     app: SauteApp,
     ctx: Context,
@@ -33,7 +33,7 @@ struct Cook {
     orders: usize,
 }
 
-/// What the line asks for: the button and what it is called.
+/// What the line requests: the button and what it is called.
 type Lit = (NodeId, String);
 
 impl Cook {
@@ -55,7 +55,7 @@ impl Cook {
         self.app.act(act, &ctx);
     }
 
-    /// Draws a frame; returns what the line asks for.
+    /// Draws a frame; returns what the line requests.
     fn frame(&mut self) -> Option<Lit> {
         self.looked_s += LOOK_S;
         (0..(LOOK_S / TICK_S) as usize).for_each(|_| self.app.session_mut().tick().expect("ticks"));
@@ -98,7 +98,7 @@ impl Cook {
     }
 }
 
-/// The button of the line, where it asks for something.
+/// The button of the line, where it requests something.
 fn lit(update: &TreeUpdate) -> Option<Lit> {
     let asks = |label: &str| {
         (label.starts_with("As advised: ") && !label.ends_with("Result")) || label == "Take it out: the goal is reached"

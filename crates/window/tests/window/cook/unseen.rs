@@ -1,5 +1,5 @@
 //! Promise: nothing burns while nobody sees the window: time that passed without a frame is not cooked, and a tab that was hidden
-//! pauses and says so.
+//! pauses and shows a notice.
 
 use egui::{Context, RawInput};
 use saute_kitchen::Command;
@@ -59,7 +59,7 @@ fn a_hidden_tab_pauses_and_says_so_on_return() {
     assert_eq!(window.frames(10), 0.0, "it waits until somebody goes on");
     let said = window.app.said();
     assert!(said[0].contains("The tab was hidden, so the simulation is paused"), "{said:?}");
-    // What was paused before is not spoken of.
+    // What was paused before gets no notice.
     window.app.be_seen(false);
     window.app.be_seen(true);
     assert_eq!(window.app.said(), said);

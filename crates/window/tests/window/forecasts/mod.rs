@@ -1,5 +1,5 @@
-//! Promise: forecasts of the piece stand in the panel "Inside" as a line, as a table and as curves; they say how old they are and
-//! whether they still hold; what is asked can be done by a click. "As it is" is what comes, bit for bit.
+//! Promise: forecasts of the piece are shown in the panel "Inside" as a line, as a table and as curves; they state how old they are and
+//! whether they still apply; what a question is about can be done by a click. "As it is" is what comes, bit for bit.
 
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -75,7 +75,7 @@ fn frying(size: egui::Vec2, language: Language) -> (Harness<'static, SauteApp>, 
     cook(&mut harness, 60);
     harness.state_mut().session_mut().command(&flip()).expect("flips");
     cook(&mut harness, 30);
-    // A round is asked for, and its answers are shown.
+    // A round is requested, and its answers are shown.
     steps(&mut harness, 3);
     (harness, agency)
 }
@@ -109,7 +109,7 @@ fn a_line_says_what_comes_and_what_if_it_is_taken_out() {
     // The line and the advice answer one question with one number.
     let advised = harness.state_mut().session_mut().forecast().expect("steak is in the pan").peak_c - FORECAST_HIGH_K;
     harness.get_by_label_contains(&format!("In 2 min {core}\u{a0}°C · out now: {advised:.0}\u{a0}°C ("));
-    // What was foreseen in the pan is not said of a steak that is out of it.
+    // What was foreseen in the pan is not shown for a steak that is out of it.
     *agency.is_away.borrow_mut() = true;
     harness.get_by_label("Take out").click();
     cook(&mut harness, 3.0);
@@ -286,7 +286,7 @@ fn answers_of(mut helper: Box<dyn Helper>, order: &[u8]) -> Vec<u8> {
 #[test]
 fn a_thread_answers_what_the_same_thread_answers() {
     let (mut harness, agency) = usual();
-    // The table asks everything.
+    // The table has all questions.
     harness.key_press(egui::Key::G);
     steps(&mut harness, 12);
     let library = Arc::clone(&harness.state().session().library);

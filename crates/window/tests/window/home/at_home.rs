@@ -56,7 +56,7 @@ fn log(library: &Library) -> String {
     text
 }
 
-/// Whoever works a good while whenever it is asked for answers.
+/// An agency whose helper works a good while whenever it is polled for answers.
 struct Patient;
 
 struct PatientHelper(Executor);
@@ -181,7 +181,7 @@ fn values_by_hand_are_entered_row_by_row_and_a_wrong_one_is_named() {
     harness.get_by_label_contains("row 1 cannot be read");
 }
 
-/// In one window: the card in Japanese; then a question has its answers beside it, and what is no log is called by its name.
+/// In one window: the card in Japanese; then a question has its answers beside it, and what is no log is named as such.
 #[test]
 fn my_kitchen_reads_in_japanese_and_asks_about_a_log_that_can_be_read_in_two_ways() {
     let library = Library::embedded().expect("embedded data");

@@ -1,4 +1,4 @@
-//! Promise: a plan is found and shown in the window, and a cook that does each step when the guide says so gets what was promised.
+//! Promise: a plan is found and shown in the window, and a cook that does each step when the guide requests it gets what was promised.
 
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex};
@@ -71,7 +71,7 @@ fn cook_plan(library: &Library, target: &str, crust_pct: f64) -> Plan {
     Plan { order, schedule, promised, score, cues, sensitivity, candidates: 31, is_stopped: false, is_rough: false }
 }
 
-/// Whoever has one plan for everybody.
+/// An agency that has one plan for every request.
 struct Canned(Plan);
 
 struct CannedHelper(Plan, Option<u64>);

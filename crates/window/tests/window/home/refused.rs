@@ -25,7 +25,7 @@ fn refusals_of_a_search_and_of_a_fit_speak_both_languages() {
         harness.get_by_label_contains(of_fit);
         let choice = SteakChoice { size_mm: vec![750.0, 80.0, 25.0], ..SteakChoice::default() };
         act(&mut harness, Act::App(AppAct::Set(Setting::Choice(choice))));
-        // The card's sliders bring the size back: it is asked for before.
+        // The card's sliders bring the size back: it is requested before.
         act(&mut harness, Act::App(AppAct::Shut(Card::AtHome)));
         act(&mut harness, Act::Learn(LearnAct::Plan(PlanAct::Find)));
         act(&mut harness, Act::App(AppAct::Open(Card::Plan)));

@@ -31,7 +31,7 @@ fn a_search_shows_its_progress_and_can_be_cancelled() {
     harness.get_by_label("Find a plan");
 }
 
-/// Whoever never comes to an end, and has one plan so far.
+/// An agency whose search never ends, and has one plan so far.
 struct HalfWay(Plan);
 
 struct HalfWayHelper(Plan, Option<u64>);

@@ -35,7 +35,7 @@ fn set(harness: &mut Harness<'static, SauteApp>, setting: Setting) {
     act(harness, Act::App(AppAct::Set(setting)));
 }
 
-/// A window with a small raw steak; time stands still unless it is let on.
+/// A window with a small raw steak; time is stopped unless it is let on.
 fn small_steak(size: egui::Vec2) -> Harness<'static, SauteApp> {
     let mut harness = window(size);
     let choice = SteakChoice { size_mm: vec![60.0, 50.0, 16.0], ..SteakChoice::default() };

@@ -1,4 +1,4 @@
-//! Skill mode: no reading anywhere while one cooks, chips that say why they are off, and a result that reveals all.
+//! Skill mode: no reading anywhere while one cooks, chips that show why they are off, and a result that reveals all.
 
 use egui::Key;
 use egui_kittest::kittest::Queryable;

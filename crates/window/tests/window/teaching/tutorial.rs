@@ -1,4 +1,4 @@
-//! The tutorial: whoever does what it says gets a steak, in less than three minutes of their time.
+//! The tutorial: whoever follows its instructions gets a steak, in less than three minutes of their time.
 
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
@@ -49,7 +49,7 @@ fn followed(harness: &mut Harness<'static, SauteApp>, name: &str) -> f64 {
             steps(harness, 10);
             save(harness, &format!("tutorial-{name}-{step:?}"));
         }
-        // What was asked for takes effect in time, as smoke that stops; a person does not click twice in two seconds.
+        // What was requested takes effect in time, as smoke that stops; a person does not click twice in two seconds.
         follow(harness, step);
         (0..20).for_each(|_| harness.state_mut().session_mut().tick().expect("ticks"));
         steps(harness, 1);
