@@ -71,6 +71,7 @@ mod build_error;
 pub mod change;
 pub mod components;
 pub mod description;
+mod individual;
 pub mod model;
 pub mod node_fields;
 pub mod paper_2013;

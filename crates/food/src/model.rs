@@ -14,6 +14,7 @@ use crate::change::colour::{Appearance, Palette};
 use crate::change::response::HeatResponse;
 use crate::components::{Components, Masses, Properties};
 use crate::description::{FoodDescription, Kinetics, NaturalForm};
+use crate::individual::individual;
 use crate::paper_2013::{Rules, simplified};
 use crate::piece_spec::PieceSpec;
 use crate::state::FoodState;
@@ -48,6 +49,8 @@ impl FoodModel {
         piece: &PieceSpec,
     ) -> Result<Self, BuildError> {
         check_size(description, piece)?;
+        let own = piece.is_individual().then(|| individual(description, kinetics, piece.seed));
+        let (description, kinetics) = own.as_ref().map_or((description, kinetics), |(food, kinetics)| (food, kinetics));
         let body = Body::cut(description, piece)?;
         Self::fill_body(description, kinetics, components, body, piece.seed, piece.rules)
     }

@@ -25,7 +25,15 @@ pub struct PieceSpec {
 impl PieceSpec {
     /// Returns the natural form of the piece, or none if it is plain, as every piece of 2013 is.
     pub(crate) fn natural<'a>(&self, description: &'a FoodDescription) -> Option<&'a NaturalForm> {
-        let today = self.rules == Rules::Full && self.mesh == MeshSize::Default;
-        description.natural.as_ref().filter(|_| today && self.outline == OutlineKind::Natural)
+        description.natural.as_ref().filter(|_| self.is_of_today() && self.outline != OutlineKind::Plain)
+    }
+
+    /// Returns true if the piece differs from the mean of its food; none of 2013 does.
+    pub(crate) fn is_individual(&self) -> bool {
+        self.is_of_today() && self.outline == OutlineKind::Individual
+    }
+
+    fn is_of_today(&self) -> bool {
+        self.rules == Rules::Full && self.mesh == MeshSize::Default
     }
 }

@@ -25,7 +25,7 @@ pub use kinetics::{
 };
 pub use lab_colour::{LabColour, LabShift};
 pub use properties::{Anisotropy, Colours, Crust, FatMelting, Freezing, Sorption, SurfaceProperties};
-pub use shape::{NaturalForm, OutlineKind, OutlineShape, SizeRange, Spine, SurfaceFile};
+pub use shape::{NaturalForm, OutlineKind, OutlineShape, PieceSpread, SizeRange, Spine, SurfaceFile};
 pub use tissue::{Composition, Core, FatCap, Marbling, Sheaths};
 pub use words::{FILE_LANGUAGE, FoodWords};
 
@@ -90,6 +90,8 @@ pub struct FoodDescription {
     pub outline: OutlineShape,
     /// Natural form; a food without it has plain pieces.
     pub natural: Option<NaturalForm>,
+    /// Spread of the pieces about the mean piece; absent in foods whose pieces are all alike.
+    pub spread: Option<PieceSpread>,
     /// File of a closed surface that is filled with cells; absent in swept forms.
     pub mesh: Option<SurfaceFile>,
     /// The closed surface itself; the reader of the files sets it.

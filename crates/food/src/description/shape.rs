@@ -15,6 +15,8 @@ pub enum OutlineKind {
     Natural,
     /// The plain outline: no natural form and no fat cap.
     Plain,
+    /// As natural, and each seed gives a piece that differs from the mean of its food, as its file states the spread.
+    Individual,
 }
 
 sourced_table! {
@@ -103,6 +105,33 @@ sourced_table! {
         #[serde(default)]
         #[schemars(range(min = 0.0, max = 0.2), example = 0.06)]
         slender: f64,
+    }
+}
+
+sourced_table! {
+    /// Spread of the pieces of a food about its mean piece: standard deviations. It counts where a recipe wants individual pieces; a food
+    /// without it has none but mean ones.
+    PieceSpread {
+        /// Of the share of fat in the lean flesh [-]; it displaces everything else in proportion.
+        #[serde(default)]
+        #[schemars(range(min = 0.0, max = 0.1), example = 0.012)]
+        fat: f64,
+        /// Of the share of water, at the same fat [-].
+        #[serde(default)]
+        #[schemars(range(min = 0.0, max = 0.1), example = 0.010)]
+        water: f64,
+        /// Of the angle between the fibres and the thickness [°].
+        #[serde(default)]
+        #[schemars(range(min = 0.0, max = 60.0), example = 15.0)]
+        fibre_deg: f64,
+        /// Of the further difference of the thickness between two ends, relative to its mean [-].
+        #[serde(default)]
+        #[schemars(range(min = 0.0, max = 0.1), example = 0.03)]
+        wedge: f64,
+        /// Of the water that heating releases, relative to its mean [-].
+        #[serde(default)]
+        #[schemars(range(min = 0.0, max = 0.3), example = 0.1)]
+        released: f64,
     }
 }
 

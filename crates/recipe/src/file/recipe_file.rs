@@ -103,7 +103,8 @@ pub struct FoodEntry {
     pub count: Option<Spanned<u32>>,
     /// Fineness of its mesh; "default" by default.
     pub mesh: Option<MeshName>,
-    /// "natural" (default): each seed gives a piece of its own form; "plain": the same plain outline for all.
+    /// "natural" (default): each seed gives a piece of its own form; "plain": the same plain outline for all; "individual": as
+    /// natural, and each seed also differs in composition, fibres, unevenness and juice, as its food states the spread.
     pub outline: Option<OutlineKind>,
 }
 

@@ -160,7 +160,9 @@ pub(super) fn write_food(text: &mut String, food: &SetOutFood) {
     if detail.mesh == MeshSize::Paper2013 {
         text.push_str("mesh = \"2013\"\n");
     }
-    if detail.outline == OutlineKind::Plain {
-        text.push_str("outline = \"plain\"\n");
-    }
+    text.push_str(match detail.outline {
+        OutlineKind::Natural => "",
+        OutlineKind::Plain => "outline = \"plain\"\n",
+        OutlineKind::Individual => "outline = \"individual\"\n",
+    });
 }
