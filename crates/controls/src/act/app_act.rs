@@ -1,7 +1,7 @@
 //! Cards, files, pictures, devices and settings.
 
-use super::HostAct;
 use super::card::Card;
+use super::host_act::HostAct;
 use super::setting::Setting;
 use super::traits::Traits;
 use saute_session::export::Export;

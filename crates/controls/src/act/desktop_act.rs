@@ -4,8 +4,9 @@ use std::path::PathBuf;
 
 use saute_session::permits::Permit;
 
-use super::{PhotoChoice, Traits};
-use crate::hands::Role;
+use super::photo_choice::PhotoChoice;
+use super::traits::Traits;
+use crate::hands::role::Role;
 
 /// What only a desktop lets a person do.
 #[derive(Clone, Debug, PartialEq)]

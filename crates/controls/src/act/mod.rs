@@ -6,6 +6,7 @@ mod cook_act;
 #[cfg(not(target_arch = "wasm32"))]
 mod desktop_act;
 mod guided_act;
+mod host_act;
 mod learn_act;
 mod one_act;
 #[cfg(target_arch = "wasm32")]

@@ -2,7 +2,7 @@
 
 use saute_session::permits::Permit;
 
-use crate::act::{Subject, Traits};
+use super::traits::{Subject, Traits};
 
 /// What only a page lets a person do.
 #[derive(Clone, Debug, PartialEq)]

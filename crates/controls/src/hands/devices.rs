@@ -8,20 +8,11 @@ use saute_haptics::{HapticDevice, Health, PanInHand, TurnerInHand};
 use saute_kitchen::{FRAME_S, Kitchen};
 
 use super::connected::{ConnectError, Connected};
+use super::role::Role;
 use crate::input::felt::Felt;
 
 /// Degrees of freedom that a turner's device must sense.
 const TURNER_DOF: u8 = 6;
-
-/// What a device holds.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Role {
-    /// The pan.
-    #[default]
-    Pan,
-    /// The turner, without force.
-    Turner,
-}
 
 /// Devices with which the window starts.
 #[derive(Clone, Debug, Default)]

@@ -4,6 +4,7 @@
 #![allow(clippy::unwrap_used)]
 
 mod analysis;
+mod intervals;
 mod lessons;
 mod pace;
 mod protocols;
