@@ -1,6 +1,7 @@
 //! A piece as it differs from the mean of its food: composition, direction of the fibres, unevenness, and water that heating releases.
 
 use crate::description::{Anisotropy, Composition, FoodDescription, Kinetics, PieceSpread};
+use crate::piece_spec::PieceSpec;
 use crate::tissue::noise::uniform;
 
 /// Where the numbers of one piece are in the stream of its seed.
@@ -10,12 +11,17 @@ const SUMMANDS: u64 = 3;
 /// Share of water or fat that a piece keeps at least [-] (chosen: as in the files of foods).
 const LEAST_SHARE: f64 = 0.001;
 
-/// Food and kinetics of the piece of a seed. A food without a spread has none but mean pieces.
+/// An individual piece: its food, its kinetics, and its size as cut.
+pub(crate) type Individual = (FoodDescription, Kinetics, PieceSpec);
+
+/// The individual piece of a seed. A food without a spread has none but mean pieces.
 ///
 /// Each number strays by its own bell (the sum of three uniform ones, within three standard deviations), independent of the others.
-pub(crate) fn individual(food: &FoodDescription, kinetics: &Kinetics, seed: u64) -> (FoodDescription, Kinetics) {
-    let (mut food, mut kinetics) = (food.clone(), kinetics.clone());
-    let Some(spread) = food.spread.clone() else { return (food, kinetics) };
+pub(crate) fn individual(food: &FoodDescription, kinetics: &Kinetics, piece: &PieceSpec) -> Individual {
+    let (mut food, mut kinetics, mut piece) = (food.clone(), kinetics.clone(), *piece);
+    let Some(spread) = food.spread.clone() else { return (food, kinetics, piece) };
+    let seed = piece.seed;
+    piece.size[2] *= 1.0 + spread.thickness * bell(seed, 5);
     food.lean = strayed(&food.lean, &spread, bell(seed, 0), bell(seed, 1));
     food.anisotropy = food.anisotropy.as_ref().map(|mean| turned(mean, spread.fibre_deg * bell(seed, 2)));
     food.outline.wedge += spread.wedge * bell(seed, 3).abs();
@@ -23,7 +29,7 @@ pub(crate) fn individual(food: &FoodDescription, kinetics: &Kinetics, seed: u64)
     let holding = &mut kinetics.water_holding;
     holding.drop = (holding.drop * released).min(1.0 - LEAST_SHARE);
     holding.change.values_mut().for_each(|share| *share *= released);
-    (food, kinetics)
+    (food, kinetics, piece)
 }
 
 /// A number with mean 0 and standard deviation 1, within ±3.
@@ -108,6 +114,7 @@ mod tests {
             fibre_deg: 0.0,
             wedge: 0.0,
             released: 0.0,
+            thickness: 0.0,
             source: source(),
             confidence: Default::default(),
         };

@@ -49,8 +49,9 @@ impl FoodModel {
         piece: &PieceSpec,
     ) -> Result<Self, BuildError> {
         check_size(description, piece)?;
-        let own = piece.is_individual().then(|| individual(description, kinetics, piece.seed));
-        let (description, kinetics) = own.as_ref().map_or((description, kinetics), |(food, kinetics)| (food, kinetics));
+        let own = piece.is_individual().then(|| individual(description, kinetics, piece));
+        let (description, kinetics, piece) =
+            own.as_ref().map_or((description, kinetics, piece), |(food, kinetics, piece)| (food, kinetics, piece));
         let body = Body::cut(description, piece)?;
         Self::fill_body(description, kinetics, components, body, piece.seed, piece.rules)
     }

@@ -40,6 +40,7 @@ pub fn text(plan: &Plan, wall: Duration) -> String {
         text.push_str("\nif something is different and the times stay the same\n");
     }
     plan.sensitivity.iter().for_each(|s| row(&mut text, &s.change.words(), &changed(s, Speech::default())));
+    let _ = writeln!(text, "\n{}", EN.text("plan.honest"));
     text
 }
 

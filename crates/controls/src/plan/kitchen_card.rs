@@ -35,6 +35,7 @@ pub fn page(plan: &Plan, library: &Library, speech: Speech) -> String {
                     }
                     (promise(plan, speech))
                     @if !plan.sensitivity.is_empty() { (changes(plan, speech)) }
+                    p.small { (l.text("plan.honest")) }
                     p.small { (l.fill("plan.card_foot", &[("version", &env!("CARGO_PKG_VERSION"))])) }
                 }
             }

@@ -124,6 +124,10 @@ sourced_table! {
         #[serde(default)]
         #[schemars(range(min = 0.0, max = 60.0), example = 15.0)]
         fibre_deg: f64,
+        /// Of the mean thickness as cut, relative to the one that was ordered [-].
+        #[serde(default)]
+        #[schemars(range(min = 0.0, max = 0.1), example = 0.03)]
+        thickness: f64,
         /// Of the further difference of the thickness between two ends, relative to its mean [-].
         #[serde(default)]
         #[schemars(range(min = 0.0, max = 0.1), example = 0.03)]

@@ -4,6 +4,7 @@ mod actions;
 mod conditions;
 mod ends;
 mod frozen;
+mod individual;
 mod recipes;
 mod repeat;
 mod sessions;

@@ -306,7 +306,9 @@ fn a_session_keeps_how_its_food_is_meshed_and_by_which_rules_it_cooks() {
                   [[step]]\nat_s = 60\nend = true\n";
     let of_2013 = "title = \"then\"\npreset = \"2013\"\n[[food]]\nid = \"steak\"\nkind = \"beef-lean\"\nmesh = \"2013\"\n\
                    [[step]]\nat_s = 60\nend = true\n";
-    for text in [coarse, of_2013] {
+    let individual = "title = \"own\"\n[[food]]\nid = \"steak\"\nkind = \"beef-lean\"\ncoarseness = 2.5\noutline = \"individual\"\n\
+                      [[step]]\nat_s = 60\nend = true\n";
+    for text in [coarse, of_2013, individual] {
         let recipe = Recipe::parse(text, "begun.toml", &library).expect("parses");
         let mut live = Live::begin(&library, &recipe, false);
         live.person(Command::Hob(900.0));
