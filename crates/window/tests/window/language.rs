@@ -76,7 +76,7 @@ fn used(sections: &BTreeSet<String>) -> BTreeSet<String> {
         }
     }
     let mut all = String::new();
-    for crate_of in ["picture", "session", "window", "words"] {
+    for crate_of in ["picture", "session", "window", "controls", "words"] {
         sources(&Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(crate_of).join("src"), &mut all);
     }
     let is_key = |s: &&str| {
