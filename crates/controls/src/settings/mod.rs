@@ -7,6 +7,7 @@ mod remembered;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod stored_zoom;
 pub mod theme;
+mod wanted_plan;
 
 use std::collections::BTreeMap;
 

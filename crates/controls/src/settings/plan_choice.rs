@@ -1,14 +1,9 @@
 //! What a person requests of a plan, in addition to the food and the pan of the pantry: it is remembered.
 
 use saute_kitchen::Library;
-use saute_kitchen::food::Scale;
 use saute_kitchen::pan::hob::HobDescription;
-use saute_plan::schedule::asked::{Asked, scale_for};
-use saute_plan::schedule::{Order, PLAIN_FLIPS};
+use saute_plan::schedule::Order;
 use serde::{Deserialize, Serialize};
-
-use crate::settings::Settings;
-use saute_session::SteakChoice;
 
 /// Scale in whose classes a target is stated at first: the one that cooks use.
 const FIRST_SCALE: &str = "chefs";
@@ -63,13 +58,6 @@ impl PlanChoice {
         self.crust_pct.unwrap_or_else(usual)
     }
 
-    /// Returns the class that is requested on a scale: the chosen one, else that of the goal.
-    pub fn class_on<'a>(&self, scale: &'a Scale, settings: &Settings) -> &'a str {
-        let chosen = scale.class.iter().find(|class| class.name == self.class);
-        let of_goal = || scale.class.get(scale.class_of(scale.of_nodes(settings.goal(scale))));
-        chosen.or_else(of_goal).map_or("", |class| class.name.as_str())
-    }
-
     /// Returns the powers of the hob that may be used, ascending [W].
     pub fn powers_w(&self, hob: &HobDescription) -> Vec<f64> {
         let typed = self.powers.split(|c: char| !c.is_ascii_digit()).filter_map(|number| number.parse().ok());
@@ -82,47 +70,11 @@ impl PlanChoice {
         powers.dedup();
         powers
     }
-
-    /// Returns the request for a choice of food and pan.
-    pub fn asked(&self, choice: &SteakChoice, library: &Library, settings: &Settings) -> Asked {
-        let scale = scale_for(library, &choice.kind, &self.scale);
-        let class = scale.map_or(String::new(), |scale| self.class_on(scale, settings).to_owned());
-        Asked {
-            food: choice.kind.clone(),
-            size_mm: choice.size_mm.iter().map(|mm| mm.round()).collect(),
-            initial_c: choice.initial_c.round(),
-            count: None,
-            hob: choice.hob.clone(),
-            pan: choice.pan.clone(),
-            hob_w: self.powers_w(choice.hob(library)),
-            most_flips: if self.plain { PLAIN_FLIPS } else { self.most_flips.min(MOST_FLIPS) },
-            plain: self.plain,
-            target: if self.by_core || scale.is_none() { format!("core={:.0}", self.core_c) } else { class },
-            scale: scale.map_or(String::new(), |scale| scale.id.clone()),
-            crust_pct: self.crust_of(library, &choice.kind),
-        }
-    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn what_is_asked_fits_the_food_whatever_was_chosen_for_another() {
-        let library = Library::embedded().expect("embedded data");
-        let (settings, choice) = (Settings::default(), PlanChoice::default());
-        let of = |kind: &str| {
-            let size_mm = library.foods[kind].size.default_mm.clone();
-            choice.asked(&SteakChoice { kind: kind.into(), size_mm, ..SteakChoice::default() }, &library, &settings)
-        };
-        let targets = ["beef-lean", "shrimp", "beef-patty", "carrot-coin"].map(|kind| of(kind).target);
-        assert_eq!(targets, ["medium", "opaque", "safe", "tender"]);
-        assert_eq!([of("beef-lean").crust_pct, of("shrimp").crust_pct], [60.0, 0.0]);
-        for kind in library.foods.keys() {
-            assert!(of(kind).order(&library).is_ok(), "{kind}");
-        }
-    }
 
     #[test]
     fn powers_are_read_as_people_write_them_and_are_those_of_the_dial_where_there_are_none() {

@@ -31,7 +31,7 @@ impl SauteApp {
     }
 
     fn find_plan(&mut self) {
-        let asked = self.settings.plan.asked(&self.settings.choice, &self.session.library, &self.settings);
+        let asked = self.settings.wanted_plan(&self.session.library);
         let helper = (!self.leads.planning.has_helper()).then(|| self.hire_or_frames(WorkKind::Plan));
         let home = self.session.home();
         let there = asked.hob.as_ref().and_then(|hob| home.on_hob(hob).ok());

@@ -47,7 +47,7 @@ pub fn show(state: &PlanState, plan: &Plan, ui: &mut Ui, acts: &mut Acts) {
 /// True if the food, the pan or the target was changed since the plan was requested.
 fn is_of_other_choice(state: &PlanState) -> bool {
     let settings = state.settings;
-    let now = settings.plan.asked(&settings.choice, &state.session.library, settings);
+    let now = settings.wanted_plan(&state.session.library);
     state.planning.asked().is_some_and(|asked| *asked != now)
 }
 

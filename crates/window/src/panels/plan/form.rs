@@ -105,7 +105,7 @@ fn target(state: &PanelContext, ui: &mut Ui, choice: &SteakChoice, plan: &mut Pl
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing = vec2(5.0, 5.0);
         if let Some(scale) = scale {
-            let wanted = plan.class_on(scale, state.settings).to_owned();
+            let wanted = state.settings.class_of_plan(plan, scale).to_owned();
             for class in &scale.class {
                 let on = !plan.by_core && class.name == wanted;
                 if chip(ui, doneness_words::class(scale, &class.name, l), on) {

@@ -164,7 +164,7 @@ fn what_is_chosen_on_the_card_is_what_is_asked() {
     assert!(harness.state().settings().plan.by_core);
     harness.get_by_role_and_label(Role::SpinButton, "Core at its highest");
     let settings = harness.state().settings();
-    let asked: Asked = settings.plan.asked(&settings.choice, &library, settings);
+    let asked: Asked = settings.wanted_plan(&library);
     assert_eq!((asked.target.as_str(), asked.size_mm.as_slice()), ("core=57", &[60.0, 50.0, 15.0][..]));
 }
 
