@@ -130,8 +130,8 @@ fn markdown(runs: &[CaseRun], pictures: &[&str]) -> Result<String, CliError> {
     let groups = groups(runs);
     let mut text = format!(
         "# Validation\n\nWritten by `saute validate --write`. Every case is a file in `validation/`; the expected values come \
-         from outside this program. They are about the mean piece of a food: real ones differ \
-         ([docs/sweeps.md](docs/sweeps.md#what-real-pieces-do)). {}. [docs/segments.md](docs/segments.md) shows what the shape functions \
+         from outside this program. They are about the mean piece of a food; \
+         real ones differ, as `docs/sweeps.md` shows. {}. [docs/segments.md](docs/segments.md) shows what the shape functions \
          gain over the segments of earlier work.\n\n",
         held(runs)
     );
