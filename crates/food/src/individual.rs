@@ -14,15 +14,18 @@ const LEAST_SHARE: f64 = 0.001;
 /// An individual piece: its food, its kinetics, and its size as cut.
 pub(crate) type Individual = (FoodDescription, Kinetics, PieceSpec);
 
-/// The individual piece of a seed. A food without a spread has none but mean pieces.
+/// The individual piece of a seed, of a food with a spread.
 ///
 /// Each number strays by its own bell (the sum of three uniform ones, within three standard deviations), independent of the others.
-pub(crate) fn individual(food: &FoodDescription, kinetics: &Kinetics, piece: &PieceSpec) -> Individual {
-    let (mut food, mut kinetics, mut piece) = (food.clone(), kinetics.clone(), *piece);
-    let Some(spread) = food.spread.clone() else { return (food, kinetics, piece) };
-    let seed = piece.seed;
+pub(crate) fn individual(
+    food: &FoodDescription,
+    spread: &PieceSpread,
+    kinetics: &Kinetics,
+    piece: &PieceSpec,
+) -> Individual {
+    let (mut food, mut kinetics, mut piece, seed) = (food.clone(), kinetics.clone(), *piece, piece.seed);
     piece.size[2] *= 1.0 + spread.thickness * bell(seed, 5);
-    food.lean = strayed(&food.lean, &spread, bell(seed, 0), bell(seed, 1));
+    food.lean = strayed(&food.lean, spread, bell(seed, 0), bell(seed, 1));
     food.anisotropy = food.anisotropy.as_ref().map(|mean| turned(mean, spread.fibre_deg * bell(seed, 2)));
     food.outline.wedge += spread.wedge * bell(seed, 3).abs();
     let released = (1.0 + spread.released * bell(seed, 4)).max(0.0);
@@ -41,7 +44,9 @@ fn bell(seed: u64, number: u64) -> f64 {
 /// Lean flesh with other shares of fat and of water; what else there is keeps its proportions, and all add up to 1 as before.
 fn strayed(mean: &Composition, spread: &PieceSpread, fat: f64, water: f64) -> Composition {
     let total = mean.total();
-    let new_fat = (mean.fat + spread.fat * fat).clamp(LEAST_SHARE.min(mean.fat), 0.5 * total);
+    // What is fat for the most part becomes no fatter: the rest keeps room for water and solids.
+    let fattest = (0.5 * total).max(mean.fat);
+    let new_fat = (mean.fat + spread.fat * fat).clamp(LEAST_SHARE.min(mean.fat), fattest);
     // Fat takes the place of everything else.
     let left = (total - new_fat) / (total - mean.fat);
     let solids = mean.protein + mean.carbohydrate + mean.fibre + mean.ash;
@@ -125,6 +130,8 @@ mod tests {
             assert!((piece.total() - mean.total()).abs() < 1e-12);
             assert!(piece.fat > 0.0 && piece.protein > 0.0);
         }
+        let fatty = Composition { water: 0.15, protein: 0.03, fat: 0.807, ..mean.clone() };
+        assert!((strayed(&fatty, &spread, 0.0, 0.0).fat - 0.807).abs() < 1e-15, "its mean piece is its mean");
         // One standard deviation more of fat displaces 73 parts of water in 96.5; then the water strays by its own.
         let piece = strayed(&mean, &spread, 1.0, 1.0);
         let displaced = 0.73 * (1.0 - 0.047) / (1.0 - 0.035);

@@ -49,7 +49,8 @@ impl FoodModel {
         piece: &PieceSpec,
     ) -> Result<Self, BuildError> {
         check_size(description, piece)?;
-        let own = piece.is_individual().then(|| individual(description, kinetics, piece));
+        let spread = description.spread.as_ref().filter(|_| piece.is_individual());
+        let own = spread.map(|spread| individual(description, spread, kinetics, piece));
         let (description, kinetics, piece) =
             own.as_ref().map_or((description, kinetics, piece), |(food, kinetics, piece)| (food, kinetics, piece));
         let body = Body::cut(description, piece)?;

@@ -1,4 +1,4 @@
-//! What the window teaches: goals, the result of a cook, skill mode, and the tutorial.
+//! The result of a cook as a picture of its own, drawn without the window.
 
 pub mod on_its_own;
 pub mod raster;

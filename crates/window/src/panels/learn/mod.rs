@@ -1,3 +1,3 @@
-//! What is taught while one cooks: the coach's sentences, the alarm at the goal.
+//! The coach: what happens to the food, and what to perceive next.
 
 pub mod coach;
