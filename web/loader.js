@@ -6,7 +6,7 @@ const version = new URL(import.meta.url).search;
 const place = (file) => new URL(`./${file}${version}`, import.meta.url).href;
 const FILES = ["download", "graphics", "cover", "words", "start_tiles", "host", "kept_cook", "kept_study", "controls", "offline", "jobs", "entered"];
 const parts = await Promise.all(FILES.map((file) => import(place(`${file}.js`))));
-const { fetchFile, withProgress, backends, prepare, agreeOnPixels, Cover, words, StartTiles, Host, KeptCook, KeptStudy, Controls, Jobs, takeNewVersion, keepForOffline, waitToBeEntered, letTabLeave } = Object.assign({}, ...parts);
+const { fetchFile, withProgress, backends, prepare, agreeOnPixels, Cover, words, StartTiles, Host, KeptCook, KeptStudy, Controls, Jobs, keepForOffline, waitToBeEntered, letTabLeave } = Object.assign({}, ...parts);
 
 const asked = new URLSearchParams(location.search);
 // Without a language in the address the kitchen takes the remembered one, else the browser's.
@@ -135,7 +135,6 @@ function openStudy() {
 
 async function main() {
   document.documentElement.dataset.state = "loading";
-  if (!isEmbedded) await takeNewVersion();
   if (typeof WebAssembly === "undefined") return cover.fail("no_wasm");
   const candidates = await backends(asked.get("backend") ?? "auto");
   if (!candidates.length) return cover.fail("no_graphics");

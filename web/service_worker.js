@@ -1,4 +1,6 @@
-// Keeps the page for later visits without a network. One version of the build is one cache: a page never mixes two.
+// Keeps the page for later visits without a network. One version of the build is one cache: a page never mixes two, since every file but the
+// page itself is addressed with its version. A new version answers as soon as it is kept as a whole; pages of the old one that are still open
+// go on from theirs.
 
 const VERSION = "{{version}}";
 const CACHE = `saute-${VERSION}`;
@@ -42,12 +44,17 @@ async function install() {
   if (!page.ok) throw new Error(`${scope.href}: ${page.status}`);
   await cache.put(scope.href, page);
   await Promise.all(FILES.map((file) => keep(cache, placed(file))));
+  // Now, while the page that is open cooks and requests nothing. A version that waits is changed for while the next start is under way, and
+  // the browser may lose that start: it then waits for minutes.
+  await self.skipWaiting();
 }
 
-async function activate() {
+/** Once a page of this version cooks and no other is open: nobody needs the files of other versions. */
+async function forgetOthers() {
+  const pages = await self.clients.matchAll({ type: "window", includeUncontrolled: true });
+  if (pages.length > 1) return;
   const names = await caches.keys();
   await Promise.all(names.filter((name) => name.startsWith("saute-") && name !== CACHE).map((name) => caches.delete(name)));
-  await self.clients.claim();
 }
 
 /** True for the page itself; guides and pictures come from the network. */
@@ -58,20 +65,22 @@ function isPage(request) {
 
 async function answer(request) {
   const cache = await caches.open(CACHE);
-  const kept = isPage(request) ? await cache.match(scope.href) : await cache.match(request);
+  const kept = isPage(request) ? await cache.match(scope.href) : await caches.match(request);
   if (kept) return kept;
-  const twin = await cache.match(compressed(request.url));
+  const twin = await caches.match(compressed(request.url));
   if (twin) return new Response(twin.body.pipeThrough(new DecompressionStream("gzip")));
   const response = await fetch(request);
   // The font, and its `.gz`, from the first time on.
-  if (response.status === 200 && request.url.includes("/fonts/")) await cache.put(request, response.clone());
+  const isFont = request.url.includes("/fonts/") && request.url.endsWith(`?v=${VERSION}`);
+  if (isFont && response.status === 200) await cache.put(request, response.clone());
   return response;
 }
 
 self.addEventListener("install", (event) => event.waitUntil(install()));
-self.addEventListener("activate", (event) => event.waitUntil(activate()));
+self.addEventListener("activate", (event) => event.waitUntil(self.clients.claim()));
 self.addEventListener("fetch", (event) => {
   const { method, url } = event.request;
   if (method === "GET" && url.startsWith(scope.href)) event.respondWith(answer(event.request));
 });
-self.addEventListener("message", (event) => event.data === "take over" && self.skipWaiting());
+// A page states its version once it cooks.
+self.addEventListener("message", (event) => event.data === VERSION && event.waitUntil(forgetOthers()));

@@ -1,7 +1,7 @@
-// Promises: after the first visit the page works without a network, and a new version takes its place as a whole.
+// Promises: after the first visit the page works without a network, and a new version takes its place as a whole at the next start.
 
 import assert from "node:assert/strict";
-import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { appendFileSync, cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import { after, before, test } from "node:test";
@@ -27,29 +27,32 @@ const isKept = (page) =>
   page.waitForFunction(() => navigator.serviceWorker.controller !== null);
 const versionOf = (page) => page.evaluate(() => new URL(document.querySelector("script").src).search.slice(3));
 
-/** Waits until a new version lies ready beside the one that is used. */
-async function isFetched(page) {
-  const isReady = () => navigator.serviceWorker.getRegistration().then((registration) => registration.waiting !== null);
-  for (const end = Date.now() + LATE_MS; !(await page.evaluate(isReady)); ) {
+/** Waits until a version is kept as a whole and answers. */
+async function answers(page, version) {
+  const isAnswering = async (cache) => {
+    const { installing, waiting, active } = await navigator.serviceWorker.getRegistration();
+    return (await caches.has(cache)) && !installing && !waiting && active.state === "activated";
+  };
+  for (const end = Date.now() + LATE_MS; !(await page.evaluate(isAnswering, `saute-${version}`)); ) {
     assert.ok(Date.now() < end, "no new version was fetched");
     await page.waitForTimeout(200);
   }
 }
 
-/** Starts the page until the version that was fetched has taken over: the next start, or a later one where the machine is so busy that
- * the new version answers only once the old one cooks. */
-async function takesOver(page, version) {
-  for (const end = Date.now() + LATE_MS; ; ) {
-    await page.reload();
-    await reaches(page, "cooking");
-    if ((await versionOf(page)) === version) return;
-    assert.ok(Date.now() < end, "the new version never took over");
+/** Waits until these versions alone are kept. */
+async function areKept(page, ...versions) {
+  const wanted = versions.map((version) => `saute-${version}`);
+  for (const end = Date.now() + LATE_MS; ; await page.waitForTimeout(200)) {
+    const found = await page.evaluate(() => caches.keys());
+    if (found.toSorted().join() === wanted.toSorted().join()) return;
+    assert.ok(Date.now() < end, `kept are ${found}, not ${wanted}`);
   }
 }
 
 /** Makes the site another version of itself, as a new build does. */
 function newVersion(from, to) {
-  for (const name of ["index.html", "service_worker.js"]) {
+  appendFileSync(join(site, "style.css"), "/* of the new version */");
+  for (const name of ["index.html", "service_worker.js", "style.css"]) {
     const file = join(site, name);
     writeFileSync(file, readFileSync(file, "utf8").replaceAll(from, to));
     // Compressed forms are of the old version.
@@ -80,17 +83,24 @@ test("a new version takes its place as a whole at the next start", { timeout: ST
   const { page, close } = await visit(browser, host.address);
   await isKept(page);
   const before = await versionOf(page);
+  const style = (page) => page.evaluate(() => fetch(document.querySelector("link[rel=stylesheet]").href).then((file) => file.text()));
+  const styled = await style(page);
   newVersion(before, "00000002");
   // This start still has the old version, and fetches the new one.
   await page.reload();
   await reaches(page, "cooking");
-  await isFetched(page);
+  await answers(page, "00000002");
+  // It goes on with its own files, though the host has others.
   assert.equal(await versionOf(page), before);
-  await takesOver(page, "00000002");
+  assert.equal(await style(page), styled);
+  await areKept(page, before, "00000002");
+  await page.reload();
   await begins(page);
+  assert.equal(await versionOf(page), "00000002");
+  assert.notEqual(await style(page), styled);
   const loaded = await page.evaluate(() => performance.getEntriesByType("resource").map((entry) => entry.name));
   assert.deepEqual(loaded.filter((url) => url.includes(before)), []);
-  assert.deepEqual(await page.evaluate(() => caches.keys()), ["saute-00000002"]);
+  await areKept(page, "00000002");
   host.end();
   await page.reload();
   await begins(page);
