@@ -36,9 +36,17 @@ without_timings() {
 # series CSV: with today's name of the second column.
 with_todays_header() { sed '1s/^time_s,hob_w,/time_s,hob_drawn_w,/' "$1"; }
 
-# text_of KEY FILE: the multi-line text of a key in a cook case.
+# first_values FILE: commands of sed that put the first value in each place that a case varies.
+first_values() {
+    awk -F'"' '/^replace = / { place = $2 }
+               /^values = / { value = $2; if (NF == 1) { value = $0; sub(/^values = \[ */, "", value); sub(/ *[],].*/, "", value) }
+                              print "s|" place "|" value "|g" }' "$1"
+}
+
+# text_of KEY FILE: the multi-line text of a key in a cook case, with the first of the values that it varies.
 text_of() {
-    awk -v start="$1 = '''" 'index($0, start) == 1 { inside = 1; next } index($0, "'"'''"'") == 1 { inside = 0 } inside' "$2"
+    awk -v start="$1 = '''" 'index($0, start) == 1 { inside = 1; next } index($0, "'"'''"'") == 1 { inside = 0 } inside' "$2" |
+        sed -f <(first_values "$2")
 }
 
 # collect_inputs DIR: the recipes and cases of the working tree, and the list of runs.
