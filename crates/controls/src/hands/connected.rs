@@ -1,6 +1,7 @@
 //! One device that is connected: its loop, its simulator where it has one, and the file of its calibration.
 
 use std::path::{Path, PathBuf};
+use std::sync::mpsc::Receiver;
 
 use saute_files::{regular_file, write_whole};
 use saute_haptics::control::control_loop::{LoopError, LoopReport, LoopState};
@@ -58,6 +59,10 @@ pub struct Connected {
     state: LoopState,
     news: CalibrationNews,
     file: Option<PathBuf>,
+    /// What its driver reports, such as why a message is rejected; none from a device that reports nothing.
+    notices: Option<Receiver<String>>,
+    /// The last of them.
+    reported: Option<String>,
     /// The simulator's process; it ends after the loop.
     simulator: Option<Simulator>,
 }
@@ -70,7 +75,7 @@ impl Connected {
         let (opened, simulator) = open_or_simulate(&named, pairing, None)?;
         let access = simulator.is_none().then_some(opened.access);
         let connected = Self::start(text, opened.device, file)?;
-        Ok(Self { access, simulator, ..connected })
+        Ok(Self { access, simulator, notices: opened.notices, ..connected })
     }
 
     /// Runs the loop of a device.
@@ -82,18 +87,27 @@ impl Connected {
         let control = ControlLoop::start(device, &library::feel()?, 0)?;
         let state = LoopState::default();
         let name = name.to_owned();
-        Ok(Self { name, capabilities, access: None, strings, control, state, news, file, simulator: None })
+        let (access, notices, reported, simulator) = (None, None, None, None);
+        Ok(Self { name, capabilities, access, strings, control, state, news, file, notices, reported, simulator })
     }
 
-    /// Reads the state of the loop.
+    /// Reads the state of the loop and what the driver reports.
     pub fn update(&mut self) -> &LoopState {
         self.state = self.control.state();
+        if let Some(last) = self.notices.iter().flat_map(Receiver::try_iter).last() {
+            self.reported = Some(last);
+        }
         &self.state
     }
 
     /// State of the loop when it was read last.
     pub fn state(&self) -> &LoopState {
         &self.state
+    }
+
+    /// What its driver reported last, such as why a message is rejected.
+    pub fn reported(&self) -> Option<&str> {
+        self.reported.as_deref()
     }
 
     /// Publishes what the hand feels.

@@ -245,6 +245,20 @@ fn a_second_device_leads_the_turner_if_it_senses_place_and_turning() {
     assert!(until(&mut harness, |app| app.session().kitchen.led_tool().is_none()), "it is put away");
 }
 
+/// Connects an OSC device and sends it what it does not understand: nobody looks at the terminal of a program with a window.
+fn panel_states_why_a_message_is_rejected(harness: &mut Harness<'static, SauteApp>) {
+    let hands = &mut harness.state_mut().session_mut().hands;
+    hands.connect(Role::Pan, "osc@127.0.0.1:0", 0).expect("a free port");
+    let place = hands.device(Role::Pan).and_then(|device| device.access.clone()).expect("a place").place;
+    let sender = std::net::UdpSocket::bind("127.0.0.1:0").expect("a socket");
+    sender.send_to(b"no osc", &place).expect("sent");
+    assert!(until(harness, |app| app.session().hands.device(Role::Pan).is_some_and(|d| d.reported().is_some())));
+    press(harness, Key::Escape);
+    steps(harness, 12);
+    harness.get_by_label_contains("rejected a message from 127.0.0.1");
+    save(harness, "hand-rejected");
+}
+
 #[test]
 fn devices_are_chosen_on_the_settings_card() {
     for (size, name) in [(WIDE, "wide"), (vec2(390.0, 844.0), "phone")] {
@@ -274,5 +288,8 @@ fn devices_are_chosen_on_the_settings_card() {
         steps(&mut harness, 3);
         harness.get_by_label_contains("no-such-place");
         assert!(!harness.state().session().hands.any());
+        if size == WIDE {
+            panel_states_why_a_message_is_rejected(&mut harness);
+        }
     }
 }

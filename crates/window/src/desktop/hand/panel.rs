@@ -58,6 +58,9 @@ fn lines(device: &Connected, role: Role, ui: &mut Ui, l: Language) {
     ui.add(egui::Label::new(RichText::new(format!("{}: {health}", role_word(role, l))).strong().size(14.5)).wrap());
     let simulated = if device.is_simulated() { l.text("hand.simulated") } else { "" };
     quiet(ui, &format!("{} {simulated}", device.name));
+    if let Some(why) = device.reported() {
+        quiet(ui, why);
+    }
     let late = state.lateness;
     let whole = |v: f64| format!("{v:.0}");
     let open: [(&str, &dyn std::fmt::Display); 3] =
