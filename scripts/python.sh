@@ -73,7 +73,7 @@ test_python() { pytest_in test python/tests "$@"; }
 # test_python_on_ray: sweeps on a Ray cluster on this machine.
 test_python_on_ray() { pytest_in ray python/tests_ray "$@"; }
 
-# test_vtk: VTK reads what the program writes for it, and PyVista what the package gives.
+# test_vtk: VTK and meshio read what the program writes for them, and PyVista what the package gives.
 test_vtk() {
     pytest_in vtk python/tests_vtk "$@"
     pytest_in vtk python/tests/test_arrays.py -k pyvista

@@ -1,6 +1,5 @@
 //! Grids as VTU files: XML whose arrays follow as one block of bytes, each compressed by zlib.
 
-use std::fmt::Write as _;
 use std::io::Write as _;
 
 use flate2::Compression;
@@ -22,8 +21,9 @@ impl Grid {
             "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\" ",
             "compressor=\"vtkZLibDataCompressor\">"
         ));
-        file.line("<UnstructuredGrid>");
         file.notes(self);
+        file.line("<UnstructuredGrid>");
+        file.time(self);
         let (points, cells) = (self.points.len(), self.cells.count());
         file.line(&format!("<Piece NumberOfPoints=\"{points}\" NumberOfCells=\"{cells}\">"));
         file.section("PointData", &self.of_points);
@@ -63,17 +63,18 @@ impl File {
         self.xml.push('\n');
     }
 
-    /// The time, under the name by which readers find it, and the notes as texts.
+    /// The notes as a comment: some readers refuse a file with texts among its arrays.
     fn notes(&mut self, grid: &Grid) {
+        let notes: Vec<String> = grid.notes.iter().map(|(name, text)| format!("{name}: {text}")).collect();
+        if !notes.is_empty() {
+            self.line(&format!("<!-- {} -->", notes.join("; ").replace("--", "- -")));
+        }
+    }
+
+    /// The time, under the name by which readers find it.
+    fn time(&mut self, grid: &Grid) {
         self.line("<FieldData>");
         self.array(&Array::reals("TimeValue", "s", vec![grid.time_s]), true);
-        for (name, text) in &grid.notes {
-            let mut codes = String::new();
-            text.bytes().chain([0]).for_each(|byte| write!(codes, "{byte} ").unwrap_or(()));
-            self.line(&format!(
-                "<DataArray type=\"String\" Name=\"{name}\" NumberOfTuples=\"1\" format=\"ascii\">{codes}</DataArray>"
-            ));
-        }
         self.line("</FieldData>");
     }
 
@@ -83,12 +84,14 @@ impl File {
         self.line(&format!("</{name}>"));
     }
 
-    /// Adds an array; one of the notes states its length.
-    fn array(&mut self, array: &Array, is_note: bool) {
+    /// Adds an array; one of the whole grid states its length.
+    fn array(&mut self, array: &Array, is_of_grid: bool) {
         let Array { name, unit, components, numbers } = array;
-        let count = if is_note { " NumberOfTuples=\"1\"" } else { "" };
+        let count = if is_of_grid { " NumberOfTuples=\"1\"" } else { "" };
+        // One is the default, and for some readers a stated one is a column instead of a list.
+        let columns = if *components == 1 { String::new() } else { format!(" NumberOfComponents=\"{components}\"") };
         let start = format!(
-            "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{components}\"{count} format=\"appended\" offset=\"{}\"",
+            "<DataArray type=\"{}\" Name=\"{}\"{columns}{count} format=\"appended\" offset=\"{}\"",
             numbers.kind(),
             escaped(name),
             self.appended.len()
