@@ -30,8 +30,10 @@ const versionOf = (page) => page.evaluate(() => new URL(document.querySelector("
 /** Waits until a version is kept as a whole and answers. */
 async function answers(page, version) {
   const isAnswering = async (cache) => {
+    // In this order: a version that is seen in the cache has begun to install.
+    if (!(await caches.has(cache))) return false;
     const { installing, waiting, active } = await navigator.serviceWorker.getRegistration();
-    return (await caches.has(cache)) && !installing && !waiting && active.state === "activated";
+    return !installing && !waiting && active.state === "activated";
   };
   for (const end = Date.now() + LATE_MS; !(await page.evaluate(isAnswering, `saute-${version}`)); ) {
     assert.ok(Date.now() < end, "no new version was fetched");
