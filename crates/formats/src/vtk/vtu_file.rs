@@ -67,7 +67,7 @@ impl File {
     fn notes(&mut self, grid: &Grid) {
         let notes: Vec<String> = grid.notes.iter().map(|(name, text)| format!("{name}: {text}")).collect();
         if !notes.is_empty() {
-            self.line(&format!("<!-- {} -->", notes.join("; ").replace("--", "- -")));
+            self.line(&format!("<!-- {} -->", commented(&notes.join("; "))));
         }
     }
 
@@ -131,6 +131,16 @@ fn squeezed(block: &[u8]) -> Vec<u8> {
     // Writing to memory does not fail.
     let _ = encoder.write_all(block);
     encoder.finish().unwrap_or_default()
+}
+
+/// Returns a text as it may be in an XML comment: without two hyphens in a row and without control characters.
+fn commented(text: &str) -> String {
+    let mut plain = text.replace(char::is_control, " ");
+    // A run of three leaves two in a row at first.
+    while plain.contains("--") {
+        plain = plain.replace("--", "- -");
+    }
+    plain
 }
 
 /// Returns a text as the value of an XML attribute.

@@ -2,5 +2,6 @@
 
 mod brick;
 mod lab;
+mod notes;
 mod pieces;
 mod vtu;
