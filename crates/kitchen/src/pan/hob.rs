@@ -6,7 +6,6 @@ use serde::{Deserialize, Serialize};
 use crate::pan::heater::disc::disc_shares;
 use crate::pan::heater::{Coil, Control, Element, Flame, Grate, Heater, Plate};
 use crate::pan::hold::Hold;
-use crate::pan::overheat::Overheat;
 use crate::pan::under::Under;
 
 /// A hob as its file describes it: one of coil, flame, element and plate, with what belongs to it.
@@ -17,7 +16,7 @@ pub struct HobDescription {
     /// Name for people.
     #[schemars(example = &"Induction hob")]
     pub name: String,
-    /// Coil of an induction hob; needs control, overheat and hold.
+    /// Coil of an induction hob; needs control and hold.
     pub coil: Option<Coil>,
     /// Flame of a gas burner; needs a grate.
     pub flame: Option<Flame>,
@@ -31,8 +30,6 @@ pub struct HobDescription {
     pub control: Option<Control>,
     /// What is below the pan.
     pub under: Under,
-    /// Inferring that a pan on an induction hob overheats.
-    pub overheat: Option<Overheat>,
     /// Holding a pan on an induction hob at a temperature.
     pub hold: Option<Hold>,
 }
@@ -44,8 +41,6 @@ pub struct Electronics<'a> {
     pub coil: &'a Coil,
     /// What they do.
     pub control: &'a Control,
-    /// Inferring that a pan overheats.
-    pub overheat: &'a Overheat,
     /// Holding a pan at a temperature.
     pub hold: &'a Hold,
     /// Glass between pan and sensor.
@@ -75,7 +70,6 @@ impl HobDescription {
         Some(Electronics {
             coil: self.coil.as_ref()?,
             control: self.control.as_ref()?,
-            overheat: self.overheat.as_ref()?,
             hold: self.hold.as_ref()?,
             glass: &self.under,
         })

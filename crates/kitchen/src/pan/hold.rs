@@ -6,8 +6,8 @@ use serde::{Deserialize, Serialize};
 use crate::pan::heater::Control;
 use crate::pan::hob::Electronics;
 use crate::pan::observed_pan::{Known, ObservedPan};
-use crate::pan::overheat::OverheatLimit;
 use crate::pan::pan_class::PanClass;
+use crate::tick::low_pass::low_pass;
 
 sourced_table! {
     /// How the hob holds a pan at a temperature.
@@ -88,8 +88,8 @@ const DRY_S: f64 = 45.0;
 pub struct HoldControl {
     /// Temperature to hold [K]; none if the hob gives the power at which it is set.
     target: Option<f64>,
-    /// The sensor, and what it reports of a pan that gets a set power.
-    limit: OverheatLimit,
+    /// Temperature of the sensor under the glass [K]; none before the first tick.
+    sensor: Option<f64>,
     /// The pan as it is inferred; none while no pan is detected.
     pan: Option<ObservedPan>,
     /// What is learnt of the load.
@@ -227,18 +227,15 @@ impl HoldControl {
     /// there is no power.
     pub(crate) fn advance(&mut self, load: &HoldLoad, dt: f64) {
         let hold = load.hob.hold;
-        self.limit.advance(&load.hob, (load.glass, load.given, load.room), dt);
-        if self.target.is_none()
-            && let Some(floor) = self.limit.floor
-        {
-            self.withheld = load.hob.control.withheld(floor);
-        }
+        let mut sensor = self.sensor.unwrap_or(load.glass);
+        low_pass(&mut sensor, load.glass, hold.sensor_delay_s, dt);
+        self.sensor = Some(sensor);
         let Some(ring) = load.ring else {
-            (self.pan, self.learnt, self.power) = (None, Learnt::default(), 0.0);
+            (self.pan, self.learnt, self.power, self.withheld) = (None, Learnt::default(), 0.0, 0.0);
             return;
         };
         let known = load.known(ring, self.learnt.liquid_share(hold));
-        let read = stepped(self.limit.sensor().unwrap_or(load.glass), hold.sensor_step_k);
+        let read = stepped(sensor, hold.sensor_step_k);
         let pan = self.pan.get_or_insert_with(|| ObservedPan::first_seen(known.ring, read));
         pan.advance(&known, dt);
         self.since_s += dt;
@@ -253,8 +250,8 @@ impl HoldControl {
         let (hold, class) = (load.hob.hold, load.class);
         let floor = pan.floor(class);
         self.learnt.follow(floor, pan.load_w, self.since_s);
-        let Some(target) = self.target else { return };
         self.withheld = load.hob.control.withheld(floor);
+        let Some(target) = self.target else { return };
         let missing = self.aim(load, target) - floor;
         self.holding = match self.holding {
             _ if load.boils && target > BOILING_K => Holding::Boils,

@@ -11,7 +11,6 @@ pub mod hold;
 pub mod lid;
 pub(crate) mod near_pan;
 pub(crate) mod observed_pan;
-pub(crate) mod overheat;
 pub(crate) mod pan_class;
 pub mod pan_description;
 pub mod pan_model;

@@ -37,7 +37,6 @@ impl HobDescription {
         let (coil, flame) = (self.coil.is_some(), self.flame.is_some());
         let tables = [
             ("control", self.control.is_some(), coil, "coil"),
-            ("overheat", self.overheat.is_some(), coil, "coil"),
             ("hold", self.hold.is_some(), coil, "coil"),
             ("grate", self.grate.is_some(), flame, "flame"),
         ];

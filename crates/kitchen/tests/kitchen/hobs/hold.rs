@@ -99,7 +99,7 @@ fn a_hob_holds_only_temperatures_and_powers_of_its_range() {
 }
 
 /// A steak of a size [m] from the refrigerator.
-fn steak(size: [f64; 3]) -> PieceOrder {
+pub(crate) fn steak(size: [f64; 3]) -> PieceOrder {
     PieceOrder {
         id: "steak".into(),
         kind: "beef-lean".into(),
