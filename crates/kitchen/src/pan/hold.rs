@@ -250,7 +250,7 @@ impl HoldControl {
         let (hold, class) = (load.hob.hold, load.class);
         let floor = pan.floor(class);
         self.learnt.follow(floor, pan.load_w, self.since_s);
-        self.withheld = load.hob.control.withheld(floor);
+        self.withheld = load.hob.control.withheld(floor).max(withheld_for_the_rings(load, known, &pan));
         let Some(target) = self.target else { return };
         let missing = self.aim(load, target) - floor;
         self.holding = match self.holding {
@@ -272,6 +272,13 @@ impl HoldControl {
         let over = if target < BOILING_K { water } else { oil } * (target - load.room).max(0.0);
         target + over * self.learnt.liquid_share(hold)
     }
+}
+
+/// Part of the set power that is withheld so that no ring gets hotter than the limit [-]: oil would burn there.
+fn withheld_for_the_rings(load: &HoldLoad, known: &Known, pan: &ObservedPan) -> f64 {
+    let limit = saute_food::ZERO_C + load.hob.control.limit_c;
+    let bound = pan.hottest_within(known, limit, 0.5 * load.hob.hold.settle_s) / load.hob.coil.efficiency;
+    if load.largest > 0.0 { 1.0 - (bound / load.largest).clamp(0.0, 1.0) } else { 0.0 }
 }
 
 /// A reading in steps [K].

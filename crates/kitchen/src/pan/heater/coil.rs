@@ -34,7 +34,7 @@ sourced_table! {
         /// Period of that [s].
         #[schemars(range(min = 0.01, max = 600.0), example = 2.0)]
         duty_period_s: f64,
-        /// Mean temperature of the floor, as the electronics infer it, at which the power is off [°C].
+        /// Mean temperature of the floor, as the electronics infer it, at which the power is off; they let no place of it get hotter [°C].
         #[schemars(range(min = 0.0, max = 1000.0), example = 250.0)]
         limit_c: f64,
         /// Range below it over which the power falls to nothing [K].

@@ -76,7 +76,7 @@ fn an_empty_pan_at_full_power_settles_below_the_limit_and_food_does_not_raise_th
             kitchen.add(&library, &steak([0.12, 0.08, 0.02])).expect("food");
             apply(&mut kitchen, Command::Put { food: "steak".into(), at: [0.0, 0.0], heap: false });
             let with_food = floor_over(&mut kitchen, 300);
-            assert!(with_food[1] < empty[1] + 1.0, "{pan} {power}: {with_food:?}, empty {empty:?}");
+            assert!(with_food[1] < empty[1] + 2.0, "{pan} {power}: {with_food:?}, empty {empty:?}");
         }
     }
 }
