@@ -274,10 +274,11 @@ impl HoldControl {
     }
 }
 
-/// Part of the set power that is withheld so that no ring gets hotter than the limit [-]: oil would burn there.
+/// Part of the set power that is withheld so that no ring gets so hot that oil would burn there [-].
 fn withheld_for_the_rings(load: &HoldLoad, known: &Known, pan: &ObservedPan) -> f64 {
-    let limit = saute_food::ZERO_C + load.hob.control.limit_c;
-    let bound = pan.hottest_within(known, limit, 0.5 * load.hob.hold.settle_s) / load.hob.coil.efficiency;
+    let control = load.hob.control;
+    let most = saute_food::ZERO_C + control.limit_c + control.hottest_k;
+    let bound = pan.hottest_within(known, most, 0.5 * load.hob.hold.settle_s) / load.hob.coil.efficiency;
     if load.largest > 0.0 { 1.0 - (bound / load.largest).clamp(0.0, 1.0) } else { 0.0 }
 }
 

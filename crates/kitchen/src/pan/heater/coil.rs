@@ -34,12 +34,15 @@ sourced_table! {
         /// Period of that [s].
         #[schemars(range(min = 0.01, max = 600.0), example = 2.0)]
         duty_period_s: f64,
-        /// Mean temperature of the floor, as the electronics infer it, at which the power is off; they let no place of it get hotter [°C].
+        /// Mean temperature of the floor, as the electronics infer it, at which the power is off [°C].
         #[schemars(range(min = 0.0, max = 1000.0), example = 250.0)]
         limit_c: f64,
         /// Range below it over which the power falls to nothing [K].
         #[schemars(range(min = 0.1, max = 500.0), example = 15.0)]
         resume_k: f64,
+        /// By how much the hottest ring of the floor may be hotter than that limit [K].
+        #[schemars(range(min = 0.0, max = 300.0), example = 25.0)]
+        hottest_k: f64,
         /// A pan that stands higher than this is not detected [mm].
         #[schemars(range(min = 0.1, max = 500.0), example = 15.0)]
         lift_limit_mm: f64,
