@@ -59,7 +59,7 @@ sourced_table! {
         /// face [-].
         #[schemars(range(min = 0.0, max = 1.0), example = 0.3)]
         through_share: f64,
-        /// Share of the juice reaching a boiling node that passes to the face as liquid [-].
+        /// Share of the juice that enters boiling flesh and passes all of it to the face as liquid [-].
         #[schemars(range(min = 0.0, max = 1.0), example = 0.7)]
         passes_boiling: f64,
         /// Largest film of juice on a face; more runs off [kg/m²].

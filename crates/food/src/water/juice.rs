@@ -26,7 +26,7 @@ impl FoodModel {
     /// Water beyond the capacity of the flesh becomes free juice by a first-order rate. The capacity follows from the peak
     /// temperature and from the changes. Free juice moves along the fibres at a speed v, dF/dt = −F v/Δz, and carries its
     /// heat. Contraction drives it from hot flesh: most goes to the face on its own side of the coldest level, a part through
-    /// that level to the other face. A boiling node lets a share of the arriving juice pass to the face as liquid. Flesh that
+    /// that level to the other face. Where juice enters boiling flesh, a share passes to the face as liquid. Flesh that
     /// has dried below its capacity takes juice up. On a face juice forms a film; beyond the largest film it runs off. In a
     /// body along stations the fibres run along the path, and juice also runs off the skin. In a body of cells juice follows
     /// the fibres or the shortest way to the skin. A press of the pressure `pressed` [Pa] squeezes free juice out, and fresh
