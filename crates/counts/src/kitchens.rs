@@ -25,9 +25,14 @@ end = true
 /// When the steak is counted [s] (chosen: it boils underneath and browns).
 const STEAK_AT_S: f64 = 60.0;
 
-/// The steak at its moment.
+/// The steak at its moment, asleep: a body that shrinks is awake for a second now and then, which the counts of rigid steps
+/// stand for.
 pub fn steak() -> Result<Kitchen, Box<dyn Error>> {
-    cooked(STEAK, STEAK_AT_S)
+    let mut kitchen = cooked(STEAK, STEAK_AT_S)?;
+    while !kitchen.bodies_sleep() {
+        kitchen.step();
+    }
+    Ok(kitchen)
 }
 
 /// The shrimps at their moment.

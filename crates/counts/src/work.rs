@@ -26,8 +26,8 @@ pub const WORK: [(&str, Work); 7] = [
     ("next-scene", next_scene),
 ];
 
-/// Ticks that are counted together (chosen: liquids and events differ from tick to tick).
-const TICKS: u32 = 10;
+/// Ticks that are counted together (chosen: a piece's shape follows every twentieth).
+const TICKS: u32 = 20;
 
 /// The brick of `saute bench heat` with twice its spacings.
 const BRICK: &str = r#"

@@ -335,6 +335,11 @@ impl Kitchen {
         self.clock.is_between_ticks()
     }
 
+    /// Returns true if all bodies sleep, so that they cost no computation.
+    pub fn bodies_sleep(&self) -> bool {
+        self.world.is_settled()
+    }
+
     /// Enables or disables sleeping of bodies at rest; it is enabled by default. A sleeping body costs no computation.
     pub fn set_sleeping(&mut self, may_sleep: bool) {
         self.world.set_sleeping(may_sleep);
