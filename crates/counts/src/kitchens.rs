@@ -25,12 +25,14 @@ end = true
 /// When the steak is counted [s] (chosen: it boils underneath and browns).
 const STEAK_AT_S: f64 = 60.0;
 
-/// The steak at its moment, asleep: a body that shrinks is awake for a second now and then, which the counts of rigid steps
-/// stand for.
+/// The steak at its moment, once its body has been awake and sleeps again: as it shrinks it wakes for half a second every six to
+/// ten, which is left to the counts of rigid steps.
 pub fn steak() -> Result<Kitchen, Box<dyn Error>> {
     let mut kitchen = cooked(STEAK, STEAK_AT_S)?;
-    while !kitchen.bodies_sleep() {
-        kitchen.step();
+    for asleep in [true, false] {
+        while kitchen.bodies_sleep() == asleep {
+            kitchen.step();
+        }
     }
     Ok(kitchen)
 }
