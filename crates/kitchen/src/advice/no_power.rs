@@ -1,14 +1,16 @@
-//! The reason why a hob that is on gives no power.
+//! The reason why a hob that is on gives no power, or less than it is set to.
 
 use crate::Kitchen;
 
-/// Why a hob that is on gives no power.
+/// Why a hob that is on gives no power, or less than it is set to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NoPower {
     /// The pan stands on the wet cloth.
     Cloth,
     /// The pan is at the hob's limit of temperature.
     Limit,
+    /// The pan is near that limit: some power is left.
+    NearLimit,
     /// The pan is lifted.
     Lifted,
     /// The pan stands off the ring.
@@ -16,11 +18,12 @@ pub enum NoPower {
 }
 
 impl NoPower {
-    /// Returns why a hob that is on gives no power, or `None` if it is off or gives power.
+    /// Returns why a hob that is on gives no power or less, or `None` if it is off or gives all of it.
     pub fn of(kitchen: &Kitchen) -> Option<Self> {
         let (pan, on) = (kitchen.pan_state(), kitchen.hob_w() > 0.0);
         match () {
-            () if !on || kitchen.hob_drawn_w() > 0.0 => None,
+            () if !on => None,
+            () if kitchen.hob_drawn_w() > 0.0 => pan.limited.then_some(Self::NearLimit),
             () if kitchen.cloth().is_some() => Some(Self::Cloth),
             () if pan.limited => Some(Self::Limit),
             // The pan is as hot as the hob keeps it.

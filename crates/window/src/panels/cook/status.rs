@@ -77,6 +77,7 @@ fn no_power(kitchen: &Kitchen) -> Option<&'static str> {
     Some(match NoPower::of(kitchen)? {
         NoPower::Cloth => "hob.no_power_cloth",
         NoPower::Limit => "hob.no_power_limit",
+        NoPower::NearLimit => "hob.less_power_limit",
         NoPower::Lifted => "hob.no_power_lifted",
         NoPower::OffRing => "hob.no_power_off_ring",
     })

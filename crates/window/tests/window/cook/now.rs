@@ -1,11 +1,11 @@
 //! Promise: whoever presses the button of the line that states what to do, some seconds after it is lit and whatever its words are, meets the
-//! goal at the first try.
+//! goal at the first try, with a screen reader's press or with the keyboard alone.
 //!
 //! Every run presses after 10 s of wall time, by its own clock; `SAUTE_NOW=all`, as in the campaign, cooks four pans, three
 //! steaks and three classes with hands that are 2, 5, 10 and 20 s late, and requires 95 of 100.
 
 use egui::accesskit::{Action, ActionRequest, NodeId, Role, TreeId, TreeUpdate};
-use egui::{Context, Event, RawInput};
+use egui::{Context, Event, Key, Modifiers, RawInput};
 use saute_controls::act::{Act, AppAct, CookAct, Setting};
 use saute_controls::goal_choice::goal_of;
 use saute_kitchen::advice::class_goal;
@@ -31,17 +31,35 @@ struct Cook {
     looked_s: f64,
     events: Vec<Event>,
     orders: usize,
+    by: Hand,
 }
+
+/// How the button is pressed.
+#[derive(Clone, Copy, PartialEq)]
+enum Hand {
+    /// As a screen reader does it.
+    Reader,
+    /// By Tab and Space.
+    Keyboard,
+}
+
+/// Presses of Tab that reach every control of the window from any other [-] (chosen: far more than there are).
+const MOST_TABS: usize = 100;
 
 /// What the line requests: the button and what it is called.
 type Lit = (NodeId, String);
 
 impl Cook {
-    fn begin(pan: &str, mm: f64, class: usize) -> Self {
+    /// A first visit.
+    fn visit(by: Hand) -> Self {
         let ctx = Context::default();
         ctx.enable_accesskit();
         let app = SauteApp::start(&ctx, None, None, Start::default()).expect("starts");
-        let mut cook = Self { app, ctx, now_s: 0.0, looked_s: 0.0, events: Vec::new(), orders: 0 };
+        Self { app, ctx, now_s: 0.0, looked_s: 0.0, events: Vec::new(), orders: 0, by }
+    }
+
+    fn begin(pan: &str, mm: f64, class: usize) -> Self {
+        let mut cook = Self::visit(Hand::Reader);
         let choice = SteakChoice { pan: pan.to_owned(), size_mm: vec![120.0, 80.0, mm], ..SteakChoice::default() };
         cook.act(Act::App(AppAct::Set(Setting::Choice(choice))));
         cook.act(Act::Cook(CookAct::SetOut));
@@ -59,11 +77,50 @@ impl Cook {
     fn frame(&mut self) -> Option<Lit> {
         self.looked_s += LOOK_S;
         (0..(LOOK_S / TICK_S) as usize).for_each(|_| self.app.session_mut().tick().expect("ticks"));
+        lit(&self.drawn()?)
+    }
+
+    /// Draws a frame in which next to no time passes; returns what is there for those who do not see it.
+    fn drawn(&mut self) -> Option<TreeUpdate> {
         self.now_s += FRAME_S;
         let events = std::mem::take(&mut self.events);
         let input = RawInput { time: Some(self.now_s), events, ..RawInput::default() };
         let output = self.ctx.clone().run_ui(input, |ui| self.app.frame(ui));
-        lit(&output.platform_output.accesskit_update?)
+        output.platform_output.accesskit_update
+    }
+
+    fn press(&mut self, button: NodeId) {
+        match self.by {
+            Hand::Reader => {
+                let target_tree = TreeId::ROOT;
+                let request = ActionRequest { action: Action::Click, target_tree, target_node: button, data: None };
+                self.events.push(Event::AccessKitActionRequest(request));
+            }
+            Hand::Keyboard => {
+                self.tab_to(button);
+                self.strike(Key::Space);
+            }
+        }
+    }
+
+    /// Moves the focus to a control by Tab alone.
+    fn tab_to(&mut self, control: NodeId) {
+        for _ in 0..MOST_TABS {
+            if self.drawn().is_some_and(|update| update.focus == control) {
+                return;
+            }
+            self.strike(Key::Tab);
+        }
+        panic!("{MOST_TABS} presses of Tab do not reach it: {:?}", self.drawn().map(|update| update.focus));
+    }
+
+    /// Presses a key and lets go of it.
+    fn strike(&mut self, key: Key) {
+        for pressed in [true, false] {
+            let modifiers = Modifiers::NONE;
+            self.events.push(Event::Key { key, physical_key: None, pressed, repeat: false, modifiers });
+            self.drawn();
+        }
     }
 
     /// Presses the button of the line, each time that it has been lit for `late_s`, until the food has rested.
@@ -83,9 +140,7 @@ impl Cook {
             since = Some((label, seen_s));
             if self.looked_s - seen_s >= late_s {
                 (self.orders, since) = (self.orders + 1, None);
-                let target_tree = TreeId::ROOT;
-                let request = ActionRequest { action: Action::Click, target_tree, target_node: button, data: None };
-                self.events.push(Event::AccessKitActionRequest(request));
+                self.press(button);
             }
         }
     }
@@ -96,6 +151,12 @@ impl Cook {
             .steak()
             .is_some_and(|steak| matches!(steak.place, Place::Rest(_)) && steak.core() < steak.core_peak.0 - RESTED_K)
     }
+}
+
+/// The button with a label.
+fn button(update: &TreeUpdate, label: &str) -> Option<NodeId> {
+    let is_it = |node: &egui::accesskit::Node| node.role() == Role::Button && node.label() == Some(label);
+    update.nodes.iter().find(|(_, node)| is_it(node)).map(|(id, _)| *id)
 }
 
 /// The button of the line, where it requests something.
@@ -149,4 +210,15 @@ fn whoever_presses_the_lit_button_meets_the_goal() {
         }
     }
     assert!(100 * (all - missed.len()) >= ENOUGH_PCT * all, "{} of {all} missed: {missed:?}", missed.len());
+}
+
+#[test]
+fn the_keyboard_alone_cooks_a_first_steak() {
+    let mut cook = Cook::visit(Hand::Keyboard);
+    let first = cook.drawn().expect("a window");
+    cook.press(button(&first, "Begin").expect("the card of the first steps"));
+    cook.press_when_lit(10.0);
+    let (session, settings) = (cook.app.session(), cook.app.settings());
+    let goal = goal_of(session, settings).expect("a goal");
+    assert_eq!(session.judgement(&goal).expect("there is food").verdict, GoalVerdict::Met);
 }
