@@ -50,16 +50,16 @@ const MOST_TABS: usize = 100;
 type Lit = (NodeId, String);
 
 impl Cook {
-    /// A first visit.
-    fn visit(by: Hand) -> Self {
+    /// A visit of somebody about whom this is stored.
+    fn visit(stored: Option<String>, by: Hand) -> Self {
         let ctx = Context::default();
         ctx.enable_accesskit();
-        let app = SauteApp::start(&ctx, None, None, Start::default()).expect("starts");
+        let app = SauteApp::start(&ctx, None, stored, Start::default()).expect("starts");
         Self { app, ctx, now_s: 0.0, looked_s: 0.0, events: Vec::new(), orders: 0, by }
     }
 
     fn begin(pan: &str, mm: f64, class: usize) -> Self {
-        let mut cook = Self::visit(Hand::Reader);
+        let mut cook = Self::visit(None, Hand::Reader);
         let choice = SteakChoice { pan: pan.to_owned(), size_mm: vec![120.0, 80.0, mm], ..SteakChoice::default() };
         cook.act(Act::App(AppAct::Set(Setting::Choice(choice))));
         cook.act(Act::Cook(CookAct::SetOut));
@@ -214,7 +214,7 @@ fn whoever_presses_the_lit_button_meets_the_goal() {
 
 #[test]
 fn the_keyboard_alone_cooks_a_first_steak() {
-    let mut cook = Cook::visit(Hand::Keyboard);
+    let mut cook = Cook::visit(Some("{}".to_owned()), Hand::Keyboard);
     let begin = (0..10).find_map(|_| button(&cook.drawn()?, "Begin"));
     cook.press(begin.expect("the card of the first steps"));
     cook.press_when_lit(10.0);
