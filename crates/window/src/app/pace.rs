@@ -7,7 +7,7 @@ use saute_picture::frame_meter::FrameMeter;
 use saute_session::SPEEDS;
 use saute_session::easing::Easing;
 use saute_session::guided::Guided;
-use saute_session::lag::Lag;
+use saute_session::lag::{Lag, Retry};
 
 /// How time goes in the window.
 #[derive(Default)]
@@ -15,6 +15,10 @@ pub(crate) struct Pace {
     pub(crate) last_time: Option<f64>,
     /// The present lag of the clock.
     pub(crate) lag: Option<Lag>,
+    /// When a speed that was given up is tried again.
+    retry: Retry,
+    /// True while a hand is needed, so that time goes at its real speed.
+    hand_needed: bool,
     /// What waits until the instant is reached to which time is turned.
     pub(crate) waiting: Vec<Waiting>,
     /// Real time where a hand is needed.
@@ -28,22 +32,26 @@ impl SauteApp {
     /// Slows to real time while an advice needs a hand, and returns to what the machine sustains of the chosen speed.
     pub(super) fn ease(&mut self, advice: &[Advice]) {
         let somebody_leads = self.leads.guided.is_some() || self.leads.learn.tutorial.is_some();
+        self.pace.hand_needed = false;
         if !self.settings.eases || self.settings.skill_mode || somebody_leads {
             return;
         }
-        let is_needed = advice.iter().any(|one| one.is_due());
-        if let Some(speed) = self.pace.easing.look(is_needed, self.session.speed) {
+        self.pace.hand_needed = advice.iter().any(|one| one.is_due());
+        if let Some(speed) = self.pace.easing.look(self.pace.hand_needed, self.session.speed) {
             self.session.set_speed(speed.min(self.settings.held_speed.unwrap_or(speed)));
         }
     }
 
-    /// Watches the clock through `wall` seconds. The chosen speed stays in the settings, next to the one that the machine sustains; a
-    /// speed that is locked stays, and what is missing is noted.
+    /// Watches the clock through `wall` seconds. The chosen speed stays in the settings, next to the one that the machine sustains, and is
+    /// tried again, step by step; a speed that is locked stays, and what is missing is noted.
     pub(super) fn keep_up(&mut self, wall: f64) {
         let (now, time_s) = (self.session.speed, self.session.kitchen.time_s());
         let is_locked = self.leads.guided.as_ref().is_some_and(Guided::holds_speed);
         if is_locked || self.session.behind_s().is_none() || now <= SPEEDS[0] {
             self.pace.lag = None;
+            if !is_locked && self.session.behind_s().is_none() {
+                self.try_again(wall);
+            }
             return;
         }
         let lag = self.pace.lag.get_or_insert(Lag::begun(time_s));
@@ -51,8 +59,21 @@ impl SauteApp {
         self.pace.lag = None;
         self.session.set_speed(holds);
         self.settings.held_speed = Some(holds);
+        self.pace.retry.gave_up();
         let words = |speed: f64| format!("{speed:.0}");
         let said: [(&str, &dyn std::fmt::Display); 2] = [("wanted", &words(now)), ("speed", &words(holds))];
         self.desk.notice.say(self.settings.language.fill("notice.slowed", &said));
+    }
+
+    /// Tries the next higher speed, up to the chosen one, once a lower one has been held for a while.
+    fn try_again(&mut self, wall: f64) {
+        let (now, wished) = (self.session.speed, self.settings.speed);
+        if self.settings.held_speed != Some(now) || self.session.paused || self.pace.hand_needed {
+            return;
+        }
+        if let Some(speed) = self.pace.retry.held(now, wished, wall) {
+            self.session.set_speed(speed);
+            self.settings.held_speed = (speed < wished).then_some(speed);
+        }
     }
 }
