@@ -298,10 +298,14 @@ impl Kitchen {
         self.pan_hold.gesture.is_some() || self.second_hand.is_busy()
     }
 
+    /// Returns true while a task of the hand is under way or waits; a tool that a person moves is none.
+    pub fn has_task(&self) -> bool {
+        self.second_hand.has_order()
+    }
+
     /// Returns true while a task of the hand is under way or waits, or a tool holds a piece.
     pub fn is_moving_food(&self) -> bool {
-        let hand = &self.second_hand;
-        hand.current.is_some() || !hand.tasks.is_empty() || self.pieces.iter().any(|p| p.place == Place::Held)
+        self.has_task() || self.pieces.iter().any(|p| p.place == Place::Held)
     }
 
     /// The rigid bodies.

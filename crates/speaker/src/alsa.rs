@@ -112,6 +112,9 @@ impl Form {
     }
 }
 
+/// What the library answers where there is no card: ENOENT and ENODEV of Linux, negative.
+const NONE_THERE: [c_int; 2] = [-2, -19];
+
 /// A device that is open.
 pub struct Alsa {
     functions: Functions,
@@ -142,8 +145,11 @@ impl Alsa {
         let mut pcm: Pcm = null_mut();
         // SAFETY: the pointers are valid; 0 and 0 are playback that waits.
         let opened = unsafe { (functions.open)(&raw mut pcm, name.as_ptr(), 0, 0) };
+        if NONE_THERE.contains(&opened) {
+            return Err(Trouble::Device("no sound card".to_owned()));
+        }
         if opened < 0 {
-            return Err(functions.trouble("no sound card", c_long::from(opened)));
+            return Err(functions.trouble("the sound card does not open", c_long::from(opened)));
         }
         let mut device = Self { functions, pcm, rate: 0, form: Form::Float, shorts: Vec::with_capacity(BLOCK) };
         device.agree()?;

@@ -56,6 +56,12 @@ impl NowWords {
         Self { verb, why, spoken, deed, is_due }
     }
 
+    /// Words while the food is moved: an order that was given is not given again.
+    pub fn while_moved(l: Language) -> Self {
+        let [verb, why] = ["now.one_moment", "now.is_moved"].map(|key| l.text(key).to_owned());
+        Self::told(verb, why, None, false, l)
+    }
+
     /// Words for an advice about the hob, which contain no time.
     pub fn without_time(advice: Advice, state: &NowState) -> Self {
         Self::of(advice, state, &mut TimeLeft::default())
@@ -69,7 +75,7 @@ impl NowWords {
 }
 
 /// What the button does, where there is something to do.
-fn deed(advice: Advice, state: &PanelContext) -> Option<Deed> {
+fn deed(advice: Advice, state: &NowState) -> Option<Deed> {
     let l = state.settings.language;
     let of = |text: String, act: Act| {
         let spoken = l.fill("advice.do", &[("deed", &text)]);
@@ -82,10 +88,10 @@ fn deed(advice: Advice, state: &PanelContext) -> Option<Deed> {
             let deed = of(l.text("hob.take_out").to_owned(), Act::Cook(CookAct::Out))?;
             Some(Deed { spoken: l.text("coach.take_out_spoken").to_owned(), ..deed })
         }
-        Advice::Rested { .. } => of(l.text("result.title").to_owned(), Act::App(AppAct::Open(Card::Result))),
-        // Whoever does not want to wait may look: the result shows that it still rests. All controls have their own button for it.
-        Advice::Resting { .. } if state.settings.few => {
-            Some(Deed::called(l.text("result.title"), Act::App(AppAct::Open(Card::Result)), false))
+        // Near its highest the core decides nothing any more, though it takes minutes until it cools.
+        Advice::Resting { .. } if state.rise.is_some() => None,
+        Advice::Resting { .. } | Advice::Rested { .. } => {
+            of(l.text("result.title").to_owned(), Act::App(AppAct::Open(Card::Result)))
         }
         about_hob => {
             let watts = about_hob.hob_w()?;
@@ -139,7 +145,7 @@ impl Words<'_> {
                     self.in_time("now.rests_for", "now.resting", Some(in_s)),
                     self.with_temperature("now.rises_to", peak_c),
                 ],
-                None => [self.text("now.resting"), self.text("now.at_highest")],
+                None => [self.text("now.has_rested"), self.text("now.at_highest")],
             },
             Advice::Rested { peak_c } => [self.text("now.rested"), resting_words("now.reached", peak_c, self.state)],
         }

@@ -148,7 +148,9 @@ fn restart(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
 
 /// The button that puts the food in.
 pub(crate) fn put_button(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
-    let outside = |id: &String| state.session.kitchen.piece(id).is_some_and(|p| !p.in_pan());
+    // What the turner holds in a flip is not out.
+    let is_out = |p: &Piece| !p.in_pan() && p.place != Place::Held;
+    let outside = |id: &String| state.session.kitchen.piece(id).is_some_and(is_out);
     let some_outside = state.session.its_group().iter().any(outside);
     let words = state.settings.language.text("hob.food_in");
     button(state, ui, acts, words, false, some_outside, Act::Cook(CookAct::Put));

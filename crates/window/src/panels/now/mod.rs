@@ -101,7 +101,9 @@ impl<'a> Now<'a> {
         let advice = state.advice.first().filter(|_| state.reads_out()).copied();
         let led = lead.and_then(|lead| lead.words(advice, state));
         let is_led = led.is_some();
-        let words = led.or_else(|| Some(NowWords::of(advice?, state, memory)))?;
+        let is_moved = state.reads_out() && state.session.kitchen.has_task();
+        let moved = is_moved.then(|| NowWords::while_moved(state.settings.language));
+        let words = led.or(moved).or_else(|| Some(NowWords::of(advice?, state, memory)))?;
         Some(Self { words, lead, is_led })
     }
 
