@@ -195,7 +195,9 @@ impl Teller<'_> {
         let mut measures = vec![("result.core", self.core(outcome.at_core))];
         if self.goal.counts == Counted::Section {
             measures.push(("result.grey", two(judgement.grey_mm, "mm")));
-            measures.push(("result.beyond", format!("{:.0}\u{a0}%", outcome.beyond_pct)));
+            let [beyond, usual] = [outcome.beyond_pct, 100.0 - self.goal.full_share_pct].map(|pct| format!("{pct:.0}"));
+            measures
+                .push(("result.beyond", self.fill("result.beyond_usual", &[("percent", &beyond), ("usual", &usual)])));
         }
         measures.extend([
             ("result.crust", whole(judgement.crust_pct)),

@@ -128,7 +128,7 @@ impl Words<'_> {
                 let left = left.filter(|_| pan_c >= STEADY * WARM_ENOUGH_C);
                 [self.in_time("now.in_soon", "now.heating", left), self.heating_from(pan_c)]
             }
-            Advice::PutIn { .. } => [self.of_food("now.put_in"), self.text("now.pan_is_hot")],
+            Advice::PutIn { .. } => [self.of_food("now.put_in"), self.pan_is_hot()],
             Advice::Flip => [self.of_food("now.flip"), self.text(self.why_flip())],
             Advice::TakeOut { peak_c } => [self.of_food("now.take_out"), self.with_temperature("now.rests_up", peak_c)],
             Advice::Ready { .. } => [self.of_food("now.take_out"), self.class("now.core_is")],
@@ -198,6 +198,15 @@ impl Words<'_> {
             "now.heating_and_all",
             &[("temperature", &self.state.settings.temperature(pan_c)), ("minutes", &minutes)],
         )
+    }
+
+    /// That the pan is hot, and how much oil is in it, which nobody pours before the first food.
+    fn pan_is_hot(&self) -> String {
+        let oil_g = 1e3 * self.state.session.kitchen.pan_state().oil_mass();
+        match oil_g.round() {
+            0.0 => self.text("now.pan_is_hot"),
+            grams => self.fill("now.pan_and_oil_are_hot", &[("grams", &grams)]),
+        }
     }
 
     /// Why it is time to flip.
