@@ -16,6 +16,9 @@ use saute_words::speech::capitalised;
 /// first heat of the pan, and a cook was told 5 min and then 12).
 const STEADY: f64 = 0.5;
 
+/// How long before food is taken out somebody gets ready for it [s] (chosen: the time to reach for board and tongs).
+const READY_S: f64 = 30.0;
+
 /// The button of the line.
 pub struct Deed {
     /// Its text.
@@ -164,6 +167,10 @@ impl Words<'_> {
                 self.in_time("now.out_after", "now.frying", Some(out)),
             ],
             (Some(flip), None) => [self.in_time("now.flip_soon", "now.frying", Some(flip)), would],
+            // So near, the forecast is rounded to the goal, and would seem to contradict the wait.
+            (None, Some(out)) if out <= READY_S => {
+                [self.in_time("now.out_soon", "now.frying", Some(out)), self.text("now.get_ready")]
+            }
             (None, out) => [self.in_time("now.out_soon", "now.frying", out), would],
         }
     }
