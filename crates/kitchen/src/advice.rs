@@ -10,7 +10,7 @@ use saute_food::Scale;
 use saute_food::change::doneness::Measure;
 
 pub use self::no_power::NoPower;
-pub use self::situation::{Situation, advise};
+pub use self::situation::{Situation, advise, usual_powers_w};
 
 /// Mean temperature of the pan's floor from which food may go in [°C] (chosen: below it a wet face cooks in its own
 /// juice before it browns).

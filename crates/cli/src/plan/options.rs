@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use saute_kitchen::Library;
+use saute_kitchen::advice::usual_powers_w;
 use saute_kitchen::doneness::fitting;
 use saute_kitchen::food::{FoodDescription, FoodModel, Scale};
 use saute_plan::goal::{Goal, Wish};
@@ -47,7 +48,7 @@ pub struct PlanArgs {
     /// A plan that is easily followed: one power to heat the pan and one to fry.
     #[arg(long)]
     pub plain: bool,
-    /// Powers that the hob has [W] [default: its settings in the data].
+    /// Powers that the hob has [W] [default: those of its dial, and the one at which the coach fries].
     #[arg(long, value_name = "W,W,…", value_delimiter = ',')]
     pub hob: Vec<f64>,
     /// Recipe file to write, for `saute cook`.
@@ -112,8 +113,8 @@ fn food<'a>(id: &str, library: &'a Library) -> Result<&'a FoodDescription, CliEr
 
 /// Returns the powers of the hob, ascending, without 0.
 fn powers(args: &PlanArgs, library: &Library) -> Result<Vec<f64>, CliError> {
-    let given = if args.hob.is_empty() { library.hob.settings_w() } else { &args.hob };
-    for power in given {
+    let given = if args.hob.is_empty() { usual_powers_w(&library.hob) } else { args.hob.clone() };
+    for power in &given {
         ranged("--hob", *power, [0.0, library.hob.largest_w()], "W")?;
     }
     let mut powers: Vec<f64> = given.iter().copied().filter(|w| *w > 0.0).collect();

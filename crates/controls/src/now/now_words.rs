@@ -5,7 +5,6 @@ use saute_kitchen::advice::{Advice, BROWN, HALF_WAY, Situation, TURNS_S, WARM_EN
 use super::now_state::NowState;
 use super::time_left::{Course, TimeLeft};
 use crate::act::{Act, AppAct, Card, CookAct};
-use crate::context::PanelContext;
 use crate::now::advice_words::{advice_words, class_now, do_it_words, resting_words};
 use saute_session::Forecast;
 use saute_words::clock::{clock, whole_minutes};

@@ -1,6 +1,7 @@
 //! What a person requests of a plan, in addition to the food and the pan of the pantry: it is remembered.
 
 use saute_kitchen::Library;
+use saute_kitchen::advice::usual_powers_w;
 use saute_kitchen::pan::hob::HobDescription;
 use saute_plan::schedule::Order;
 use serde::{Deserialize, Serialize};
@@ -64,7 +65,7 @@ impl PlanChoice {
         let usable = |w: &f64| *w > 0.0 && *w <= hob.largest_w();
         let mut powers: Vec<f64> = typed.filter(usable).take(MOST_POWERS).collect();
         if powers.is_empty() {
-            powers = hob.settings_w().iter().copied().filter(usable).collect();
+            powers = usual_powers_w(hob);
         }
         powers.sort_by(f64::total_cmp);
         powers.dedup();

@@ -198,6 +198,18 @@ fn heating_w(hob: &HobDescription) -> f64 {
     settings.min_by(|a, b| off(a).total_cmp(&off(b))).unwrap_or(0.0)
 }
 
+/// Powers with which people cook on a hob, ascending [W]: those of its dial, and the one at which the coach fries, where it can be set.
+pub fn usual_powers_w(hob: &HobDescription) -> Vec<f64> {
+    let frying =
+        if hob.coil.is_some() { FRYING_W } else { 10.0 * libm::round(0.1 * hob.power_for(INDUCTION * FRYING_W)) };
+    let can_be_set = frying <= hob.largest_w() && hob.nearest_w(frying) == frying;
+    let dial = hob.settings_w().iter().copied().filter(|w| *w > 0.0);
+    let mut powers: Vec<f64> = dial.chain(can_be_set.then_some(frying)).collect();
+    powers.sort_by(f64::total_cmp);
+    powers.dedup();
+    powers
+}
+
 /// Share of an induction hob's power that reaches the pan [-] (that of the shipped one).
 const INDUCTION: f64 = 0.87;
 
