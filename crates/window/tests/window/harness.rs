@@ -6,6 +6,7 @@ use std::sync::OnceLock;
 use egui::{Key, Pos2, Rect, pos2};
 use egui_kittest::Harness;
 use egui_kittest::wgpu::{create_render_state, default_wgpu_setup};
+use egui_wgpu::wgpu::Backends;
 use egui_wgpu::{RenderState, RendererOptions, WgpuSetup, WgpuSetupExisting};
 use saute_window::{SauteApp, Start};
 use saute_words::language::Language;
@@ -36,8 +37,13 @@ pub fn graphics() -> WgpuSetup {
     tally("windows_opened");
     static DEVICE: OnceLock<WgpuSetupExisting> = OnceLock::new();
     let open = || {
+        let mut setup = default_wgpu_setup();
+        if let WgpuSetup::CreateNew(new) = &mut setup {
+            // Looking for adapters of OpenGL fails where another thread looks for them at the same time.
+            new.instance_descriptor.backends.remove(Backends::GL);
+        }
         let RenderState { instance, adapter, device, queue, .. } =
-            create_render_state(default_wgpu_setup(), RendererOptions::PREDICTABLE);
+            create_render_state(setup, RendererOptions::PREDICTABLE);
         WgpuSetupExisting { instance, adapter, device, queue }
     };
     WgpuSetup::Existing(DEVICE.get_or_init(open).clone())
