@@ -42,6 +42,9 @@ pub const BROWN_BOTH: f64 = 0.7;
 pub const BROWN_ENOUGH: f64 = 0.9;
 /// Time after which both sides, once brown, change places [s] (chosen: evens out the heat with few flips).
 pub const TURNS_S: f64 = 180.0;
+/// How near the goal the core would get that food with two brown sides is not turned once more [K] (chosen: half a minute before it is
+/// taken out, which evens nothing out any more).
+pub const NEARLY_K: f64 = 2.0;
 /// Setting of the hob that browns food in a hot pan [W], and the one that lets its core warm on (chosen: the lowest of 400 to 700 W
 /// with which steaks of 15 mm get a crust, and one at which steaks of 35 mm do not char; a test of the goals follows them).
 pub const FRYING_W: f64 = 600.0;

@@ -158,7 +158,7 @@ impl Words<'_> {
         let now = self.state.session.kitchen.time_s();
         let goal = self.state.scale().map_or(peak_c, |scale| self.state.settings.goal(&scale));
         let out = memory.until(Course::Core, now, peak_c, goal).filter(|_| peak_c >= STEADY * goal);
-        let flip = self.flip_in(peak_c, goal, memory).filter(|flip| out.is_none_or(|out| *flip < out));
+        let flip = self.flip_in(peak_c, goal, memory).filter(|flip| out.is_none_or(|out| *flip + READY_S < out));
         let would = self.with_temperature("now.would_peak", peak_c);
         match (flip, out) {
             (Some(flip), Some(out)) => [

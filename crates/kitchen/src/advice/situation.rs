@@ -2,7 +2,7 @@
 
 use super::{
     Advice, BROWN, BROWN_BOTH, BROWNS_AT_C, FORECAST_HIGH_K, FRYING_W, GENTLE_W, Goal, HALF_WAY, HOT_C, HOT_TO_FRY_C,
-    RESTED_K, SMOKE_SEEN_MG_S, TOO_COLD_C, TOO_HOT_C, TURNS_S, WARM_ENOUGH_C, WET_BELOW_C,
+    NEARLY_K, RESTED_K, SMOKE_SEEN_MG_S, TOO_COLD_C, TOO_HOT_C, TURNS_S, WARM_ENOUGH_C, WET_BELOW_C,
 };
 use crate::pan::heater::HeaterKind;
 use crate::pan::hob::HobDescription;
@@ -163,7 +163,7 @@ impl Situation {
         let half = self.room_c + HALF_WAY * (goal_c - self.room_c);
         match self.since_flip_s {
             None => is_brown || foreseen_c >= half,
-            Some(since_s) => is_brown && (!was_brown || since_s >= TURNS_S),
+            Some(since_s) => is_brown && (!was_brown || (since_s >= TURNS_S && foreseen_c < goal_c - NEARLY_K)),
         }
     }
 
