@@ -4,7 +4,7 @@ use crate::app::SauteApp;
 use crate::ui::picking::{GRAB, TOUCH};
 use crate::ui::scene_view::{meet_height, ndc};
 use egui::{Pos2, Rect, Ui};
-use glam::{DVec3, Quat, Vec3};
+use glam::{DVec2, DVec3, Quat, Vec3};
 use saute_controls::input::grab::{Hold, ORBIT_PER_POINT};
 use saute_kitchen::dynamics::{Pose as BodyPose, Tool};
 use saute_kitchen::{Command, Piece, Place};
@@ -16,6 +16,8 @@ use saute_scene::mesh::props::BOARD_CENTRE;
 const CARRY_HEIGHT: f32 = 0.085;
 
 const LOW_HEIGHT: f32 = 0.045;
+/// How near the pan's middle a piece that is dropped goes to it [m] (chosen: as a hand aims).
+const AIMED_AT_MIDDLE: f64 = 0.02;
 
 /// A level pan let go this near to its ring is set onto it [m] (chosen: forgiving).
 const HOME: f64 = 0.04;
@@ -178,12 +180,21 @@ impl SauteApp {
         }
     }
 
-    /// A waiting piece is no body yet: it hangs at the pointer.
+    /// A waiting piece is no body yet: it hangs at the pointer, and low over the pan, so that it falls to where the pointer shows.
     fn carry(&mut self, id: String, at: Pos2, rect: Rect) {
-        let Some(hit) = self.pointed(at, rect, CARRY_HEIGHT) else { return };
-        let position = Vec3::new(hit.x.clamp(-0.5, 0.6), hit.y.clamp(-0.4, 0.4), CARRY_HEIGHT);
+        let beside = || self.pointed(at, rect, CARRY_HEIGHT);
+        let Some(hit) = self.low_in_pan(at, rect).or_else(beside) else { return };
+        let position = Vec3::new(hit.x.clamp(-0.5, 0.6), hit.y.clamp(-0.4, 0.4), hit.z);
         let rotation = Quat::from_rotation_z(-std::f32::consts::FRAC_PI_2);
         self.sights.scene.carried.insert(id, Pose { position, rotation });
+    }
+
+    /// A place low over the place of the pan's floor that the pointer shows; none beside the pan.
+    fn low_in_pan(&self, at: Pos2, rect: Rect) -> Option<Vec3> {
+        let pan = self.session.kitchen.world().motion.pose.position.as_vec3();
+        let floor = self.session.kitchen.world().pan_shape().floor as f32;
+        let low = self.pointed(at, rect, pan.z);
+        low.filter(|p| (*p - pan).truncate().length() < floor).map(|p| p + Vec3::Z * LOW_HEIGHT)
     }
 
     /// Leads the tongs to above the place that the pointer shows: low within the pan, over its rim elsewhere.
@@ -191,12 +202,9 @@ impl SauteApp {
         if self.stands_still() {
             return;
         }
-        let pan = self.session.kitchen.world().motion.pose.position.as_vec3();
-        let floor = self.session.kitchen.world().pan_shape().floor as f32;
-        let low = self.pointed(at, rect, pan.z);
-        let within = low.filter(|p| (*p - pan).truncate().length() < floor).map(|p| p + Vec3::Z * LOW_HEIGHT);
-        let beside = || Some(self.pointed(at, rect, BOARD_CENTRE.z)?.with_z(pan.z.max(0.0) + CARRY_HEIGHT));
-        let Some(hit) = within.or_else(beside) else { return };
+        let pan_z = self.session.kitchen.world().motion.pose.position.z as f32;
+        let beside = || Some(self.pointed(at, rect, BOARD_CENTRE.z)?.with_z(pan_z.max(0.0) + CARRY_HEIGHT));
+        let Some(hit) = self.low_in_pan(at, rect).or_else(beside) else { return };
         let position = hit.as_dvec3().clamp(DVec3::new(-0.55, -0.45, 0.0), DVec3::new(0.6, 0.5, 0.4));
         self.lead_tongs(&id, position);
     }
@@ -276,6 +284,8 @@ impl SauteApp {
                 continue;
             }
             let ids = [food.clone()];
+            // Whoever aims at the middle means it.
+            let place = if place.length() < AIMED_AT_MIDDLE { DVec2::ZERO } else { place };
             let near = kitchen.free_places(&ids, place.to_array());
             let free = near.first().copied().or_else(|| kitchen.free_places(&ids, [0.0, 0.0]).first().copied());
             let heap = free.is_none();
