@@ -32,7 +32,9 @@ pub(crate) fn good_words(mark: &Mark, l: Language) -> String {
         Part::Crust => "grade.good_crust",
         Part::Care => "grade.good_care",
     };
-    let well = mark.parts.iter().filter(|(_, reached, weight)| *weight > 0.0 && *reached >= WELL);
+    // A core that misses its class by a little is not right.
+    let enough = |part: Part| if part == Part::Core { 1.0 } else { WELL };
+    let well = mark.parts.iter().filter(|(part, reached, weight)| *weight > 0.0 && *reached >= enough(*part));
     let well: Vec<&str> = well.map(|(part, ..)| l.text(key(*part))).collect();
     if well.is_empty() { String::new() } else { l.fill("grade.good", &[("what", &well.join(l.text("grade.joint")))]) }
 }
