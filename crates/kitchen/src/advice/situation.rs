@@ -200,8 +200,7 @@ fn heating_w(hob: &HobDescription) -> f64 {
 
 /// Powers with which people cook on a hob, ascending [W]: those of its dial, and the one at which the coach fries, where it can be set.
 pub fn usual_powers_w(hob: &HobDescription) -> Vec<f64> {
-    let frying =
-        if hob.coil.is_some() { FRYING_W } else { 10.0 * libm::round(0.1 * hob.power_for(INDUCTION * FRYING_W)) };
+    let frying = in_place_of_induction(hob, FRYING_W);
     let can_be_set = frying <= hob.largest_w() && hob.nearest_w(frying) == frying;
     let dial = hob.settings_w().iter().copied().filter(|w| *w > 0.0);
     let mut powers: Vec<f64> = dial.chain(can_be_set.then_some(frying)).collect();
@@ -218,14 +217,18 @@ fn as_on_induction(hob: &HobDescription, power: f64) -> f64 {
     if hob.coil.is_some() { power } else { hob.heat_at(power) / INDUCTION }
 }
 
+/// Power of a hob that gives a pan what an induction hob gives it at `power`, to 10 W [W].
+fn in_place_of_induction(hob: &HobDescription, power: f64) -> f64 {
+    if hob.coil.is_some() { power } else { 10.0 * libm::round(0.1 * hob.power_for(INDUCTION * power)) }
+}
+
 impl Advice {
     /// The same advice with the power that a hob is to be set to, in place of that of an induction hob.
     fn on(self, hob: &HobDescription) -> Self {
         if hob.coil.is_some() {
             return self;
         }
-        let power = |w: f64| 10.0 * libm::round(0.1 * hob.power_for(INDUCTION * w));
-        let power = |w: f64| hob.nearest_w(power(w));
+        let power = |w: f64| hob.nearest_w(in_place_of_induction(hob, w));
         match self {
             Self::TurnOn { power_w } => Self::TurnOn { power_w: power(power_w) },
             Self::TooCold { power_w } => Self::TooCold { power_w: power(power_w) },
