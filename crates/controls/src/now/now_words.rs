@@ -1,5 +1,6 @@
 //! Advice as a verb, a reason and a deed.
 
+use saute_kitchen::celsius;
 use saute_kitchen::advice::{Advice, BROWN, HALF_WAY, Situation, TURNS_S, WARM_ENOUGH_C};
 
 use super::now_state::NowState;
@@ -72,7 +73,10 @@ impl NowWords {
     /// Words for the most urgent advice.
     pub fn of(advice: Advice, state: &NowState, memory: &mut TimeLeft) -> Self {
         let [verb, why] = Words { state }.of(advice, memory);
-        Self { verb, why, spoken: advice_words(advice, state), deed: deed(advice, state), is_due: advice.is_due() }
+        let deed = deed(advice, state);
+        // Once it has rested the result waits to be looked at.
+        let is_due = advice.is_due() || deed.as_ref().is_some_and(|deed| deed.is_lit);
+        Self { verb, why, spoken: advice_words(advice, state), deed, is_due }
     }
 }
 
@@ -126,8 +130,8 @@ impl Words<'_> {
             Advice::BothBrown { .. } => [self.text("now.turn_down"), self.text("now.both_brown")],
             Advice::TurnDown { .. } => [self.text("now.turn_down"), self.text("now.hot_enough")],
             Advice::Heating { pan_c, .. } => {
-                let left = memory.until(Course::Pan, now, pan_c, WARM_ENOUGH_C);
-                let left = left.filter(|_| pan_c >= STEADY * WARM_ENOUGH_C);
+                let enough_c = self.state.session.kitchen.hob_holds().map_or(WARM_ENOUGH_C, celsius);
+                let left = memory.until(Course::Pan, now, pan_c, enough_c).filter(|_| pan_c >= STEADY * enough_c);
                 [self.in_time("now.in_soon", "now.heating", left), self.heating_from(pan_c)]
             }
             Advice::PutIn { .. } => [self.of_food("now.put_in"), self.pan_is_hot()],

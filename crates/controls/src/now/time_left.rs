@@ -6,6 +6,12 @@ use std::collections::{BTreeMap, VecDeque};
 const FALLS: f64 = 0.2;
 /// Simulated time between two samples [s].
 const EVERY_S: f64 = 1.0;
+/// How much faster and slower than a clock a time that was told may run [-] (chosen: few notice that a minute lasts 40 s or that it waits,
+/// and everybody that it jumps).
+const FASTER: f64 = 0.5;
+const SLOWER: f64 = 1.0;
+/// From this factor with a minute besides, what was told is given up (chosen: the hob was turned, or something cold came in).
+const OTHER: f64 = 2.0;
 /// The longest time that is shown [s] (chosen: beyond half an hour the pace means nothing).
 const LONGEST_S: f64 = 1800.0;
 
@@ -36,6 +42,8 @@ impl Course {
 #[derive(Clone, Debug, Default)]
 pub struct TimeLeft {
     samples: BTreeMap<Course, VecDeque<(f64, f64)>>,
+    /// What was told last for a course and a goal, with when [s].
+    told: BTreeMap<(Course, u64), (f64, f64)>,
 }
 
 impl TimeLeft {
@@ -46,12 +54,27 @@ impl TimeLeft {
         note(samples, back_s, now_s, value);
         let (from_s, from) = *samples.front()?;
         let (lasted_s, gained) = (now_s - from_s, value - from);
-        if lasted_s < least_s || gained <= 0.0 {
+        let is_known = lasted_s >= least_s && gained > 0.0;
+        let left_s = is_known.then(|| (goal - value).max(0.0) * lasted_s / gained).filter(|left_s| *left_s <= LONGEST_S);
+        let told = (course, goal.to_bits());
+        let Some(left_s) = left_s else {
+            self.told.remove(&told);
             return None;
-        }
-        let left_s = (goal - value).max(0.0) * lasted_s / gained;
-        (left_s <= LONGEST_S).then_some(left_s)
+        };
+        self.told.retain(|_, (told_s, _)| (0.0..=back_s).contains(&(now_s - *told_s)));
+        let left_s = self.told.get(&told).map_or(left_s, |(told_s, told)| follows(now_s - told_s, *told, left_s));
+        self.told.insert(told, (now_s, left_s));
+        Some(left_s)
     }
+}
+
+/// What is told some time [s] after a time left was told [s], now that another one is found [s].
+fn follows(since_s: f64, told_s: f64, found_s: f64) -> f64 {
+    let by_clock = told_s - since_s;
+    if found_s > OTHER * by_clock + 60.0 || by_clock > OTHER * found_s + 60.0 {
+        return found_s;
+    }
+    by_clock + (found_s - by_clock).clamp(-FASTER * since_s, SLOWER * since_s)
 }
 
 fn note(samples: &mut VecDeque<(f64, f64)>, back_s: f64, now_s: f64, value: f64) {
@@ -72,6 +95,24 @@ fn note(samples: &mut VecDeque<(f64, f64)>, back_s: f64, now_s: f64, value: f64)
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_time_that_was_told_never_jumps_and_meets_what_is_found() {
+        let mut left = TimeLeft::default();
+        let (mut before, mut core) = (None, 10.0);
+        for s in 0..400 {
+            // A flip at 200 s makes it twice as fast.
+            core += if s < 200 { 0.1 } else { 0.2 };
+            let told = left.until(Course::Core, f64::from(s), core, 80.0);
+            if let (Some(before), Some(told)) = (before, told) {
+                let ran: f64 = before - told;
+                assert!((-1e-9..=1.5 + 1e-9).contains(&ran), "{s} s: {before} then {told}");
+            }
+            before = told;
+        }
+        let (told, true_s) = (before.expect("a pace"), (80.0 - core) / 0.2);
+        assert!((told - true_s).abs() < 1.0, "{told} {true_s}");
+    }
 
     #[test]
     fn a_steady_value_arrives_when_it_is_told_and_nothing_is_told_of_one_that_falls() {

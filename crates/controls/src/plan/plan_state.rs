@@ -13,3 +13,11 @@ pub struct PlanState<'a> {
 }
 
 reads_context!(PlanState);
+
+impl PlanState<'_> {
+    /// Returns true if the plan of the food, the pan and the target that are chosen now was found.
+    pub fn has_plan(&self) -> bool {
+        let now = || self.settings.wanted_plan(&self.session.library);
+        self.planning.plan().is_some() && self.planning.asked().is_some_and(|asked| *asked == now())
+    }
+}

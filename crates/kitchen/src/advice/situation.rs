@@ -6,6 +6,7 @@ use super::{
 };
 use crate::pan::heater::HeaterKind;
 use crate::pan::hob::HobDescription;
+use crate::pan::hold::Holding;
 use crate::{Kitchen, Piece, Place, celsius};
 
 /// Readings from which advice is derived.
@@ -23,6 +24,8 @@ pub struct Situation {
     pub heated_by: HeaterKind,
     /// Power to which the hob is set, as that of an induction hob which gives the pan as much [W].
     pub hob_w: f64,
+    /// Temperature at which the hob holds the pan [°C], and how far it is; none of a hob that gives what it is set to.
+    pub held: Option<(f64, Holding)>,
     /// Setting of the hob that heats a pan well, as [`Self::hob_w`] [W].
     pub heating_w: f64,
     /// Flow of smoke [mg/s].
@@ -61,6 +64,7 @@ impl Situation {
             pan_is_used: kitchen.pieces().iter().any(Piece::in_pan),
             heated_by: kitchen.hob().heater().map_or(HeaterKind::Coil, |heater| heater.kind()),
             hob_w: as_on_induction(kitchen.hob(), kitchen.hob_w()),
+            held: kitchen.hob_holds().map(celsius).zip(kitchen.holding()),
             heating_w: as_on_induction(kitchen.hob(), heating_w(kitchen.hob())),
             smoke_mg_s: kitchen.pan_state().smoke_mg_s(),
             underside_c: celsius(piece.face(true)),
@@ -85,6 +89,11 @@ impl Situation {
 
     fn before(&self) -> Advice {
         let pan_c = self.pan_c;
+        match self.held {
+            Some((until_c, Holding::Warms)) => return Advice::Heating { pan_c, until_c },
+            Some(_) => return Advice::PutIn { pan_c },
+            None => {}
+        }
         match () {
             () if pan_c >= WARM_ENOUGH_C => Advice::PutIn { pan_c },
             () if self.hob_w > 0.0 => Advice::Heating { pan_c, until_c: HOT_C },
@@ -130,8 +139,10 @@ impl Situation {
 
     fn in_pan(&self, goal: Option<Goal>) -> Vec<Advice> {
         let food = self.of_food(goal);
-        let cooler = self.too_hot().or_else(|| self.both_brown()).or_else(|| self.turn_down());
-        let hob = cooler.or_else(|| self.too_cold());
+        let cooler = self.too_hot().or_else(|| self.both_brown());
+        // What the hob holds needs no hand on the dial.
+        let by_hand = || self.turn_down().or_else(|| self.too_cold()).filter(|_| self.held.is_none());
+        let hob = cooler.or_else(by_hand);
         let mut advice: Vec<Advice> = [Some(food), hob].into_iter().flatten().collect();
         // What is due comes before what is waited for; food before the hob.
         advice.sort_by_key(|one| !one.is_due());
@@ -259,6 +270,7 @@ impl Situation {
         pan_is_used: false,
         heated_by: HeaterKind::Coil,
         hob_w: 0.0,
+        held: None,
         heating_w: 1100.0,
         smoke_mg_s: 0.0,
         underside_c: 5.0,
@@ -300,6 +312,19 @@ mod tests {
         assert_eq!(at(161.0, 0.0), [Advice::PutIn { pan_c: 161.0 }]);
         let hot = Situation { pan_c: 240.0, hottest_c: 271.0, hob_w: 1100.0, ..Situation::RAW };
         assert_eq!(hot.advice(None), [Advice::TooHot { hottest_c: 271.0, smokes: false, to_w: 400.0 }]);
+    }
+
+    #[test]
+    fn food_waits_for_the_dial_of_a_hob_that_holds_and_nobody_turns_it_while_it_fries() {
+        let held = |held_c, holding| Situation { hob_w: 1800.0, held: Some((held_c, holding)), ..Situation::RAW };
+        let at = |pan_c, situation: Situation| Situation { pan_c, ..situation }.advice(None);
+        let warms = held(200.0, Holding::Warms);
+        assert_eq!(at(175.0, warms), [Advice::Heating { pan_c: 175.0, until_c: 200.0 }], "hot, but not as hot as wished");
+        assert_eq!(at(198.0, held(200.0, Holding::Reached)), [Advice::PutIn { pan_c: 198.0 }]);
+        assert_eq!(at(138.0, held(140.0, Holding::Reached)), [Advice::PutIn { pan_c: 138.0 }], "gently, as wished");
+        let fries = Situation { hob_w: 1800.0, hottest_c: 255.0, held: warms.held, ..FRYING };
+        assert!(!fries.advice(None)[0].is_due() && !Situation { pan_c: 119.0, ..fries }.advice(None)[0].is_due());
+        assert!(Situation { held: None, ..fries }.advice(None)[0].is_due(), "by hand it would be turned down");
     }
 
     #[test]

@@ -47,14 +47,17 @@ pub fn show(state: &TopState, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
     });
 }
 
-/// Shows the way to all controls, the settings and the help: what a first cook has on top.
+/// Shows the ways to all controls and to a plan, the settings and the help: what a first cook has on top.
 pub fn few(state: &TopState, ui: &mut Ui, acts: &mut Acts) {
     ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
         help(state, ui, acts);
         gear(state, ui, acts);
         speaker_switch::show(state, ui, acts, HEIGHT);
         messages(state, ui, acts);
-        chip(state, ui, acts, state.settings.language.text("top.all"), false, Act::View(ViewAct::More));
+        let l = state.settings.language;
+        chip(state, ui, acts, l.text("top.all"), false, Act::View(ViewAct::More));
+        let is_open = state.card == Some(Card::Plan);
+        chip(state, ui, acts, l.text("top.plan"), is_open, Act::App(AppAct::Open(Card::Plan)));
     });
 }
 

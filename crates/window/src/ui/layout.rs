@@ -16,11 +16,11 @@ const RIGHT_WIDTH: f32 = 296.0;
 const LEFT_WIDTH: f32 = 276.0;
 /// Height of what is inside without the curves [points]; with them it takes the whole height.
 const INSIDE_HEIGHT: f32 = 410.0;
-/// Heights of the few controls of a first cook: of one row, and of what is above them; and the width of *More* and its neighbours
+/// Heights of the few controls of a first cook: of one row, and of what is above them; and the size of *Plan*, *More* and their neighbours
 /// [points].
 const FEW_HEIGHT: f32 = 58.0;
-const FEW_TOP: Vec2 = vec2(252.0, 46.0);
-const FEW_TOP_NARROW: Vec2 = vec2(290.0, 58.0);
+const FEW_TOP: Vec2 = vec2(304.0, 46.0);
+const FEW_TOP_NARROW: Vec2 = vec2(340.0, 58.0);
 /// Height of their drawer [points]: the line that states what to do and three rows for fingers.
 const FEW_DRAWER: f32 = 240.0;
 /// Two rows of controls and a line of words.
@@ -113,7 +113,7 @@ impl Layout {
         layout
     }
 
-    /// *More* and its neighbours in the upper right corner instead of the chips, and no buttons of the eye.
+    /// *Plan*, *More* and their neighbours in the upper right corner instead of the chips, and no buttons of the eye.
     fn with_few_on_top(mut self, fingers: bool) -> Self {
         let size = match (self.narrow, fingers) {
             (false, _) => FEW_TOP,

@@ -17,7 +17,7 @@ use saute_words::clock::clock;
 use saute_words::judgement_words::ResultWords;
 
 /// Width of the card at most, and below which its parts are below each other [points].
-const WIDTH: f32 = 660.0;
+const WIDTH: f32 = 720.0;
 const NARROW: f32 = 560.0;
 /// Size of the picture of the cut at most [points], and room beside it for the brackets of the grey band.
 const CUT: egui::Vec2 = vec2(440.0, 118.0);

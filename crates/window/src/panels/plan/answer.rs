@@ -23,7 +23,7 @@ pub fn show(state: &PlanState, plan: &Plan, ui: &mut Ui, acts: &mut Acts) {
     if let Some(why) = plan_words::why_not(plan, settings.speech()) {
         ui.label(RichText::new(why).color(theme::of(ui).accent).strong());
     }
-    if is_of_other_choice(state) {
+    if !state.has_plan() {
         ui.label(RichText::new(l.text("plan.other_choice")).size(13.0).color(theme::of(ui).accent));
     }
     if plan.is_rough {
@@ -44,23 +44,18 @@ pub fn show(state: &PlanState, plan: &Plan, ui: &mut Ui, acts: &mut Acts) {
     ui.label(RichText::new(l.text("plan.honest")).size(12.5).color(theme::of(ui).quiet));
 }
 
-/// True if the food, the pan or the target was changed since the plan was requested.
-fn is_of_other_choice(state: &PlanState) -> bool {
-    let settings = state.settings;
-    let now = settings.wanted_plan(&state.session.library);
-    state.planning.asked().is_some_and(|asked| *asked != now)
-}
-
-fn buttons(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
+fn buttons(state: &PlanState, ui: &mut Ui, acts: &mut Acts) {
     let l = state.settings.language;
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing = vec2(6.0, 6.0);
-        let mut button = |key: &'static str, hint: &'static str, on, act| {
-            if ui.add(theme::of(ui).button(l.text(key), on)).on_hover_text(l.text(hint)).clicked() {
+        let mut button = |key: &'static str, hint: &'static str, is_next, act| {
+            let palette = theme::of(ui);
+            let button = if is_next { palette.primary(l.text(key)) } else { palette.button(l.text(key), false) };
+            if ui.add(button).on_hover_text(l.text(hint)).clicked() {
                 acts.push(Act::Learn(LearnAct::Plan(act)));
             }
         };
-        button("plan.cook_live", "plan.cook_live_hint", true, PlanAct::CookLive);
+        button("plan.cook_live", "plan.cook_live_hint", state.has_plan(), PlanAct::CookLive);
         button("plan.cook_itself", "plan.cook_itself_hint", false, PlanAct::CookItself);
         button(PlanFile::Card.words(), "plan.save_card_hint", false, PlanAct::Save(PlanFile::Card));
         button(PlanFile::Recipe.words(), "plan.save_recipe_hint", false, PlanAct::Save(PlanFile::Recipe));

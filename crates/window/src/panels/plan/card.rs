@@ -75,9 +75,11 @@ fn searching(state: &PlanState, ui: &mut Ui, acts: &mut Acts, share: f32, doing:
     let spoken = l.fill("plan.progress", &[("percent", &format!("{:.0}", 100.0 * share))]);
     bar.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::ProgressIndicator, true, &spoken));
     ui.label(RichText::new(doing).color(theme::of(ui).quiet));
-    let left =
-        state.planning.left_s().map(|left_s| l.fill("plan.left", &[("time", &clock(10.0 * (0.1 * left_s).ceil()))]));
-    ui.label(RichText::new(left.unwrap_or_default()).color(theme::of(ui).quiet));
+    let left = match state.planning.left_s() {
+        Some(left_s) => l.fill("plan.left", &[("time", &clock(10.0 * (0.1 * left_s).ceil()))]),
+        None => l.text("plan.usual_time").to_owned(),
+    };
+    ui.label(RichText::new(left).color(theme::of(ui).quiet));
     ui.label(RichText::new(l.text("plan.meanwhile")).size(13.0).color(theme::of(ui).quiet));
     let ends = if state.planning.has_so_far() { "plan.stop" } else { "plan.cancel" };
     if ui.add(theme::of(ui).button(l.text(ends), false)).clicked() {

@@ -66,7 +66,9 @@ fn kinds(state: &PanelContext, ui: &mut Ui, plan: &mut PlanChoice) {
 fn find(state: &PlanState, ui: &mut Ui, acts: &mut Acts) {
     let text = state.settings.language.text("plan.find");
     let size = vec2(ui.available_width(), theme::TOUCH);
-    let button = theme::of(ui).primary(text).min_size(size);
+    let palette = theme::of(ui);
+    // Beside the plan of this request its own button comes next.
+    let button = if state.has_plan() { palette.button(text, false) } else { palette.primary(text) }.min_size(size);
     if ui.add_enabled(!state.planning.is_searching(), button).clicked() {
         acts.push(Act::Learn(LearnAct::Plan(PlanAct::Find)));
     }
