@@ -55,7 +55,8 @@ impl TimeLeft {
         let (from_s, from) = *samples.front()?;
         let (lasted_s, gained) = (now_s - from_s, value - from);
         let is_known = lasted_s >= least_s && gained > 0.0;
-        let left_s = is_known.then(|| (goal - value).max(0.0) * lasted_s / gained).filter(|left_s| *left_s <= LONGEST_S);
+        let left_s =
+            is_known.then(|| (goal - value).max(0.0) * lasted_s / gained).filter(|left_s| *left_s <= LONGEST_S);
         let told = (course, goal.to_bits());
         let Some(left_s) = left_s else {
             self.told.remove(&told);

@@ -319,7 +319,11 @@ mod tests {
         let held = |held_c, holding| Situation { hob_w: 1800.0, held: Some((held_c, holding)), ..Situation::RAW };
         let at = |pan_c, situation: Situation| Situation { pan_c, ..situation }.advice(None);
         let warms = held(200.0, Holding::Warms);
-        assert_eq!(at(175.0, warms), [Advice::Heating { pan_c: 175.0, until_c: 200.0 }], "hot, but not as hot as wished");
+        assert_eq!(
+            at(175.0, warms),
+            [Advice::Heating { pan_c: 175.0, until_c: 200.0 }],
+            "hot, but not as hot as wished"
+        );
         assert_eq!(at(198.0, held(200.0, Holding::Reached)), [Advice::PutIn { pan_c: 198.0 }]);
         assert_eq!(at(138.0, held(140.0, Holding::Reached)), [Advice::PutIn { pan_c: 138.0 }], "gently, as wished");
         let fries = Situation { hob_w: 1800.0, hottest_c: 255.0, held: warms.held, ..FRYING };

@@ -44,7 +44,6 @@ pub fn show(state: &PanelContext, memory: &mut PantryMemory, ui: &mut Ui, acts: 
     let is_free = !state.forbids(&Act::Cook(CookAct::SetOut)) && !state.forbids(&Act::Cook(CookAct::Add(1)));
     free(state, is_free, ui, |ui| {
         set_out(state, memory.count, ui, acts);
-        plan_it(&food, ui, acts, l);
         how_many(&mut memory.count, ui, l);
     });
     crate::panels::pieces::all_at_once(state, ui, acts);
@@ -76,6 +75,7 @@ fn food_and_pan(state: &PanelContext, choice: &mut SteakChoice, stills: &mut Sti
     }
     let coldest = coldest(library, &choice.kind);
     temperature(ui, l.text("pantry.start_temperature"), &mut choice.initial_c, coldest, 30.0, fahrenheit);
+    plan_it(&noun(library, &choice.kind, l), ui, acts, l);
     ui.separator();
     heading(ui, l.text("pantry.hob"));
     hobs(ui, library, choice, l);

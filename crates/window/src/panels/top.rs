@@ -17,6 +17,8 @@ use saute_session::permits::Permit;
 const HEIGHT: f32 = 34.0;
 /// Room that the menu of what there is to learn needs [points].
 const LEARN: f32 = 64.0;
+/// Room that the way to a plan needs [points].
+const PLAN: f32 = 56.0;
 /// Width of the speech bubble [points].
 const BUBBLE: f32 = 36.0;
 
@@ -42,7 +44,7 @@ pub fn show(state: &TopState, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
         return;
     }
     ui.horizontal_centered(|ui| {
-        views(state, ui, acts, 7.0);
+        views(state, ui, acts, 5.0);
         help_and_settings(state, ui, acts);
     });
 }
@@ -56,8 +58,7 @@ pub fn few(state: &TopState, ui: &mut Ui, acts: &mut Acts) {
         messages(state, ui, acts);
         let l = state.settings.language;
         chip(state, ui, acts, l.text("top.all"), false, Act::View(ViewAct::More));
-        let is_open = state.card == Some(Card::Plan);
-        chip(state, ui, acts, l.text("top.plan"), is_open, Act::App(AppAct::Open(Card::Plan)));
+        plan(state, ui, acts);
     });
 }
 
@@ -80,6 +81,11 @@ pub fn learn_and_settings(state: &TopState, ui: &mut Ui, acts: &mut Acts) {
 fn learn(state: &TopState, ui: &mut Ui, acts: &mut Acts) {
     let name = state.settings.language.text("learn.title");
     chip(state, ui, acts, name, state.card == Some(Card::Learn), Act::App(AppAct::Open(Card::Learn)));
+}
+
+fn plan(state: &TopState, ui: &mut Ui, acts: &mut Acts) {
+    let name = state.settings.language.text("top.plan");
+    chip(state, ui, acts, name, state.card == Some(Card::Plan), Act::App(AppAct::Open(Card::Plan)));
 }
 
 fn help(state: &TopState, ui: &mut Ui, acts: &mut Acts) {
@@ -111,6 +117,9 @@ fn help_and_settings(state: &TopState, ui: &mut Ui, acts: &mut Acts) {
         speaker_switch::show(state, ui, acts, HEIGHT);
         if ui.available_width() >= LEARN {
             learn(state, ui, acts);
+        }
+        if ui.available_width() >= PLAN {
+            plan(state, ui, acts);
         }
         if ui.available_width() >= BUBBLE {
             messages(state, ui, acts);
