@@ -132,13 +132,13 @@ impl Words<'_> {
             Advice::Heating { pan_c, .. } => {
                 let enough_c = self.state.session.kitchen.hob_holds().map_or(WARM_ENOUGH_C, celsius);
                 let left = memory.until(Course::Pan, now, pan_c, enough_c).filter(|_| pan_c >= STEADY * enough_c);
-                [self.in_time("now.in_soon", "now.heating", left), self.heating_from(pan_c)]
+                [self.in_time("now.in_soon", "now.heating", left), self.heating_from(pan_c, enough_c)]
             }
-            Advice::PutIn { .. } => [self.of_food("now.put_in"), self.pan_is_hot()],
+            Advice::PutIn { pan_c } => [self.of_food("now.put_in"), self.pan_is_hot(pan_c)],
             Advice::Flip => [self.of_food("now.flip"), self.text(self.why_flip())],
             Advice::TakeOut { peak_c } => [self.of_food("now.take_out"), self.with_temperature("now.rests_up", peak_c)],
             Advice::Ready { .. } => [self.of_food("now.take_out"), self.class("now.core_is")],
-            Advice::WouldPeak { peak_c, .. } => self.frying(peak_c, memory),
+            Advice::WouldPeak { peak_c, wet } => self.frying(peak_c, wet, memory),
             Advice::NotReady { share_pct, until_pct } => {
                 let [share, goal] = [share_pct, until_pct].map(|pct| format!("{pct:.0}"));
                 let why = self.fill("now.changed", &[("percent", &share), ("goal", &goal)]);
@@ -158,12 +158,17 @@ impl Words<'_> {
     }
 
     /// When to flip or to take out, whichever comes first.
-    fn frying(&self, peak_c: f64, memory: &mut TimeLeft) -> [String; 2] {
+    fn frying(&self, peak_c: f64, wet: bool, memory: &mut TimeLeft) -> [String; 2] {
         let now = self.state.session.kitchen.time_s();
         let goal = self.state.scale().map_or(peak_c, |scale| self.state.settings.goal(&scale));
         let out = memory.until(Course::Core, now, peak_c, goal).filter(|_| peak_c >= STEADY * goal);
         let flip = self.flip_in(peak_c, goal, memory).filter(|flip| out.is_none_or(|out| *flip + READY_S < out));
-        let would = self.with_temperature("now.would_peak", peak_c);
+        // Far from the goal nobody thinks of taking it out.
+        let would = match wet {
+            _ if peak_c >= STEADY * goal => self.with_temperature("now.would_peak", peak_c),
+            true => self.text("now.wet"),
+            false => self.text("now.is_browning"),
+        };
         match (flip, out) {
             (Some(flip), Some(out)) => [
                 self.in_time("now.flip_soon", "now.frying", Some(flip)),
@@ -198,24 +203,24 @@ impl Words<'_> {
         left_s.filter(|left_s| *left_s > 0.0)
     }
 
-    /// How hot the pan is, and how long the whole cook takes where its food is judged by its core.
-    fn heating_from(&self, pan_c: f64) -> String {
+    /// How hot the pan is and should be, and how long the whole cook takes where its food is judged by its core.
+    fn heating_from(&self, pan_c: f64, enough_c: f64) -> String {
+        let [temperature, until] = [pan_c, enough_c].map(|c| self.state.settings.temperature(c));
         let Some(whole_s) = self.state.whole_time_s() else {
-            return self.with_temperature("now.heating_from", pan_c);
+            return self.fill("now.heating_from", &[("temperature", &temperature), ("until", &until)]);
         };
-        let minutes = whole_minutes(whole_s);
-        self.fill(
-            "now.heating_and_all",
-            &[("temperature", &self.state.settings.temperature(pan_c)), ("minutes", &minutes)],
-        )
+        let parts: [(&str, &dyn std::fmt::Display); 3] =
+            [("temperature", &temperature), ("until", &until), ("minutes", &whole_minutes(whole_s))];
+        self.fill("now.heating_and_all", &parts)
     }
 
-    /// That the pan is hot, and how much oil is in it, which nobody pours before the first food.
-    fn pan_is_hot(&self) -> String {
+    /// How hot the pan is, and how much oil is in it, which nobody pours before the first food.
+    fn pan_is_hot(&self, pan_c: f64) -> String {
+        let temperature = self.state.settings.temperature(pan_c);
         let oil_g = 1e3 * self.state.session.kitchen.pan_state().oil_mass();
         match oil_g.round() {
-            0.0 => self.text("now.pan_is_hot"),
-            grams => self.fill("now.pan_and_oil_are_hot", &[("grams", &grams)]),
+            0.0 => self.fill("now.pan_is_hot", &[("temperature", &temperature)]),
+            grams => self.fill("now.pan_and_oil_are_hot", &[("temperature", &temperature), ("grams", &grams)]),
         }
     }
 

@@ -115,7 +115,7 @@ impl SauteApp {
             ViewAct::Curves => self.settings.curves_open = !self.settings.curves_open,
             ViewAct::Panels => self.settings.toggle_panels(),
             ViewAct::Projector => self.toggle_projector(),
-            ViewAct::More => self.settings.few = !self.settings.few,
+            ViewAct::More => self.more_or_few(),
             ViewAct::Strings => self.toggle_strings(),
         }
     }

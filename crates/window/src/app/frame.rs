@@ -71,7 +71,7 @@ impl SauteApp {
         let (parts, memory) = self.parts(&found);
         panels::show_all(&parts, memory, ui, &mut acts, layout);
         self.pulse_at_goal(found.alarm);
-        self.ease(if found.keeping.is_none() { &found.advised } else { &[] });
+        self.ease(found.keeping.is_none() && self.needs_hand(&found));
         self.tutor(&found.advised);
         self.watch_result(&found.advised);
         acts

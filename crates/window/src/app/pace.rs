@@ -1,6 +1,7 @@
 //! A speed that the machine cannot sustain gives way to one that it can.
 
 use super::SauteApp;
+use super::findings::Findings;
 use crate::app::apply::waiting::Waiting;
 use saute_kitchen::advice::Advice;
 use saute_picture::frame_meter::FrameMeter;
@@ -29,14 +30,21 @@ pub(crate) struct Pace {
 }
 
 impl SauteApp {
-    /// Slows to real time while an advice needs a hand, and returns to what the machine sustains of the chosen speed.
-    pub(super) fn ease(&mut self, advice: &[Advice]) {
+    /// Returns true if an advice needs a hand, or all food has rested and waits to be looked at.
+    pub(super) fn needs_hand(&self, found: &Findings) -> bool {
+        let rests = |one: &Advice| matches!(one, Advice::Resting { .. } | Advice::Rested { .. });
+        let is_done = || found.rise.is_none() && self.session.is_out() && found.advised.iter().any(rests);
+        found.advised.iter().any(|one| one.is_due()) || is_done()
+    }
+
+    /// Slows to real time while a hand is needed, and returns to what the machine sustains of the chosen speed.
+    pub(super) fn ease(&mut self, hand_needed: bool) {
         let somebody_leads = self.leads.guided.is_some() || self.leads.learn.tutorial.is_some();
         self.pace.hand_needed = false;
         if !self.settings.eases || self.settings.skill_mode || somebody_leads {
             return;
         }
-        self.pace.hand_needed = advice.iter().any(|one| one.is_due());
+        self.pace.hand_needed = hand_needed;
         if let Some(speed) = self.pace.easing.look(self.pace.hand_needed, self.session.speed) {
             self.session.set_speed(speed.min(self.settings.held_speed.unwrap_or(speed)));
         }

@@ -15,8 +15,9 @@ use saute_words::clock::clock;
 
 /// Height of the ribbon with its space [points].
 const RIBBON: f32 = 66.0;
-/// Height of the legend with its space, on a narrow window [points].
+/// Height of the legend with its space, and of the line about simplified rules [points].
 const LEGEND: f32 = 70.0;
+const RULES: f32 = 26.0;
 
 /// Shows the badges where there is something to show: the last notice, and what waits until the instant is reached to which time is
 /// turned.
@@ -76,6 +77,13 @@ fn standing(state: &PanelContext, ui: &Ui, acts: &mut Acts, layout: &Layout) {
     area.show(ui.ctx(), |ui| {
         theme::of(ui).panel().inner_margin(8).show(ui, |ui| what_holds(state, ui, acts, width));
     });
+}
+
+/// Height of what applies all the time, with its space, in a wide window [points]; 0 where there is nothing to say.
+pub(crate) fn held_height(state: &PanelContext) -> f32 {
+    let rules = state.session.kitchen.rules() == Rules::Paper2013;
+    let view = state.settings.view != View::Look;
+    (if view { LEGEND } else { 0.0 }) + (if rules { RULES } else { 0.0 }) + if view || rules { GAP } else { 0.0 }
 }
 
 pub(crate) fn says_what_holds(state: &PanelContext) -> bool {

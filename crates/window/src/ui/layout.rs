@@ -19,7 +19,7 @@ const INSIDE_HEIGHT: f32 = 410.0;
 /// Heights of the few controls of a first cook: of one row, and of what is above them; and the size of *Plan*, *More* and their neighbours
 /// [points].
 const FEW_HEIGHT: f32 = 58.0;
-const FEW_TOP: Vec2 = vec2(304.0, 46.0);
+const FEW_TOP: Vec2 = vec2(326.0, 46.0);
 const FEW_TOP_NARROW: Vec2 = vec2(340.0, 58.0);
 /// Height of their drawer [points]: the line that states what to do and three rows for fingers.
 const FEW_DRAWER: f32 = 240.0;

@@ -34,6 +34,14 @@ impl SauteApp {
         }
     }
 
+    /// Shows all controls, or the few of a first cook.
+    pub(super) fn more_or_few(&mut self) {
+        self.settings.few = !self.settings.few;
+        if !self.settings.few {
+            self.say("notice.all_controls");
+        }
+    }
+
     pub(super) fn toggle_projector(&mut self) {
         self.settings.projector = !self.settings.projector;
         if self.settings.projector {

@@ -62,6 +62,8 @@ pub fn show(state: &CookState, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| time_right_to_left(state, ui, acts));
     });
     ui.horizontal(|ui| {
+        // So that the longest words have room too: other amounts, tongs or turner.
+        (ui.spacing_mut().item_spacing.x, ui.spacing_mut().button_padding.x) = (5.0, 6.0);
         hands(state, ui, acts);
         restart(state, ui, acts);
         pour::show(state, ui, acts);

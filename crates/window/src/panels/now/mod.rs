@@ -34,9 +34,9 @@ const TIGHT_HEIGHT: f32 = 76.0;
 const CORE_WIDTH: f32 = 76.0;
 /// Distance of the words from the edge, and of columns from each other [points].
 const PAD: f32 = 12.0;
-/// Time for which a pointer's click on a button that has become another one counts for nothing [wall s] (chosen: a hand takes a third of a
-/// second from seeing to clicking; a newcomer's click on "400 W" flipped the steak).
-const REACTION_S: f64 = 0.4;
+/// Time for which a pointer's click on a button that has become another one is not meant for it [wall s] (chosen: a hand takes a third of a
+/// second from seeing to clicking, and twice that with a way to go; the clicks of two newcomers on "400 W" flipped the steak).
+const REACTION_S: f64 = 0.8;
 /// Sizes among which a line takes the first in which it fits [points].
 const VERB_SIZES: [f32; 4] = [20.0, 18.0, 16.0, 14.0];
 const WHY_SIZES: [f32; 3] = [14.0, 13.0, 12.0];
@@ -87,8 +87,9 @@ struct Now<'a> {
 fn place(state: &PanelContext, layout: &Layout, size: Vec2) -> Rect {
     let free = layout.free;
     let left = free.center().x - 0.5 * size.x;
-    let beside = left + size.x + GAP <= layout.eye.left() && !crate::panels::badge::says_what_holds(state);
-    let foot = free.bottom() - if beside { PAD } else { PAD + 2.0 * GAP + layout.eye.height() };
+    let beside = left + size.x + GAP <= layout.eye.left();
+    let corner = if beside { 0.0 } else { 2.0 * GAP + layout.eye.height() };
+    let foot = free.bottom() - PAD - corner.max(crate::panels::badge::held_height(state));
     Rect::from_min_size(pos2(left, foot - size.y), size)
 }
 
@@ -211,29 +212,48 @@ fn button(ui: &mut Ui, acts: &mut Acts, deed: &Deed, room: Rect) -> f32 {
     // In its own ui: what comes below the line begins below all of it.
     let response = ui.new_child(UiBuilder::new().max_rect(place)).put(place, button);
     response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Button, true, &deed.spoken));
-    let is_new = has_just_changed(ui, deed);
-    if response.clicked() && !(is_new && ui.input(|i| i.pointer.any_click())) {
-        acts.push(deed.act.clone());
+    let before = just_before(ui, deed);
+    if response.clicked() {
+        match before.filter(|_| ui.input(|i| i.pointer.any_click())) {
+            None => acts.push(deed.act.clone()),
+            // A power that was meant is set; what else was meant may be wrong by now.
+            Some(act @ Act::Cook(CookAct::HobSet(_))) => acts.push(act),
+            Some(_) => {}
+        }
     }
     width
 }
 
-/// True for a moment after the button has become another one: a finger that was on its way meant the one before.
-fn has_just_changed(ui: &Ui, deed: &Deed) -> bool {
+/// A button as it was shown last.
+#[derive(Clone)]
+struct Shown {
+    spoken: String,
+    act: Act,
+    /// Since when [wall s], and what it did before.
+    since_s: f64,
+    before: Option<Act>,
+}
+
+/// What the button did before it has become another one, for a moment: a finger that was on its way meant that.
+fn just_before(ui: &Ui, deed: &Deed) -> Option<Act> {
     let (id, now_s) = (Id::unique("now-deed"), ui.input(|i| i.time));
-    let before: Option<(String, f64)> = ui.ctx().data(|data| data.get_temp(id));
-    let since_s = match before {
-        Some((spoken, since_s)) if spoken == deed.spoken => since_s,
-        Some(_) => now_s,
-        None => f64::NEG_INFINITY,
+    let shown = match ui.ctx().data(|data| data.get_temp::<Shown>(id)) {
+        Some(shown) if shown.spoken == deed.spoken => shown,
+        last => Shown {
+            spoken: deed.spoken.clone(),
+            act: deed.act.clone(),
+            since_s: now_s,
+            before: last.map(|last| last.act),
+        },
     };
-    ui.ctx().data_mut(|data| data.insert_temp(id, (deed.spoken.clone(), since_s)));
-    now_s - since_s < REACTION_S
+    let before = shown.before.clone().filter(|_| now_s - shown.since_s < REACTION_S);
+    ui.ctx().data_mut(|data| data.insert_temp(id, shown));
+    before
 }
 
 /// Notes that there is no button.
 fn forget_button(ui: &Ui) {
-    ui.ctx().data_mut(|data| data.remove::<(String, f64)>(Id::unique("now-deed")));
+    ui.ctx().data_mut(|data| data.remove::<Shown>(Id::unique("now-deed")));
 }
 
 /// The temperature of the core, large, and the goal below it; none where doneness is determined by something else.
@@ -252,23 +272,25 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_button_that_has_become_another_one_takes_no_click_for_a_moment() {
+    fn a_click_just_after_the_button_has_become_another_one_means_what_it_was() {
         let ctx = Context::default();
-        let deed = |spoken: &str| Deed {
+        let deed = |spoken: &str, act: CookAct| Deed {
             text: String::new(),
             spoken: spoken.to_owned(),
-            act: Act::Cook(CookAct::Flip),
+            act: Act::Cook(act),
             is_lit: true,
         };
-        let is_new = |at_s: f64, spoken: &str| {
-            let mut is_new = false;
+        let before = |at_s: f64, spoken: &str, act: CookAct| {
+            let mut before = None;
             let input = RawInput { time: Some(at_s), ..RawInput::default() };
-            let _ = ctx.run_ui(input, |ui| is_new = has_just_changed(ui, &deed(spoken)));
-            is_new
+            let _ = ctx.run_ui(input, |ui| before = just_before(ui, &deed(spoken, act.clone())));
+            before
         };
-        assert!(!is_new(0.0, "400 W"), "nothing was there before");
-        assert!(is_new(1.0, "flip") && is_new(1.3, "flip") && !is_new(1.5, "flip"));
+        assert!(before(0.0, "400 W", CookAct::HobSet(400.0)).is_none(), "nothing was there before");
+        let meant = Some(Act::Cook(CookAct::HobSet(400.0)));
+        assert!(before(1.0, "flip", CookAct::Flip) == meant && before(1.7, "flip", CookAct::Flip) == meant);
+        assert!(before(1.9, "flip", CookAct::Flip).is_none(), "time enough to have seen it");
         let _ = ctx.run_ui(RawInput { time: Some(2.0), ..RawInput::default() }, |ui| forget_button(ui));
-        assert!(!is_new(2.1, "400 W"));
+        assert!(before(2.1, "400 W", CookAct::HobSet(400.0)).is_none());
     }
 }

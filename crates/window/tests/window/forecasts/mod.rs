@@ -113,7 +113,7 @@ fn a_line_says_what_comes_and_what_if_it_is_taken_out() {
     *agency.is_away.borrow_mut() = true;
     harness.get_by_label("Take out").click();
     cook(&mut harness, 3.0);
-    harness.get_by_label_contains("From before the last thing you did");
+    harness.get_by_label_contains("A new forecast is coming.");
     assert!(
         harness.query_by_label_contains("In 2 min").is_none() && harness.query_by_label_contains("highest:").is_none()
     );
