@@ -1,6 +1,7 @@
 //! A plan in words: what is cooked to what, what is promised, what changes it, and why a target is missed.
 
 use saute_kitchen::Library;
+use saute_kitchen::food::change::doneness::Measure;
 use saute_plan::goal::{Goal, Outcome, Shortfall};
 use saute_plan::schedule::{Change, Order, Plan, Sensitivity, Stage};
 
@@ -81,7 +82,14 @@ pub fn sentence(s: &Sensitivity, goal: &Goal, speech: Speech) -> String {
         Change::PowerPct(pct) if pct > 0.0 => l.fill("plan.stronger", &[("by", &by(pct))]),
         Change::PowerPct(pct) => l.fill("plan.weaker", &[("by", &by(pct))]),
     };
-    let key = if s.is_met { "plan.then_met" } else { "plan.then_missed" };
+    // Of food that is judged by its core, on which side of the goal it is.
+    let by_core = goal.core_counts && goal.scale.measure() == Measure::Peak;
+    let key = match () {
+        () if s.is_met => "plan.then_met",
+        () if by_core && s.core_peak_c < goal.core[0] => "plan.then_under",
+        () if by_core && s.core_peak_c > goal.core[1] => "plan.then_over",
+        () => "plan.then_missed",
+    };
     let (core, share) = (speech.temperature(s.core_peak_c), format!("{:.0}", s.target_share_pct));
     l.fill(key, &[("what", &what), ("core", &core), ("share", &share), ("class", &class(goal, l))])
 }
