@@ -178,7 +178,9 @@ fn lit_food(outside: FoodOut) -> vec4<f32> {
     let bead_turn = fwidth(beads.bend);
     if (beads.cover > 0.0) {
         let drop = Surface(vec3<f32>(0.0), vec3<f32>(0.026), widened(0.07, bead_turn), world_normal(rest_normal + beads.bend), visibility, vec3<f32>(0.0));
-        radiance += specular(drop, in.position, view, lit) * beads.cover * 1.8;
+        // Beads of few pixels show no window each: their glints would be grains of salt.
+        let seen = 1.0 - smoothstep(0.25, 0.80, length(bead_turn));
+        radiance += specular(drop, in.position, view, lit) * beads.cover * mix(0.25, 1.6, seen);
     }
     return pixel_from_radiance(radiance, in.clip.xy);
 }
@@ -195,7 +197,7 @@ const GLAZED = 0.55;
 
 // Reflections weaker than this do not count as glints, and how much of a crust's pores oil fills (chosen).
 const GLINT = 0.075;
-const OILED = 0.85;
+const OILED = 0.40;
 
 // Water on raw flesh, oil on a crust: a thin film that breaks the window into small glints.
 fn sheen(in: FoodOut, look: Look, bent: vec3<f32>, raw: f32, view: vec3<f32>, lit: f32, visibility: f32, wetness: f32) -> vec3<f32> {

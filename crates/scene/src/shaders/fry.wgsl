@@ -84,15 +84,16 @@ fn dome(in: FryOut, place: vec2<f32>) -> vec4<f32> {
     let away = dot(place, place);
     let normal = normalize(vec3<f32>(place * 0.95, sqrt(max(1.0 - 0.9 * away, 0.02))));
     let body = smoothstep(1.0, 0.82, away);
-    let alpha = body * mix(0.26, 0.62, away * away);
-    let fat = mix(vec3<f32>(0.26, 0.21, 0.13), vec3<f32>(0.50, 0.44, 0.32), away * away);
+    let rim = away * away * away;
+    let alpha = body * mix(0.10, 0.50, rim);
+    let fat = mix(vec3<f32>(0.16, 0.12, 0.07), vec3<f32>(0.36, 0.31, 0.22), rim);
     return vec4<f32>(pixel_from_radiance(fat + 2.0 * liquid(normal, in.position), in.clip.xy).rgb * alpha, alpha);
 }
 
 // Bubbles too small to be seen: pale, and open (chosen).
-const FOAM = vec4<f32>(0.60, 0.52, 0.36, 1.0);
-const FOAM_COVER = 0.42;
-const FINE_COVER = 0.20;
+const FOAM = vec4<f32>(0.40, 0.34, 0.23, 1.0);
+const FOAM_COVER = 0.26;
+const FINE_COVER = 0.14;
 
 // The collar: juice, then bubbles of three sizes, the largest on top.
 fn collar(in: FryOut, pixel: f32) -> vec4<f32> {
