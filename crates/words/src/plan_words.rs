@@ -1,7 +1,6 @@
 //! A plan in words: what is cooked to what, what is promised, what changes it, and why a target is missed.
 
 use saute_kitchen::Library;
-use saute_kitchen::food::change::doneness::Measure;
 use saute_plan::goal::{Goal, Outcome, Shortfall};
 use saute_plan::schedule::{Change, Order, Plan, Sensitivity, Stage};
 
@@ -49,7 +48,8 @@ pub fn crust(outcome: &Outcome, l: Language) -> String {
 pub fn changed(s: &Sensitivity, speech: Speech) -> String {
     let l = speech.language;
     let [share, crust] = [s.target_share_pct, s.crust_pct].map(|pct| format!("{pct:.0}"));
-    let (core, met) = (speech.fine_temperature(s.core_peak_c), if s.is_met { "" } else { l.text("plan.misses") });
+    let (core, met) =
+        (speech.fine_temperature(s.core_peak_c), if s.missing.is_none() { "" } else { l.text("plan.misses") });
     l.fill("plan.changed", &[("core", &core), ("share", &share), ("crust", &crust), ("met", &met)])
 }
 
@@ -82,13 +82,13 @@ pub fn sentence(s: &Sensitivity, goal: &Goal, speech: Speech) -> String {
         Change::PowerPct(pct) if pct > 0.0 => l.fill("plan.stronger", &[("by", &by(pct))]),
         Change::PowerPct(pct) => l.fill("plan.weaker", &[("by", &by(pct))]),
     };
-    // Of food that is judged by its core, on which side of the goal it is.
-    let by_core = goal.core_counts && goal.scale.measure() == Measure::Peak;
-    let key = match () {
-        () if s.is_met => "plan.then_met",
-        () if by_core && s.core_peak_c < goal.core[0] => "plan.then_under",
-        () if by_core && s.core_peak_c > goal.core[1] => "plan.then_over",
-        () => "plan.then_missed",
+    let key = match s.missing {
+        None => "plan.then_met",
+        Some(Shortfall::Undercooked) => "plan.then_under",
+        Some(Shortfall::Overcooked) => "plan.then_over",
+        Some(Shortfall::Share) => "plan.then_missed",
+        Some(Shortfall::Crust) => "plan.then_pale",
+        Some(Shortfall::Burnt | Shortfall::Fire) => "plan.then_burnt",
     };
     let (core, share) = (speech.temperature(s.core_peak_c), format!("{:.0}", s.target_share_pct));
     l.fill(key, &[("what", &what), ("core", &core), ("share", &share), ("class", &class(goal, l))])

@@ -42,6 +42,7 @@ struct Target<'a> {
 #[derive(Debug, Serialize)]
 struct Changed<'a> {
     words: String,
+    is_met: bool,
     #[serde(flatten)]
     sensitivity: &'a Sensitivity,
 }
@@ -50,7 +51,8 @@ impl<'a> PlanReport<'a> {
     /// Returns the answer of a plan that took some time.
     pub fn new(plan: &'a Plan, wall: Duration) -> Self {
         let goal = &plan.order.goal;
-        let changed = |s: &'a Sensitivity| Changed { words: s.change.words(), sensitivity: s };
+        let changed =
+            |s: &'a Sensitivity| Changed { words: s.change.words(), is_met: s.missing.is_none(), sensitivity: s };
         Self {
             target: Target {
                 name: &goal.name,

@@ -51,8 +51,8 @@ pub struct Sensitivity {
     pub target_share_pct: f64,
     /// Browned share of the faces [%].
     pub crust_pct: f64,
-    /// True if the goal is still met.
-    pub is_met: bool,
+    /// What is missing to the goal, the first of all; none if it is still met.
+    pub missing: Option<Shortfall>,
 }
 
 /// Returns the jobs of a schedule with each of the changes.
@@ -106,7 +106,7 @@ impl Sensitivity {
             core_peak_c: expected.core_peak_c,
             target_share_pct: expected.target_share_pct,
             crust_pct: expected.crust_pct,
-            is_met: Shortfall::of(&expected, &order.goal).is_empty(),
+            missing: Shortfall::of(&expected, &order.goal).first().copied(),
         }
     }
 }

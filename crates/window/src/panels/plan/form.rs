@@ -61,6 +61,8 @@ fn kinds(state: &PanelContext, ui: &mut Ui, plan: &mut PlanChoice) {
             }
         }
     });
+    let meaning = if plan.plain { "plan.plain_is" } else { "plan.best_is" };
+    ui.label(RichText::new(l.text(meaning)).size(12.5).color(theme::of(ui).quiet));
 }
 
 fn find(state: &PlanState, ui: &mut Ui, acts: &mut Acts) {

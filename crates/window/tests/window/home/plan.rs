@@ -9,7 +9,7 @@ use saute_controls::act::{Act, AppAct, Card, LearnAct, Setting};
 use saute_controls::plan::{PlanAct, PlanFile};
 use saute_controls::settings::plan_choice::PlanChoice;
 use saute_kitchen::{Command, Library};
-use saute_plan::goal::{Goal, Outcome};
+use saute_plan::goal::{Goal, Outcome, Shortfall};
 use saute_plan::schedule::asked::Asked;
 use saute_plan::schedule::search::PlanData;
 use saute_plan::schedule::{Change, Job, Mesh, Order, Plan, Pull, Schedule, Sensitivity, Setting as Power};
@@ -59,14 +59,16 @@ fn cook_plan(library: &Library, target: &str, crust_pct: f64) -> Plan {
     };
     let job = Job { order: order.clone(), schedule, pull: Pull::AtItsTime, mesh: Mesh::Spaced(1.0) };
     let result = job.run(library).expect("cooks");
-    let change = |change, core_peak_c, is_met| Sensitivity {
+    let change = |change, core_peak_c, missing| Sensitivity {
         change,
         core_peak_c,
         target_share_pct: 31.0,
         crust_pct: 70.0,
-        is_met,
+        missing,
     };
-    let sensitivity = Change::ALL.map(|c| change(c, result.outcome.core_peak_c + 3.0, c == Change::ALL[3])).to_vec();
+    let sensitivity = Change::ALL
+        .map(|c| change(c, result.outcome.core_peak_c + 3.0, (c != Change::ALL[3]).then_some(Shortfall::Share)))
+        .to_vec();
     let (schedule, promised, score, cues) = (result.schedule, result.outcome, result.score, result.cues);
     Plan { order, schedule, promised, score, cues, sensitivity, candidates: 31, is_stopped: false, is_rough: false }
 }
