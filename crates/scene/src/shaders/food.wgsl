@@ -158,7 +158,8 @@ fn lit_food(outside: FoodOut) -> vec4<f32> {
     // Red flesh is deeper under a film: light that is thrown back into it passes it twice.
     let coated = wetness * (1.0 - in.state.w) * (1.0 - crust) * (1.0 - look.fatty) * (1.0 - look.clear);
     let wet_flesh = mix(look.colour, pow(look.colour, vec3<f32>(1.25)) * 1.12, coated);
-    let dry = wet_flesh * mix(vec3<f32>(1.0), sqrt(look.colour), oiled) * (1.0 - 0.05 * oiled);
+    let amber = mix(vec3<f32>(1.0), AMBER, crust * (1.0 - look.charring));
+    let dry = wet_flesh * mix(vec3<f32>(1.0), sqrt(look.colour), oiled) * (1.0 - 0.05 * oiled) * amber;
     // A bead gathers the window's light on its far side.
     let towards = dot((food.world_from_rest * vec4<f32>(beads.bend, 0.0)).xyz, frame.key.xyz);
     let colour = dry * mix(vec3<f32>(1.0), beads.tint * (1.0 - 0.55 * towards), beads.cover);
@@ -197,7 +198,9 @@ const GLAZED = 0.55;
 
 // Reflections weaker than this do not count as glints, and how much of a crust's pores oil fills (chosen).
 const GLINT = 0.075;
-const OILED = 0.40;
+const OILED = 0.55;
+// What the fat over a crust does to light that passes it twice (chosen: amber).
+const AMBER = vec3<f32>(1.16, 0.98, 0.74);
 
 // Water on raw flesh, oil on a crust: a thin film that breaks the window into small glints.
 fn sheen(in: FoodOut, look: Look, bent: vec3<f32>, raw: f32, view: vec3<f32>, lit: f32, visibility: f32, wetness: f32) -> vec3<f32> {
