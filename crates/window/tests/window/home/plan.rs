@@ -258,11 +258,11 @@ fn a_late_step_is_said_to_be_late_and_moves_no_other() {
     let mut harness = found(PHONE, plan);
     harness.get_by_label("Cook it live").click();
     // A button that has just become another one takes no click.
-    steps(&mut harness, 12);
+    steps(&mut harness, 26);
     harness.get_by_label_contains("Do it: hob to 2000 W").click();
     steps(&mut harness, 3);
-    (0..562).for_each(|_| harness.state_mut().session_mut().tick().expect("ticks"));
-    steps(&mut harness, 12);
+    (0..557).for_each(|_| harness.state_mut().session_mut().tick().expect("ticks"));
+    steps(&mut harness, 26);
     harness.get_by_label_contains("12 s late");
     save(&mut harness, "plan-live-late-phone");
     harness.get_by_label_contains("Do it: into the pan").click();
