@@ -198,7 +198,7 @@ const GLAZED = 0.55;
 
 // Reflections weaker than this do not count as glints, and how much of a crust's pores oil fills (chosen).
 const GLINT = 0.075;
-const OILED = 0.55;
+const OILED = 0.63;
 // What the fat over a crust does to light that passes it twice (chosen: amber).
 const AMBER = vec3<f32>(1.16, 0.98, 0.74);
 
