@@ -28,7 +28,7 @@ impl SauteApp {
         match act {
             Act::Cook(act) => self.act_on_cook(act),
             Act::Time(act) => self.act_on_time(act),
-            Act::View(act) => self.act_on_view(act),
+            Act::View(act) => self.act_on_view(act, ctx),
             Act::Learn(act) => self.act_on_learning(act, ctx),
             Act::App(act) => self.act_on_app(act, ctx),
         }
@@ -86,7 +86,7 @@ impl SauteApp {
     }
 
     /// With what is seen.
-    fn act_on_view(&mut self, act: ViewAct) {
+    fn act_on_view(&mut self, act: ViewAct, ctx: &egui::Context) {
         // What shows more than a first cook has is shown among all controls.
         self.settings.few &= !(act.traits().reads || act == ViewAct::Pantry);
         match act {
@@ -115,7 +115,7 @@ impl SauteApp {
             ViewAct::Curves => self.settings.curves_open = !self.settings.curves_open,
             ViewAct::Panels => self.settings.toggle_panels(),
             ViewAct::Projector => self.toggle_projector(),
-            ViewAct::More => self.more_or_few(),
+            ViewAct::More => self.more_or_few(ctx),
             ViewAct::Strings => self.toggle_strings(),
         }
     }

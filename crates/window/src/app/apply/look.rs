@@ -34,10 +34,10 @@ impl SauteApp {
         }
     }
 
-    /// Shows all controls, or the few of a first cook.
-    pub(super) fn more_or_few(&mut self) {
+    /// Shows all controls, or the few of a first cook; states the way back to who did not come by the key.
+    pub(super) fn more_or_few(&mut self, ctx: &egui::Context) {
         self.settings.few = !self.settings.few;
-        if !self.settings.few {
+        if !self.settings.few && ctx.input(|i| i.pointer.any_click()) {
             self.say("notice.all_controls");
         }
     }
