@@ -4,7 +4,7 @@
 #   random cooks drawn from new seeds, and random packets for every door to a device;
 #   a dish stored and restored at random instants, random sessions played again, and kills of a cook that is recorded;
 #   every plan of the list in crates/plan/tests cooked by its recipe;
-#   36 cooks by the lit button of the line that states what to do, and a first visit to the page that obeys it;
+#   36 cooks by the lit button of the line that states what to do, and four first visits to the page that obey it;
 #   a hundred fits of a kitchen at home to simulated logs;
 #   the fuzzer on every reader, where a nightly compiler and cargo-fuzz are installed, and the lines that it reached;
 #   a simulated day at the stove, without and with a recorder;
