@@ -71,7 +71,7 @@ impl SauteApp {
         let (parts, memory) = self.parts(&found);
         panels::show_all(&parts, memory, ui, &mut acts, layout);
         self.pulse_at_goal(found.alarm);
-        self.ease(found.keeping.is_none() && self.needs_hand(&found));
+        self.ease(found.keeping.is_none() && self.needs_hand(&found.advised, found.rise));
         self.tutor(&found.advised);
         self.watch_result(&found.advised);
         acts

@@ -1,14 +1,13 @@
 //! A speed that the machine cannot sustain gives way to one that it can.
 
 use super::SauteApp;
-use super::findings::Findings;
 use crate::app::apply::waiting::Waiting;
 use saute_kitchen::advice::Advice;
 use saute_picture::frame_meter::FrameMeter;
-use saute_session::SPEEDS;
 use saute_session::easing::Easing;
 use saute_session::guided::Guided;
 use saute_session::lag::{Lag, Retry};
+use saute_session::{Forecast, SPEEDS};
 
 /// How time goes in the window.
 #[derive(Default)]
@@ -30,11 +29,11 @@ pub(crate) struct Pace {
 }
 
 impl SauteApp {
-    /// Returns true if an advice needs a hand, or all food has rested and waits to be looked at.
-    pub(super) fn needs_hand(&self, found: &Findings) -> bool {
+    /// Returns true if an advice needs a hand, or all food has rested, whose core rises no more, and waits to be looked at.
+    pub(super) fn needs_hand(&self, advised: &[Advice], rise: Option<Forecast>) -> bool {
         let rests = |one: &Advice| matches!(one, Advice::Resting { .. } | Advice::Rested { .. });
-        let is_done = || found.rise.is_none() && self.session.is_out() && found.advised.iter().any(rests);
-        found.advised.iter().any(|one| one.is_due()) || is_done()
+        let is_done = || rise.is_none() && self.session.is_out() && advised.iter().any(rests);
+        advised.iter().any(|one| one.is_due()) || is_done()
     }
 
     /// Slows to real time while a hand is needed, and returns to what the machine sustains of the chosen speed.
