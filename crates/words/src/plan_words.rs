@@ -82,16 +82,18 @@ pub fn sentence(s: &Sensitivity, goal: &Goal, speech: Speech) -> String {
         Change::PowerPct(pct) if pct > 0.0 => l.fill("plan.stronger", &[("by", &by(pct))]),
         Change::PowerPct(pct) => l.fill("plan.weaker", &[("by", &by(pct))]),
     };
-    let key = match s.missing {
+    let verdict = l.text(match s.missing {
         None => "plan.then_met",
         Some(Shortfall::Undercooked) => "plan.then_under",
         Some(Shortfall::Overcooked) => "plan.then_over",
         Some(Shortfall::Share) => "plan.then_missed",
         Some(Shortfall::Crust) => "plan.then_pale",
         Some(Shortfall::Burnt | Shortfall::Fire) => "plan.then_burnt",
-    };
+    });
     let (core, share) = (speech.temperature(s.core_peak_c), format!("{:.0}", s.target_share_pct));
-    l.fill(key, &[("what", &what), ("core", &core), ("share", &share), ("class", &class(goal, l))])
+    let parts: [(&str, &dyn std::fmt::Display); 5] =
+        [("what", &what), ("core", &core), ("share", &share), ("class", &class(goal, l)), ("verdict", &verdict)];
+    l.fill("plan.then", &parts)
 }
 
 /// The class of a goal; of a target temperature, that it is on target.

@@ -6,10 +6,9 @@ use std::collections::{BTreeMap, VecDeque};
 const FALLS: f64 = 0.2;
 /// Simulated time between two samples [s].
 const EVERY_S: f64 = 1.0;
-/// How much faster and slower than a clock a time that was told may run [-] (chosen: few notice that a minute lasts 30 s or that it waits,
+/// How much faster or slower than a clock a time that was told may run [-] (chosen: few notice that a minute lasts 30 s or that it waits,
 /// and everybody that it jumps).
-const FASTER: f64 = 1.0;
-const SLOWER: f64 = 1.0;
+const RUNS_OFF: f64 = 1.0;
 /// From this factor with a minute besides, what was told is given up (chosen: the hob was turned, or something cold came in).
 const OTHER: f64 = 2.0;
 /// The longest time that is shown [s] (chosen: beyond half an hour the pace means nothing).
@@ -75,7 +74,8 @@ fn follows(since_s: f64, told_s: f64, found_s: f64) -> f64 {
     if found_s > OTHER * by_clock + 60.0 || by_clock > OTHER * found_s + 60.0 {
         return found_s;
     }
-    by_clock + (found_s - by_clock).clamp(-FASTER * since_s, SLOWER * since_s)
+    let off_s = RUNS_OFF * since_s;
+    by_clock + (found_s - by_clock).clamp(-off_s, off_s)
 }
 
 fn note(samples: &mut VecDeque<(f64, f64)>, back_s: f64, now_s: f64, value: f64) {

@@ -68,8 +68,8 @@ const NEAR_SHARE: f64 = 0.05;
 const NEAR_W: f64 = 25.0;
 /// A power counts for a step from this time before it on [s] (chosen: who turns the knob early means the next step, not the one after).
 pub(super) const EARLY_S: f64 = 30.0;
-/// From this much after its time a step is late, and before it early [s] (chosen: who looks up, reads and reaches for the pan needs as
-/// long; of nine people who cooked for the first time none was faster, and was told to be late for it).
+/// From this much after its time a step is late, and before it early [s] (chosen: who looks up, reads and reaches for the pan needs
+/// some seconds; people who pressed as soon as they saw "now" were told to be 5 s late).
 pub const LATE_S: f64 = 6.0;
 
 /// Returns the steps of a plan with their status at a time [s], given what was done for a number of pieces, in order.

@@ -86,8 +86,8 @@ pub(crate) fn held_height(state: &PanelContext) -> f32 {
     (if view { LEGEND } else { 0.0 }) + (if rules { RULES } else { 0.0 }) + if view || rules { GAP } else { 0.0 }
 }
 
-pub(crate) fn says_what_holds(state: &PanelContext) -> bool {
-    state.session.kitchen.rules() == Rules::Paper2013 || state.settings.view != View::Look
+fn says_what_holds(state: &PanelContext) -> bool {
+    held_height(state) > 0.0
 }
 
 /// The legend of the view, and whether rules are simplified, at most `width` points wide.

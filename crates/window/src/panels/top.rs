@@ -56,9 +56,10 @@ pub fn few(state: &TopState, ui: &mut Ui, acts: &mut Acts) {
         gear(state, ui, acts);
         speaker_switch::show(state, ui, acts, HEIGHT);
         messages(state, ui, acts);
-        let l = state.settings.language;
-        chip(state, ui, acts, l.text("top.all"), false, Act::View(ViewAct::More));
-        plan(state, ui, acts);
+        chip(state, ui, acts, state.settings.language.text("top.all"), false, Act::View(ViewAct::More));
+        if ui.available_width() >= PLAN {
+            plan(state, ui, acts);
+        }
     });
 }
 

@@ -120,6 +120,7 @@ impl Layout {
             (true, false) => FEW_TOP_NARROW,
             (true, true) => vec2(FEW_TOP_NARROW.x, FINGER_TOP_HEIGHTS[0]),
         };
+        let size = vec2(size.x.min(self.top.width()), size.y);
         self.top = Rect::from_min_size(pos2(self.top.right() - size.x, self.top.top()), size);
         self.free.min.y = self.whole.top();
         self.eye = Rect::NOTHING;
@@ -279,7 +280,15 @@ mod tests {
 
     #[test]
     fn panels_do_not_overlap_at_any_size() {
-        let sizes = [[1280.0, 720.0], [1920.0, 1080.0], [900.0, 640.0], [853.0, 480.0], [390.0, 844.0], [844.0, 390.0]];
+        let sizes = [
+            [1280.0, 720.0],
+            [1920.0, 1080.0],
+            [900.0, 640.0],
+            [853.0, 480.0],
+            [390.0, 844.0],
+            [844.0, 390.0],
+            [320.0, 568.0],
+        ];
         for size in sizes.map(Vec2::from) {
             for [pantry_open, curves_open, fingers, few] in [
                 [false, false, false, false],
