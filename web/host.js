@@ -50,9 +50,9 @@ export class Host {
     return this.sound.trouble();
   }
 
-  /** Gives the worker for a kind of work an order. The module's memory may move: the bytes are copied. */
-  askWorker(kind, order) {
-    this.jobs.ask(kind, order.slice());
+  /** Gives the worker for a kind of work, or the two that share it, an order. The module's memory may move: the bytes are copied. */
+  askWorker(kind, isShared, order) {
+    this.jobs.ask(kind, isShared, order.slice());
   }
 
   /** What the worker for a kind of work answered; undefined if it is of no use. */

@@ -1,43 +1,41 @@
 // Does heavy work in workers, so that no frame waits for it: the same module once more for each kind of work, with its own memory.
+// Where there are two cores, two workers share what takes long: both get the order, and tell each other what they have done.
 
 /** The workers, by the kind of their work. */
 export class Jobs {
   /** `program` resolves with the compiled module and the address of its script; `wake` lets the window take answers. */
   constructor(program, address, wake) {
-    this.begin = (kind) => new Job(kind, program, address, wake);
+    this.begin = (kind, isShared) => new Job(kind, isShared && navigator.hardwareConcurrency > 1, program, address, wake);
     this.kinds = new Map();
   }
 
   /** Gives the worker of a kind an order in place of the one before. */
-  ask(kind, bytes) {
-    this.of(kind).ask(bytes);
+  ask(kind, isShared, bytes) {
+    if (!this.kinds.has(kind)) this.kinds.set(kind, this.begin(kind, isShared));
+    this.kinds.get(kind).ask(bytes);
   }
 
   /** Answers of a kind since the last call; undefined once its worker is of no use. */
   take(kind) {
-    return this.of(kind).take();
-  }
-
-  of(kind) {
-    if (!this.kinds.has(kind)) this.kinds.set(kind, this.begin(kind));
-    return this.kinds.get(kind);
+    return this.kinds.has(kind) ? this.kinds.get(kind).take() : [];
   }
 }
 
-/** One kind of work and its worker, which begins with the first order. */
+/** One kind of work and its worker, which begins with the first order; the second one's answers are those of the first. */
 class Job {
-  constructor(kind, program, address, wake) {
-    Object.assign(this, { kind, program, address, wake });
+  constructor(kind, isShared, program, address, wake) {
+    Object.assign(this, { kind, isShared, program, address, wake });
     this.answers = [];
     this.failed = typeof Worker === "undefined";
-    this.worker = null;
+    this.workers = null;
   }
 
   ask(bytes) {
     if (this.failed) return;
     this.answers.length = 0;
-    this.worker ??= this.begin();
-    this.worker.then((worker) => worker.postMessage({ order: bytes }, [bytes.buffer])).catch(() => this.fail());
+    this.workers ??= this.begin();
+    const tell = (workers) => workers.forEach((worker) => worker.postMessage({ order: bytes }));
+    this.workers.then(tell).catch(() => this.fail());
   }
 
   take() {
@@ -46,15 +44,25 @@ class Job {
 
   async begin() {
     const { module, script } = await this.program;
-    const worker = new Worker(this.address, { type: "module", name: this.kind });
+    const { port1, port2 } = new MessageChannel();
+    const between = this.isShared ? [port1, port2] : [null];
+    return between.map((port, place) => {
+      const worker = new Worker(this.address, { type: "module", name: this.kind });
+      const isSecond = place > 0;
+      // The first one does all of it if the second one cannot work.
+      if (!isSecond) this.listen(worker);
+      worker.postMessage({ module, script, kind: this.kind, isSecond, port }, port ? [port] : []);
+      return worker;
+    });
+  }
+
+  listen(worker) {
     worker.addEventListener("error", () => this.fail());
     worker.addEventListener("message", ({ data }) => {
       if (data.failure) return this.fail(data.failure);
       this.answers.push(data.answer);
       this.wake();
     });
-    worker.postMessage({ module, script, kind: this.kind });
-    return worker;
   }
 
   fail(reason = "it could not be started") {

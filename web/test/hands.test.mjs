@@ -63,15 +63,9 @@ test("a gamepad cooks and shakes: hob, steak, flip, toss and pause", { timeout: 
   await pressPad(page, 0);
   // In the tongs it cannot be tossed yet, and on a slow machine it is there for long.
   await until(page, "the steak is turned and lies in the pan", ({ pieces: [steak] }) => steak.upside_down && steak.place === "pan");
-  // What was tossed falls into the pan. Once, on a busy machine, a toss was not felt at all: it is tossed again, and what was seen is told.
-  const isFelt = () => window.effects.some(({ strongMagnitude }) => strongMagnitude > 0.1);
-  for (let tosses = 1; !(await page.evaluate(isFelt)); tosses++) {
-    await pressPad(page, 2);
-    await page.waitForFunction(isFelt, null, { timeout: 60_000 }).catch(async () => {
-      const now = await page.evaluate(() => JSON.parse(window.saute.stats()));
-      console.log(`toss ${tosses} was not felt: ${JSON.stringify({ steak: now.pieces[0], paused: now.paused, speed: now.speed })}`);
-    });
-  }
+  // It is felt at the pace of a hand alone, to which the toss slows the cook.
+  await pressPad(page, 2);
+  await page.waitForFunction(() => window.effects.some(({ strongMagnitude }) => strongMagnitude > 0.1));
   await pressPad(page, 9);
   await until(page, "time stands still", (now) => now.paused);
   await page.waitForFunction(() => window.effects.at(-1).kind === "reset");

@@ -9,6 +9,8 @@ mod aimed;
 pub mod fit;
 pub mod forecast;
 pub mod goal;
+mod round;
 pub mod schedule;
 
 pub use aimed::Aimed;
+pub use round::{End, Shared};

@@ -3,8 +3,8 @@
 use std::time::Duration;
 
 use saute_kitchen::Library;
-use saute_session::work::WorkKind;
 use saute_session::work::executor::Executor;
+use saute_session::work::{End, WorkKind};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// An executor with its own foods and pans.
@@ -13,21 +13,32 @@ pub struct JobExecutor(Executor);
 
 #[wasm_bindgen]
 impl JobExecutor {
-    /// An executor without an order, for a kind of work by its name.
+    /// An executor without an order, for a kind of work by its name; the second of two that share it works from the other end.
     ///
     /// # Errors
     ///
     /// Throws if there is no such kind, or the embedded data is broken.
     #[wasm_bindgen(constructor)]
-    pub fn new(kind: &str) -> Result<Self, js_sys::Error> {
+    pub fn new(kind: &str, is_second: bool) -> Result<Self, js_sys::Error> {
         let kind = WorkKind::named(kind).ok_or_else(|| js_sys::Error::new(&format!("there is no work \"{kind}\"")))?;
         let library = Library::embedded().map_err(|error| js_sys::Error::new(&error.to_string()))?;
-        Ok(Self(Executor::new(kind, library.into())))
+        let end = if is_second { End::Back } else { End::Front };
+        Ok(Self(Executor::at(end, kind, library.into())))
     }
 
     /// Takes an order in place of the one before.
     pub fn take(&mut self, order: &[u8]) {
         self.0.take(order);
+    }
+
+    /// What was done here since the last call, for the other of two.
+    pub fn share(&mut self) -> Option<Vec<u8>> {
+        self.0.share()
+    }
+
+    /// Takes what the other of two has done.
+    pub fn take_shared(&mut self, shares: &[u8]) {
+        self.0.take_shared(shares);
     }
 
     /// How long it rests before it goes on [ms].

@@ -11,6 +11,7 @@ use super::found::FitResult;
 use super::observed::Observed;
 use super::predict::{FitError, Job, Predicting};
 use super::search::Fit;
+use crate::round::{End, Round, Shared};
 
 /// What a fit gives.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
@@ -27,17 +28,9 @@ pub struct Fitted {
 #[derive(Clone, Debug)]
 pub struct FitRun {
     fit: Fit,
-    round: Vec<Slot>,
+    round: Round<Job, Predicting, Vec<f64>>,
     drawing: Option<Box<Drawing>>,
     fitted: Option<Fitted>,
-}
-
-/// A job of the present round.
-#[derive(Clone, Debug)]
-enum Slot {
-    Open(Box<Job>),
-    Begun(Box<Predicting>),
-    Done(Vec<f64>),
 }
 
 /// Rounds that a fit has about [-] (measured: four or five on the coarse mesh, two on the full one).
@@ -46,17 +39,17 @@ const USUAL_ROUNDS: f64 = 8.0;
 const MOST_SHARE: f64 = 0.97;
 
 impl FitRun {
-    /// Begins a fit.
+    /// Begins a fit; one of two who share it begins its rounds at the back.
     ///
     /// # Errors
     ///
     /// As [`Fit::new`].
-    pub fn new(recipe: Recipe, library: Arc<Library>, observed: &Observed) -> Result<Self, FitError> {
+    pub fn new(recipe: Recipe, library: Arc<Library>, observed: &Observed, end: End) -> Result<Self, FitError> {
         let fit = Fit::new(recipe, library, observed)?;
-        Ok(Self { fit, round: Vec::new(), drawing: None, fitted: None })
+        Ok(Self { fit, round: Round::new(end), drawing: None, fitted: None })
     }
 
-    /// Goes on with the first jobs of the present round that are not done, at most so many at once. `cook` lets some seconds of theirs
+    /// Goes on with the next jobs of the present round that are not done, at most so many at once. `cook` lets some seconds of theirs
     /// pass ([`Predicting::second`]) and returns the values of those that are over, in their order.
     ///
     /// # Errors
@@ -70,37 +63,36 @@ impl FitRun {
         if let Some(found) = self.fit.found().copied() {
             return self.draw(found);
         }
-        if self.round.is_empty() {
-            self.round = self.fit.next_jobs().into_iter().map(|job| Slot::Open(Box::new(job))).collect();
-        }
-        let is_open = |slot: &&mut Slot| !matches!(slot, Slot::Done(_));
-        let mut begun: Vec<&mut Slot> = self.round.iter_mut().filter(is_open).take(at_once).collect();
-        for slot in &mut begun {
-            if let Slot::Open(job) = &**slot {
-                **slot = Slot::Begun(Box::new(Predicting::begin(job)?));
-            }
-        }
-        let mut cooks: Vec<&mut Predicting> = begun
-            .iter_mut()
-            .filter_map(|slot| if let Slot::Begun(predicting) = &mut **slot { Some(&mut **predicting) } else { None })
-            .collect();
-        let values = cook(&mut cooks)?;
-        for (slot, values) in begun.into_iter().zip(values) {
-            if let Some(values) = values {
-                *slot = Slot::Done(values);
-            }
-        }
+        self.fill_round();
+        self.round.go_on(at_once, Predicting::begin, cook)?;
         self.end_round();
         Ok(())
     }
 
-    fn end_round(&mut self) {
-        if !self.round.iter().all(|slot| matches!(slot, Slot::Done(_))) {
-            return;
+    /// Takes the own values since the last call, for a twin that fits the same.
+    pub fn shares(&mut self) -> Vec<Shared<Vec<f64>>> {
+        self.round.shares()
+    }
+
+    /// Takes the values of a job of a twin.
+    pub fn take(&mut self, shared: Shared<Vec<f64>>) {
+        if self.fit.found().is_none() {
+            self.fill_round();
+            self.round.take(shared);
+            self.end_round();
         }
-        let values = |slot| if let Slot::Done(values) = slot { Some(values) } else { None };
-        let values: Vec<Vec<f64>> = std::mem::take(&mut self.round).into_iter().filter_map(values).collect();
-        self.fit.take(&values);
+    }
+
+    fn fill_round(&mut self) {
+        if self.round.is_empty() {
+            self.round.begin(self.fit.next_jobs());
+        }
+    }
+
+    fn end_round(&mut self) {
+        if let Some(values) = self.round.end() {
+            self.fit.take(&values);
+        }
     }
 
     /// Cooks once more with what was found, for the curves.
@@ -124,8 +116,8 @@ impl FitRun {
 
     /// Returns the share of the work that is done; an estimate [-].
     pub fn share(&self) -> f64 {
-        let done = self.round.iter().filter(|slot| matches!(slot, Slot::Done(_))).count();
-        let of_round = done as f64 / self.round.len().max(1) as f64;
+        let (done, all) = self.round.done();
+        let of_round = done as f64 / all.max(1) as f64;
         ((self.fit.progress().0 as f64 + of_round) / USUAL_ROUNDS).min(MOST_SHARE)
     }
 

@@ -6,6 +6,7 @@ use saute_kitchen::Library;
 use serde::{Deserialize, Serialize};
 
 use crate::goal::{Outcome, Score};
+use crate::round::{End, Round, Shared};
 use crate::schedule::asked::{Asked, AskedError};
 use crate::schedule::{Cooking, Cue, Job, JobError, JobResult, Order, Plan, Planner, Schedule, Sensitivity, Stage};
 
@@ -48,20 +49,13 @@ pub struct SearchProgress {
     pub stage: Stage,
 }
 
-/// A job of the present round.
-#[derive(Clone, Debug)]
-enum Slot {
-    Open(Box<Job>),
-    Begun(Box<Cooking>),
-    Done(Box<JobResult>),
-}
-
 /// A search that is carried out second by second of its cooks.
 #[derive(Clone, Debug)]
 pub struct Search {
     planner: Planner,
     library: Arc<Library>,
-    round: Vec<Slot>,
+    round: Round<Job, Cooking, JobResult>,
+    /// Jobs of the rounds that have ended [-].
     done: usize,
     /// Jobs that it has about [-].
     usual_jobs: f64,
@@ -75,18 +69,18 @@ const PLAIN_JOBS: f64 = 34.0;
 const MOST_SHARE: f64 = 0.97;
 
 impl Search {
-    /// Begins a search.
+    /// Begins a search; one of two who share it begins its rounds at the back.
     ///
     /// # Errors
     ///
     /// If the request makes no order.
-    pub fn new(asked: &Asked, library: Arc<Library>) -> Result<Self, AskedError> {
+    pub fn new(asked: &Asked, library: Arc<Library>, end: End) -> Result<Self, AskedError> {
         let planner = Planner::new(asked.order(&library)?, Arc::clone(&library))?;
         let usual_jobs = if asked.plain { PLAIN_JOBS } else { USUAL_JOBS };
-        Ok(Self { planner, library, round: Vec::new(), done: 0, usual_jobs, share: 0.0 })
+        Ok(Self { planner, library, round: Round::new(end), done: 0, usual_jobs, share: 0.0 })
     }
 
-    /// Goes on with the first jobs of the present round that are not done, at most so many at once. `cook` lets some or all seconds
+    /// Goes on with the next jobs of the present round that are not done, at most so many at once. `cook` lets some or all seconds
     /// of theirs pass ([`Cooking::second`]) and returns the results of those that are over, in their order. How it does that does
     /// not change the plan.
     ///
@@ -99,33 +93,28 @@ impl Search {
         cook: impl FnOnce(&mut [&mut Cooking]) -> Result<Vec<Option<JobResult>>, JobError>,
     ) -> Result<(), AskedError> {
         self.fill_round();
-        let is_open = |slot: &&mut Slot| !matches!(slot, Slot::Done(_));
-        let mut begun: Vec<&mut Slot> = self.round.iter_mut().filter(is_open).take(at_once).collect();
-        for slot in &mut begun {
-            if let Slot::Open(job) = &**slot {
-                **slot = Slot::Begun(Box::new(Cooking::begin(Job::clone(job), &self.library)?));
-            }
-        }
-        let mut cookings: Vec<&mut Cooking> = begun
-            .iter_mut()
-            .filter_map(|slot| if let Slot::Begun(cooking) = &mut **slot { Some(&mut **cooking) } else { None })
-            .collect();
-        let results = cook(&mut cookings)?;
-        for (slot, result) in begun.into_iter().zip(results) {
-            if let Some(result) = result {
-                *slot = Slot::Done(Box::new(result));
-                self.done += 1;
-            }
-        }
+        let begin = |job: &Job| Cooking::begin(job.clone(), &self.library);
+        self.round.go_on(at_once, begin, cook)?;
         self.end_round();
-        self.share = self.share.max((self.done as f64 / self.usual_jobs).min(MOST_SHARE));
         Ok(())
+    }
+
+    /// Takes the own results since the last call, for a twin that searches for the same.
+    pub fn shares(&mut self) -> Vec<Shared<JobResult>> {
+        self.round.shares()
+    }
+
+    /// Takes a result of a twin.
+    pub fn take(&mut self, shared: Shared<JobResult>) {
+        self.fill_round();
+        self.round.take(shared);
+        self.end_round();
     }
 
     /// Begins the next round; one of the search may have no job.
     fn fill_round(&mut self) {
         while self.round.is_empty() && self.planner.plan().is_none() {
-            self.round = self.planner.next_jobs().into_iter().map(|job| Slot::Open(Box::new(job))).collect();
+            self.round.begin(self.planner.next_jobs());
             if self.round.is_empty() {
                 self.planner.take(Vec::new());
             }
@@ -133,17 +122,21 @@ impl Search {
     }
 
     fn end_round(&mut self) {
-        if !self.round.iter().all(|slot| matches!(slot, Slot::Done(_))) {
-            return;
+        if let Some(results) = self.round.end() {
+            self.done += results.len();
+            self.planner.take(results);
         }
-        let result = |slot| if let Slot::Done(result) = slot { Some(*result) } else { None };
-        let results = std::mem::take(&mut self.round).into_iter().filter_map(result).collect();
-        self.planner.take(results);
+        self.share = self.share.max((self.cooked() as f64 / self.usual_jobs).min(MOST_SHARE));
+    }
+
+    /// Number of jobs that are done [-].
+    fn cooked(&self) -> usize {
+        self.done + self.round.done().0
     }
 
     /// Returns how far the search has come.
     pub fn progress(&self) -> SearchProgress {
-        SearchProgress { candidates: self.done, share: self.share, stage: self.planner.stage() }
+        SearchProgress { candidates: self.cooked(), share: self.share, stage: self.planner.stage() }
     }
 
     /// Returns the plan once the search is over.

@@ -6,6 +6,7 @@ use saute_kitchen::Library;
 use saute_plan::fit::observed::Observed;
 use saute_plan::fit::predict::Predicting;
 use saute_plan::fit::run::{FitRun, Fitted};
+use saute_plan::{End, Shared};
 use saute_recipe::Recipe;
 use serde::{Deserialize, Serialize};
 use web_time::Instant;
@@ -36,19 +37,29 @@ impl Job for FitRun {
     type Progress = f64;
     type Found = Box<Fitted>;
     type WhyNot = WhyNoFit;
+    type Shared = Shared<Vec<f64>>;
 
     fn number(order: &FitOrder) -> u64 {
         order.number
     }
 
-    fn begin(FitOrder { recipe, home, observed, .. }: FitOrder, library: &Library) -> Result<Self, WhyNoFit> {
+    fn begin(order: FitOrder, library: &Library, end: End) -> Result<Self, WhyNoFit> {
+        let FitOrder { recipe, home, observed, .. } = order;
         let library = library.in_kitchen(home.as_deref()).map_err(|_| WhyNoFit::NoKitchen)?.into_owned();
         let recipe = Recipe::parse(&recipe, "recipe.toml", &library)?;
-        Self::new(recipe, Arc::new(library), &observed).map_err(WhyNoFit::from)
+        Self::new(recipe, Arc::new(library), &observed, end).map_err(WhyNoFit::from)
     }
 
     fn go_on(&mut self, until: Instant) -> Result<(), WhyNoFit> {
         Ok(Self::go_on(self, AT_ONCE, |cooks| all_until(cooks, until, Predicting::second))?)
+    }
+
+    fn shares(&mut self) -> Vec<Shared<Vec<f64>>> {
+        Self::shares(self)
+    }
+
+    fn take(&mut self, shared: Shared<Vec<f64>>) {
+        Self::take(self, shared);
     }
 
     fn found(&self) -> Option<Box<Fitted>> {

@@ -3,9 +3,10 @@
 use std::sync::Arc;
 
 use saute_kitchen::Library;
-use saute_plan::schedule::Cooking;
 use saute_plan::schedule::asked::Asked;
 use saute_plan::schedule::search::{PlanData, Search, SearchProgress};
+use saute_plan::schedule::{Cooking, JobResult};
+use saute_plan::{End, Shared};
 use serde::{Deserialize, Serialize};
 use web_time::Instant;
 
@@ -42,18 +43,27 @@ impl Job for Search {
     type Progress = PlanProgress;
     type Found = Box<PlanData>;
     type WhyNot = WhyNoPlan;
+    type Shared = Shared<JobResult>;
 
     fn number(order: &PlanOrder) -> u64 {
         order.number
     }
 
-    fn begin(PlanOrder { home, asked, .. }: PlanOrder, library: &Library) -> Result<Self, WhyNoPlan> {
+    fn begin(PlanOrder { home, asked, .. }: PlanOrder, library: &Library, end: End) -> Result<Self, WhyNoPlan> {
         let library = library.in_kitchen(home.as_deref()).map_err(|_| WhyNoPlan::NoKitchen)?;
-        Self::new(&asked, Arc::new(library.into_owned())).map_err(WhyNoPlan::from)
+        Self::new(&asked, Arc::new(library.into_owned()), end).map_err(WhyNoPlan::from)
     }
 
     fn go_on(&mut self, until: Instant) -> Result<(), WhyNoPlan> {
         Ok(Self::go_on(self, AT_ONCE, |cookings| all_until(cookings, until, Cooking::second))?)
+    }
+
+    fn shares(&mut self) -> Vec<Shared<JobResult>> {
+        Self::shares(self)
+    }
+
+    fn take(&mut self, shared: Shared<JobResult>) {
+        Self::take(self, shared);
     }
 
     fn found(&self) -> Option<Box<PlanData>> {

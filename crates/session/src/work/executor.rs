@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use saute_kitchen::Library;
+use saute_plan::End;
 use saute_plan::fit::run::FitRun;
 use saute_plan::schedule::search::Search;
 use web_time::{Duration, Instant};
@@ -24,7 +25,12 @@ pub struct Executor {
 impl Executor {
     /// An executor without an order.
     pub fn new(kind: WorkKind, library: Arc<Library>) -> Self {
-        Self { kind, worker: worker(kind, library), worked: Duration::ZERO }
+        Self::at(End::Front, kind, library)
+    }
+
+    /// One of two that get the same orders and tell each other what they have done ([`WorkKind::is_shared`]).
+    pub fn at(end: End, kind: WorkKind, library: Arc<Library>) -> Self {
+        Self { kind, worker: worker(kind, library, end), worked: Duration::ZERO }
     }
 
     /// Takes an order in place of the one before.
@@ -42,6 +48,16 @@ impl Executor {
         self.timed(|worker| worker.go_on(budget))
     }
 
+    /// Takes what was done here since the last call, for the twin.
+    pub fn share(&mut self) -> Option<Vec<u8>> {
+        self.worker.share()
+    }
+
+    /// Takes what the twin has done.
+    pub fn take_shared(&mut self, shares: &[u8]) {
+        self.timed(|worker| worker.take_shared(shares));
+    }
+
     /// How long it rests before it goes on; what was worked so far is rested for only once.
     pub fn rest(&mut self) -> Duration {
         std::mem::take(&mut self.worked).mul_f64(self.kind.rest_share())
@@ -56,11 +72,11 @@ impl Executor {
 }
 
 /// Who does a kind of work.
-fn worker(kind: WorkKind, library: Arc<Library>) -> Box<dyn Worker> {
+fn worker(kind: WorkKind, library: Arc<Library>, end: End) -> Box<dyn Worker> {
     match kind {
         WorkKind::Play => Box::new(Playing::new(library)),
         WorkKind::Forecast => Box::new(Foreseeing::new(library)),
-        WorkKind::Plan => Box::new(JobWorker::<Search>::new(library)),
-        WorkKind::Fit => Box::new(JobWorker::<FitRun>::new(library)),
+        WorkKind::Plan => Box::new(JobWorker::<Search>::new(library, end)),
+        WorkKind::Fit => Box::new(JobWorker::<FitRun>::new(library, end)),
     }
 }

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use saute_kitchen::Library;
+use saute_plan::End;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use web_time::{Duration, Instant};
@@ -24,21 +25,29 @@ pub trait Job: Sized {
     type Found: Serialize;
     /// Why it cannot be done.
     type WhyNot: Serialize;
+    /// A part of the work that a twin needs not do again.
+    type Shared: DeserializeOwned + Serialize;
 
     /// The number of an order, by which its answers are known.
     fn number(order: &Self::Order) -> u64;
 
-    /// Begins an order.
+    /// Begins an order, at one end if it is shared with a twin.
     ///
     /// # Errors
     /// If it cannot be done.
-    fn begin(order: Self::Order, library: &Library) -> Result<Self, Self::WhyNot>;
+    fn begin(order: Self::Order, library: &Library, end: End) -> Result<Self, Self::WhyNot>;
 
     /// Goes on until a time.
     ///
     /// # Errors
     /// If it cannot be done.
     fn go_on(&mut self, until: Instant) -> Result<(), Self::WhyNot>;
+
+    /// What was done here since the last call.
+    fn shares(&mut self) -> Vec<Self::Shared>;
+
+    /// Takes what a twin has done.
+    fn take(&mut self, shared: Self::Shared);
 
     /// What was found, once it is over.
     fn found(&self) -> Option<Self::Found>;
@@ -72,6 +81,7 @@ type ReplyOf<U> = Reply<<U as Job>::Progress, <U as Job>::Found, <U as Job>::Why
 /// A job off the frame: orders and answers as bytes, the work in slices.
 pub struct JobWorker<U: Job> {
     library: Arc<Library>,
+    end: End,
     work: Option<(u64, Box<U>)>,
     /// Why the order that came last cannot be done.
     refused: Option<(u64, U::WhyNot)>,
@@ -79,9 +89,9 @@ pub struct JobWorker<U: Job> {
 }
 
 impl<U: Job> JobWorker<U> {
-    /// Without an order.
-    pub fn new(library: Arc<Library>) -> Self {
-        Self { library, work: None, refused: None, computed: Duration::ZERO }
+    /// Without an order; one of two that share each order works from the back.
+    pub fn new(library: Arc<Library>, end: End) -> Self {
+        Self { library, end, work: None, refused: None, computed: Duration::ZERO }
     }
 
     /// Works on; returns the progress where that is to be reported.
@@ -109,7 +119,7 @@ impl<U: Job> Worker for JobWorker<U> {
         (self.work, self.refused, self.computed) = (None, None, Duration::ZERO);
         let Ok(order) = postcard::from_bytes::<U::Order>(order) else { return };
         let number = U::number(&order);
-        match U::begin(order, &self.library) {
+        match U::begin(order, &self.library, self.end) {
             Ok(work) => self.work = Some((number, Box::new(work))),
             Err(why) => self.refused = Some((number, why)),
         }
@@ -123,6 +133,19 @@ impl<U: Job> Worker for JobWorker<U> {
         let refused = self.refused.take().map(|(number, why)| (number, Reply::Refused(why)));
         let (number, reply) = refused.or_else(|| self.slice(budget))?;
         postcard::to_allocvec(&JobAnswer { number, reply }).ok()
+    }
+
+    fn share(&mut self) -> Option<Vec<u8>> {
+        let (number, work) = self.work.as_mut()?;
+        let shares = work.shares();
+        (!shares.is_empty()).then(|| postcard::to_allocvec(&(*number, shares)).ok())?
+    }
+
+    fn take_shared(&mut self, shares: &[u8]) {
+        let Ok((of, shares)) = postcard::from_bytes::<(u64, Vec<U::Shared>)>(shares) else { return };
+        if let Some((_, work)) = self.work.as_mut().filter(|(number, _)| *number == of) {
+            shares.into_iter().for_each(|shared| work.take(shared));
+        }
     }
 }
 

@@ -19,6 +19,7 @@ pub mod worker;
 use std::sync::Arc;
 
 use saute_kitchen::Library;
+pub use saute_plan::End;
 
 /// A kind of work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -50,6 +51,11 @@ impl WorkKind {
     /// The kind with a name.
     pub fn named(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|kind| kind.name() == name)
+    }
+
+    /// True if two executors, each on a core of its own, do an order together in less time.
+    pub fn is_shared(self) -> bool {
+        matches!(self, Self::Plan | Self::Fit)
     }
 
     /// Rest after work, as a share of the time that it took [-].

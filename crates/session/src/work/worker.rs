@@ -12,4 +12,12 @@ pub trait Worker {
 
     /// Works on for about `budget`; returns an answer where one is due.
     fn go_on(&mut self, budget: Duration) -> Option<Vec<u8>>;
+
+    /// Takes what was done here since the last call, for a twin that has the same order.
+    fn share(&mut self) -> Option<Vec<u8>> {
+        None
+    }
+
+    /// Takes what a twin has done; of another order it changes nothing.
+    fn take_shared(&mut self, _shares: &[u8]) {}
 }

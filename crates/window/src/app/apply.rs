@@ -16,9 +16,6 @@ use crate::system::IS_PAGE;
 use saute_controls::act::{Act, AppAct, Card, CookAct, LearnAct, Setting, TimeAct, ViewAct};
 use saute_controls::input::tool_hand::TurnerPose;
 
-/// Height of a toss by key [m] (chosen: over the rim, within reach).
-const TOSS_M: f64 = 0.12;
-
 impl SauteApp {
     /// Carries out an act. Only this function lets acts change the window; the matches are exhaustive, one line per act.
     pub fn act(&mut self, act: Act, ctx: &egui::Context) {
@@ -49,7 +46,7 @@ impl SauteApp {
             CookAct::Asked(question) => self.do_asked(question),
             CookAct::Halve => self.halve(),
             CookAct::Out => self.take_out(),
-            CookAct::Toss => self.command(&Command::Toss { height: TOSS_M }),
+            CookAct::Toss => self.toss(),
             CookAct::Pour(what) => self.pour(what),
             CookAct::Portion => self.next_portion(),
             CookAct::Lid => self.turn_lid(),

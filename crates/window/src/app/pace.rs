@@ -9,6 +9,10 @@ use saute_session::guided::Guided;
 use saute_session::lag::{Lag, Retry};
 use saute_session::{Forecast, SPEEDS};
 
+/// For how long after a toss time goes at its real speed, so that food is seen to fly and felt to land [s] (chosen: it flies for
+/// a third of a second and comes to rest within another).
+const TOSS_S: f64 = 1.5;
+
 /// How time goes in the window.
 #[derive(Default)]
 pub(crate) struct Pace {
@@ -19,6 +23,8 @@ pub(crate) struct Pace {
     retry: Retry,
     /// True while a hand is needed, so that time goes at its real speed.
     hand_needed: bool,
+    /// Simulated time of the last toss [s].
+    tossed_s: Option<f64>,
     /// What waits until the instant is reached to which time is turned.
     pub(crate) waiting: Vec<Waiting>,
     /// Real time where a hand is needed.
@@ -33,7 +39,19 @@ impl SauteApp {
     pub(super) fn needs_hand(&self, advised: &[Advice], rise: Option<Forecast>) -> bool {
         let rests = |one: &Advice| matches!(one, Advice::Resting { .. } | Advice::Rested { .. });
         let is_done = || rise.is_none() && self.session.is_out() && advised.iter().any(rests);
-        advised.iter().any(|one| one.is_due()) || is_done()
+        advised.iter().any(|one| one.is_due()) || is_done() || self.food_is_tossed()
+    }
+
+    /// Time slows to the real one before food is tossed.
+    pub(super) fn ease_for_toss(&mut self) {
+        self.pace.tossed_s = Some(self.session.kitchen.time_s());
+        self.ease(true);
+    }
+
+    /// Returns true if food was tossed a moment ago.
+    fn food_is_tossed(&self) -> bool {
+        let since = |tossed_s: f64| self.session.kitchen.time_s() - tossed_s;
+        self.pace.tossed_s.map(since).is_some_and(|since_s| (0.0..TOSS_S).contains(&since_s))
     }
 
     /// Slows to real time while a hand is needed, and returns to what the machine sustains of the chosen speed.

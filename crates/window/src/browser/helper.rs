@@ -29,7 +29,7 @@ impl Agency for Host {
 
 impl Helper for OwnWorker {
     fn ask(&mut self, order: Vec<u8>) {
-        self.host.ask_worker(self.kind.name(), &order);
+        self.host.ask_worker(self.kind.name(), self.kind.is_shared(), &order);
     }
 
     fn answers(&mut self) -> Option<Vec<Vec<u8>>> {

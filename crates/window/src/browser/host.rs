@@ -51,9 +51,9 @@ extern "C" {
     #[wasm_bindgen(method, js_name = soundTrouble)]
     fn sound_trouble(this: &Host) -> Option<String>;
 
-    /// Sends an order to the page's worker for a kind of work.
+    /// Sends an order to the page's worker for a kind of work, or to both of its two where they share it.
     #[wasm_bindgen(method, js_name = askWorker)]
-    pub(crate) fn ask_worker(this: &Host, kind: &str, order: &[u8]);
+    pub(crate) fn ask_worker(this: &Host, kind: &str, is_shared: bool, order: &[u8]);
 
     /// Takes what the worker for a kind of work answered; none if it is of no use.
     #[wasm_bindgen(method, js_name = workerAnswers)]

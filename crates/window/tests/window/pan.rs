@@ -156,6 +156,26 @@ fn a_toss_throws_what_is_in_the_pan_and_an_empty_pan_says_so() {
 }
 
 #[test]
+fn a_toss_flies_in_real_time_however_fast_the_cook_runs() {
+    let mut harness = with_more("Carrot coin", 7);
+    press(&mut harness, Key::A);
+    cook(&mut harness, 1.0);
+    harness.state_mut().session_mut().set_speed(5.0);
+    press(&mut harness, Key::T);
+    let session = |harness: &Harness<'static, SauteApp>| {
+        (harness.state().session().speed, harness.state().session().kitchen.time_s())
+    };
+    let (speed, tossed_s) = session(&harness);
+    assert_eq!(speed, 1.0);
+    while harness.state().session().speed == 1.0 {
+        steps(&mut harness, 1);
+        assert!(session(&harness).1 < tossed_s + 3.0, "the speed of before comes back");
+    }
+    let (speed, time_s) = session(&harness);
+    assert!(speed == 5.0 && time_s >= tossed_s + 1.5, "{speed} {time_s}");
+}
+
+#[test]
 fn tongs_lead_a_piece_that_is_dragged_and_lay_it_down() {
     let mut harness = with_more("Shrimp", 2);
     press(&mut harness, Key::A);

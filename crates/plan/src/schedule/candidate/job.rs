@@ -65,7 +65,7 @@ pub struct Cue {
 }
 
 /// What came of a job.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct JobResult {
     /// The schedule, with the time at which the food was pulled and the length of its rest.
     pub schedule: Schedule,

@@ -6,6 +6,9 @@ use saute_plan::forecast::Question;
 use crate::app::SauteApp;
 use saute_kitchen::piece::memory::MOST_PIECES;
 
+/// Height of a toss by key [m] (chosen: over the rim, within reach).
+const TOSS_M: f64 = 0.12;
+
 impl SauteApp {
     /// Puts the wet cloth under the pan for its default time.
     pub(super) fn cool_with_cloth(&mut self) {
@@ -30,6 +33,12 @@ impl SauteApp {
         if let Some(w) = next {
             self.command(&Command::Hob(w));
         }
+    }
+
+    /// Tosses what is in the pan.
+    pub(super) fn toss(&mut self) {
+        self.ease_for_toss();
+        self.command(&Command::Toss { height: TOSS_M });
     }
 
     /// Takes the food out onto the board; the eye follows it there.
