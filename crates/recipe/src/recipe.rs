@@ -15,6 +15,8 @@ use saute_schema::LibraryError;
 pub struct Recipe {
     /// Title.
     pub title: String,
+    /// How long it takes, as its file states it [min].
+    pub minutes: Option<f64>,
     /// Time at which the cook stops if no step has ended it [s].
     pub max_s: f64,
     /// Id of the pan.

@@ -61,14 +61,14 @@ pub(super) fn base_name(library: &Library, kind: &str) -> String {
 }
 
 /// The recipe that sets out a choice and does nothing with it.
-pub(super) fn as_recipe(library: &Library, choice: &SteakChoice) -> Result<Recipe, InputError> {
+pub(super) fn as_recipe(library: &Library, choice: &SteakChoice, count: usize) -> Result<Recipe, InputError> {
     let food = SetOutFood {
         id: base_name(library, &choice.kind),
         kind: choice.kind.clone(),
         size_mm: size_of(library, choice),
         initial_c: choice.initial_c,
         seed: 1,
-        count: None,
+        count: (count > 1).then_some(count),
         detail: FoodDetail::default(),
     };
     let title = noun(library, &choice.kind, Language::ENGLISH);

@@ -104,7 +104,7 @@ impl<H: Hands> Session<H> {
     ///
     /// If the library has not what was chosen.
     pub fn new(library: Arc<Library>, choice: &SteakChoice) -> Result<Self, ReplayError> {
-        let recipe = Arc::new(as_recipe(&library, choice)?);
+        let recipe = Arc::new(as_recipe(&library, choice, 1)?);
         let kitchen = recipe.kitchen(&library)?;
         let recording = Recording::begin(&recipe, false, &library);
         let mut session = Self {
@@ -203,8 +203,8 @@ impl<H: Hands> Session<H> {
     /// # Errors
     ///
     /// If the library has not what was chosen.
-    pub fn set_out(&mut self, choice: &SteakChoice) -> Result<(), ReplayError> {
-        let recipe = as_recipe(&self.library, choice)?;
+    pub fn set_out(&mut self, choice: &SteakChoice, count: usize) -> Result<(), ReplayError> {
+        let recipe = as_recipe(&self.library, choice, count)?;
         self.begin_with(Arc::new(recipe), false)?;
         self.choice = choice.clone();
         Ok(())

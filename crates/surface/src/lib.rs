@@ -64,30 +64,56 @@ impl Format {
     }
 }
 
-/// Returns the loose triangles of a surface file, in the unit of the file, with z up.
+/// A body of a surface file.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Body {
+    /// Its name, where the file gives it one.
+    pub name: Option<String>,
+    /// Its triangles, in the unit of the file.
+    pub soup: Soup,
+}
+
+/// Returns the loose triangles of all bodies of a surface file together, in the unit of the file, with z up.
+///
+/// # Errors
+/// As [`bodies`].
+pub fn read(name: &str, bytes: &[u8], sibling: impl Fn(&str) -> Option<Vec<u8>>) -> Result<Soup, ReadError> {
+    let mut bodies = bodies(name, bytes, sibling)?.into_iter();
+    let mut all = bodies.next().unwrap_or_default().soup;
+    for Body { soup, .. } in bodies {
+        let first = all.vertices.len() as u32;
+        all.vertices.extend(soup.vertices);
+        all.triangles.extend(soup.triangles.into_iter().map(|triangle| triangle.map(|corner| first + corner)));
+    }
+    Ok(all)
+}
+
+/// Returns the bodies of a surface file, with z up: those of a glTF file by its nodes; an STL or OBJ file is one.
 ///
 /// `sibling` returns the bytes of another file by its path relative to the same folder (the `.bin` of a glTF); the path is
 /// decoded, and leads out of the folder only by a link. glTF files have y up and are rotated. The triangles are not checked; [`saute_heat::Surface::close`] does that.
 ///
 /// # Errors
 /// [`ReadError`] if the format is unknown, the file is not valid or too large, or it contains no triangle.
-pub fn read(name: &str, bytes: &[u8], sibling: impl Fn(&str) -> Option<Vec<u8>>) -> Result<Soup, ReadError> {
+pub fn bodies(name: &str, bytes: &[u8], sibling: impl Fn(&str) -> Option<Vec<u8>>) -> Result<Vec<Body>, ReadError> {
     let Some(format) = Format::of(name) else {
         return Err(ReadError::new("is not in a supported format", "export it as .stl, .obj, .gltf or .glb"));
     };
-    let mut soup = match format {
-        Format::Stl => stl_file::read(bytes),
-        Format::Obj => obj_file::read(bytes),
+    let one = |soup| vec![Body { name: None, soup }];
+    let mut bodies = match format {
+        Format::Stl => stl_file::read(bytes).map(one),
+        Format::Obj => obj_file::read(bytes).map(one),
         Format::Gltf => gltf_file::read(bytes, sibling),
     }?;
-    soup.unit_mm = format.unit_mm();
-    if soup.triangles.is_empty() {
+    bodies.retain(|body| !body.soup.triangles.is_empty());
+    bodies.iter_mut().for_each(|body| body.soup.unit_mm = format.unit_mm());
+    if bodies.is_empty() {
         return Err(ReadError::new(
             "contains no triangle",
             "export the body as a triangle mesh (points, lines and curved patches are not read)",
         ));
     }
-    Ok(soup)
+    Ok(bodies)
 }
 
 /// Corners that are read from a file [-] (chosen: three for each triangle of the largest surface, and as many unused ones).

@@ -39,12 +39,14 @@ fn mutated(seed: &[u8], words: &[String], numbers: &mut Numbers) -> Vec<u8> {
 
 fn attack(target: &Target, count: usize) {
     let (seeds, words) = (kept("seeds", target), words(target));
-    let mut numbers = Numbers(17);
+    let (mut numbers, mut whole) = (Numbers(17), Duration::ZERO);
     for turn in 0..count {
         let bytes = mutated(&seeds[turn % seeds.len()].bytes, &words, &mut numbers);
         let ((), took) = processor::of_thread(|| target.run(&bytes));
+        whole += took;
         assert!(took < LONGEST, "{} {:?}", target.name, String::from_utf8_lossy(&bytes));
     }
+    println!("{}: {count} in {:.1} s", target.name, whole.as_secs_f64());
 }
 
 #[test]

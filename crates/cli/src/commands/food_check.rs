@@ -6,9 +6,9 @@ use std::process::ExitCode;
 use saute_kitchen::Library;
 use saute_kitchen::data::food_check::{Finding, FoodReport, SurfaceReport, check_food};
 use saute_kitchen::data::library::surface_file;
-use saute_kitchen::heat::{Defect, Surface};
+use saute_kitchen::heat::{Defect, Soup, Surface};
 use saute_schema::echo::shortened;
-use saute_surface::Place;
+use saute_surface::{Body, Place, ReadError};
 use serde::Serialize;
 
 use crate::args::FoodCheckArgs;
@@ -27,17 +27,26 @@ struct FoodVerdict {
     food: Option<FoodReport>,
     #[serde(skip_serializing_if = "Option::is_none")]
     surface: Option<SurfaceReport>,
+    /// The bodies of a file with several.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    surfaces: Vec<Named>,
+}
+
+/// One of several bodies of a file.
+#[derive(Debug, Serialize)]
+struct Named {
+    name: String,
+    #[serde(flatten)]
+    surface: SurfaceReport,
 }
 
 /// Checks a food file or a surface.
 pub fn run(args: &FoodCheckArgs, data: Option<&Path>) -> Result<ExitCode, CliError> {
     let file = args.file.display().to_string();
-    let mut verdict = FoodVerdict { file, ok: false, findings: Vec::new(), food: None, surface: None };
+    let mut verdict =
+        FoodVerdict { file, ok: false, findings: Vec::new(), food: None, surface: None, surfaces: Vec::new() };
     if saute_surface::Format::of(&verdict.file).is_some() {
-        match closed(&args.file, args.scale_mm) {
-            Ok(report) => verdict.surface = Some(report),
-            Err(finding) => verdict.findings.push(finding),
-        }
+        check_bodies(&args.file, args.scale_mm, &mut verdict);
     } else {
         if args.scale_mm.is_some() {
             let remedy = "write scale_mm under [mesh] in the food's file, or name the surface itself";
@@ -71,22 +80,41 @@ fn food(path: &Path, data: Option<&Path>) -> Result<Result<FoodReport, Vec<Findi
     Ok(check_food(&text, soup.as_ref(), &library))
 }
 
-/// Checks a surface on its own, given the millimetres in one of its units unless they are the usual ones.
-fn closed(path: &Path, scale_mm: Option<f64>) -> Result<SurfaceReport, Finding> {
-    let finding = |line, message: &str, remedy| Finding {
-        line,
-        key: String::new(),
-        message: shortened(message).into_owned(),
-        remedy,
+/// Checks a surface on its own, given the millimetres in one of its units unless they are the usual ones; of a file with several bodies
+/// each of them.
+fn check_bodies(path: &Path, scale_mm: Option<f64>, verdict: &mut FoodVerdict) {
+    let bodies = match surface::bodies(path) {
+        Ok(bodies) => bodies,
+        Err(error) => return verdict.findings.push(unread(error)),
     };
-    let soup = surface::read(path).map_err(|error| match error.place {
-        Place::Line(line) => finding(line, &error.message, error.remedy),
-        Place::File | Place::Byte(_) => finding(1, &error.to_string(), error.remedy),
-    })?;
-    let unit_mm = scale_mm.unwrap_or(soup.unit_mm);
-    let surface = Surface::close(&soup, 1e-3 * unit_mm);
-    let surface = surface.map_err(|defect| finding(1, &format!("is not sound: {defect}"), remedy(&defect, unit_mm)))?;
+    let is_one = bodies.len() == 1;
+    for (number, Body { name, soup }) in bodies.into_iter().enumerate() {
+        let name = name.unwrap_or_else(|| format!("body {}", number + 1));
+        match closed(&soup, scale_mm.unwrap_or(soup.unit_mm)) {
+            Ok(report) if is_one => verdict.surface = Some(report),
+            Ok(surface) => verdict.surfaces.push(Named { name, surface }),
+            Err((message, remedy)) if is_one => verdict.findings.push(of_file(1, &message, remedy)),
+            Err((message, remedy)) => verdict.findings.push(of_file(1, &format!("{name} {message}"), remedy)),
+        }
+    }
+}
+
+fn closed(soup: &Soup, unit_mm: f64) -> Result<SurfaceReport, (String, String)> {
+    let surface = Surface::close(soup, 1e-3 * unit_mm);
+    let surface = surface.map_err(|defect| (format!("is not sound: {defect}"), remedy(&defect, unit_mm)))?;
     Ok(SurfaceReport::of(&surface))
+}
+
+/// A finding about a line of a file, which has no keys.
+fn of_file(line: usize, message: &str, remedy: String) -> Finding {
+    Finding { line, key: String::new(), message: shortened(message).into_owned(), remedy }
+}
+
+fn unread(error: ReadError) -> Finding {
+    match error.place {
+        Place::Line(line) => of_file(line, &error.message, error.remedy),
+        Place::File | Place::Byte(_) => of_file(1, &error.to_string(), error.remedy),
+    }
 }
 
 /// Returns the remedy for a surface on its own: its unit is an option, not yet a key of a food.
@@ -112,7 +140,9 @@ fn text(verdict: &FoodVerdict) -> String {
     let finding = |f: &Finding| format!("{}:{}: {}\n  remedy: {}\n", verdict.file, f.line, f.message, f.remedy);
     let findings: String = verdict.findings.iter().map(finding).collect();
     let food = verdict.food.as_ref().map_or(String::new(), food_text);
-    findings + &food + &verdict.surface.as_ref().map_or(String::new(), surface_text)
+    let named = |body: &Named| format!("{}:\n{}", body.name, surface_text(&body.surface));
+    let bodies: String = verdict.surfaces.iter().map(named).collect();
+    findings + &food + &verdict.surface.as_ref().map_or(String::new(), surface_text) + &bodies
 }
 
 fn food_text(food: &FoodReport) -> String {

@@ -4,15 +4,28 @@ use std::path::Path;
 
 use saute_files::regular_file::{self, Unread};
 use saute_kitchen::heat::Soup;
-use saute_surface::{Place, ReadError};
+use saute_surface::{Body, Place, ReadError};
 
 use crate::error::CliError;
 
 /// Larger files are not read [MiB] (chosen: the largest surface takes 100 MB as text).
 const LARGEST_MIB: u64 = 128;
 
-/// Reads the triangles of a surface file.
+/// Reads the triangles of all bodies of a surface file.
 pub fn read(path: &Path) -> Result<Soup, ReadError> {
+    with_bytes(path, |name, bytes| saute_surface::read(name, bytes, |name| beside(path, name)))
+}
+
+/// Reads the bodies of a surface file.
+pub fn bodies(path: &Path) -> Result<Vec<Body>, ReadError> {
+    with_bytes(path, |name, bytes| saute_surface::bodies(name, bytes, |name| beside(path, name)))
+}
+
+fn beside(path: &Path, name: &str) -> Option<Vec<u8>> {
+    regular_file::read_beside(path, name, LARGEST_MIB)
+}
+
+fn with_bytes<T>(path: &Path, read: impl FnOnce(&str, &[u8]) -> Result<T, ReadError>) -> Result<T, ReadError> {
     let bytes = regular_file::read(path, LARGEST_MIB).map_err(|unread| {
         let remedy = match unread {
             Unread::Large(_) => {
@@ -22,9 +35,8 @@ pub fn read(path: &Path) -> Result<Soup, ReadError> {
         };
         ReadError { place: Place::File, message: unread.to_string(), remedy: remedy.to_owned() }
     })?;
-    let beside = |name: &str| regular_file::read_beside(path, name, LARGEST_MIB);
     let name = path.file_name().unwrap_or_default().to_string_lossy();
-    saute_surface::read(&name, &bytes, beside)
+    read(&name, &bytes)
 }
 
 /// Returns the error of a surface file with its path, and its line or byte.

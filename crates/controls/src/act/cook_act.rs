@@ -53,8 +53,8 @@ pub enum CookAct {
     LevelTool,
     /// Lays the tool down.
     PutAway,
-    /// Starts over with the chosen food and pan.
-    SetOut,
+    /// Starts over with so many of the chosen food, and the chosen pan.
+    SetOut(usize),
     /// Sets out so many more of the chosen food.
     Add(usize),
     /// Plays a recipe of the library from its start, by its id.
@@ -93,7 +93,7 @@ impl CookAct {
             Self::RollBy(by) => holds(Subject::Tool, if *by > 0.0 { "key.roll_right" } else { "key.roll_left" }),
             Self::LevelTool => holds(Subject::Tool, "key.level"),
             Self::PutAway => holds(Subject::Tool, "key.put_away"),
-            Self::SetOut => Traits { needs: &[Permit::Foods, Permit::Pan], ..does(Subject::Food, Traits::NO_WORDS) },
+            Self::SetOut(_) => Traits { needs: &[Permit::Foods, Permit::Pan], ..does(Subject::Food, Traits::NO_WORDS) },
             Self::Add(_) => Traits { needs: &[Permit::Foods], ..does(Subject::Food, Traits::NO_WORDS) },
             Self::Play(_) | Self::ResumeRecipe => {
                 Traits { needs: &[Permit::Leaving], ..does(Subject::Food, Traits::NO_WORDS) }

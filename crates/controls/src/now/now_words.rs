@@ -129,8 +129,7 @@ impl Words<'_> {
             }
             Advice::BothBrown { .. } => [self.text("now.turn_down"), self.text("now.both_brown")],
             Advice::TurnDown { .. } => [self.text("now.turn_down"), self.text("now.hot_enough")],
-            Advice::Heating { pan_c, .. } => {
-                let enough_c = self.state.session.kitchen.hob_holds().map_or(WARM_ENOUGH_C, celsius);
+            Advice::Heating { pan_c, until_c: enough_c } => {
                 let left = memory.until(Course::Pan, now, pan_c, enough_c).filter(|_| pan_c >= STEADY * enough_c);
                 [self.in_time("now.in_soon", "now.heating", left), self.heating_from(pan_c, enough_c)]
             }

@@ -90,3 +90,12 @@ fn a_kitchen_without_food_gives_a_file_without_meshes() {
     let json: Value = serde_json::from_slice(&file[20..]).unwrap();
     assert!(json.get("meshes").is_none() && json["nodes"].as_array().unwrap().len() == 1);
 }
+
+#[test]
+fn the_program_reads_each_food_of_its_own_file_by_its_name() {
+    let (first, second) = (tetrahedron(), Surface { name: "carrot.2".to_owned(), ..tetrahedron() });
+    let bodies = saute_surface::bodies("cooked.glb", &glb(&[first.clone(), second]), |_| None).unwrap();
+    let names: Vec<_> = bodies.iter().map(|body| body.name.as_deref()).collect();
+    assert_eq!(names, [Some(first.name.as_str()), Some("carrot.2")]);
+    assert!(bodies.iter().all(|body| body.soup.triangles.len() == 4));
+}

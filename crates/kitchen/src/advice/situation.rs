@@ -96,7 +96,7 @@ impl Situation {
         }
         match () {
             () if pan_c >= WARM_ENOUGH_C => Advice::PutIn { pan_c },
-            () if self.hob_w > 0.0 => Advice::Heating { pan_c, until_c: HOT_C },
+            () if self.hob_w > 0.0 => Advice::Heating { pan_c, until_c: WARM_ENOUGH_C },
             () => Advice::TurnOn { power_w: self.heating_w },
         }
     }
@@ -308,7 +308,7 @@ mod tests {
     fn food_waits_until_the_pan_is_hot() {
         let at = |pan_c, hob_w| Situation { pan_c, hob_w, ..Situation::RAW }.advice(None);
         assert_eq!(at(20.0, 0.0), [Advice::TurnOn { power_w: 1100.0 }]);
-        assert_eq!(at(159.0, 400.0), [Advice::Heating { pan_c: 159.0, until_c: 180.0 }]);
+        assert_eq!(at(159.0, 400.0), [Advice::Heating { pan_c: 159.0, until_c: 160.0 }]);
         assert_eq!(at(161.0, 0.0), [Advice::PutIn { pan_c: 161.0 }]);
         let hot = Situation { pan_c: 240.0, hottest_c: 271.0, hob_w: 1100.0, ..Situation::RAW };
         assert_eq!(hot.advice(None), [Advice::TooHot { hottest_c: 271.0, smokes: false, to_w: 400.0 }]);

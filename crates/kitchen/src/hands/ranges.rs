@@ -65,6 +65,8 @@ pub const PAN_INITIAL_C: Limits = limits(0.0, 300.0, 20.0);
 pub const PAN_OIL_G: [f64; 2] = [0.0, 100.0];
 /// Time at which a cook stops that no step has ended [s] (chosen: a day; by default an hour).
 pub const MAX_S: Limits = limits(1.0, 86_400.0, 3600.0);
+/// How long a recipe is said to take [min] (chosen: a day at most).
+pub const MINUTES: Limits = limits(1.0, 1440.0, 15.0);
 /// Place of food relative to the pan's centre along each axis [mm] (chosen: beyond the rim of the widest pan).
 pub const PLACE_MM: Limits = limits(-200.0, 200.0, 0.0);
 /// Place of the pan relative to the ring's centre along each axis [mm] (chosen: within reach of an arm).

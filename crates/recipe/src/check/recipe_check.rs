@@ -89,6 +89,7 @@ impl Check<'_> {
         Ok(Recipe {
             title: labelled(raw.title.clone().unwrap_or_else(|| self.input.file.to_owned()), rules),
             hob_kind: raw.hob.as_ref().map(|hob| hob.kind.get_ref().clone()),
+            minutes: raw.minutes.as_ref().map(|minutes| *minutes.get_ref()),
             max_s,
             oil: self.oil_at_start(raw.pan.as_ref().map(Spanned::get_ref), &steps)?,
             pan_kind,

@@ -2,7 +2,7 @@
 
 use saute_food::OutlineKind;
 use saute_kitchen::PieceOrder;
-use saute_kitchen::hands::ranges::{MAX_S, PAN_INITIAL_C, PAN_OIL_G};
+use saute_kitchen::hands::ranges::{MAX_S, MINUTES, PAN_INITIAL_C, PAN_OIL_G};
 use saute_kitchen::piece::memory::MOST_PIECES;
 use schemars::transform::transform_subschemas;
 use schemars::{JsonSchema, Schema};
@@ -19,6 +19,9 @@ use crate::file::step_file::StepEntry;
 pub struct RecipeFile {
     /// Title for people.
     pub title: Option<String>,
+    /// How long it takes from the cold pan to the plate, for lists of recipes [min].
+    #[schemars(with = "Option<f64>", range(min = MINUTES.low, max = MINUTES.high))]
+    pub minutes: Option<Spanned<f64>>,
     /// Rules for comparison; everything that this program knows unless given.
     #[schemars(with = "Option<Preset>")]
     pub preset: Option<Preset>,

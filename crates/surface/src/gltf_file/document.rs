@@ -37,6 +37,7 @@ pub struct Scene {
 #[derive(Debug, Default, Deserialize)]
 #[serde(default)]
 pub struct Node {
+    pub name: Option<String>,
     pub children: Vec<usize>,
     pub mesh: Option<usize>,
     pub matrix: Option<[f32; 16]>,

@@ -9,17 +9,17 @@ mod placement;
 mod reference;
 mod scene;
 
-use crate::{ReadError, Soup};
+use crate::{Body, ReadError};
 
-/// Returns the triangles of a file's default scene, rotated so that z points up.
+/// Returns the bodies of a file's default scene, rotated so that z points up.
 ///
 /// # Errors
 /// [`ReadError`] if the file is not valid, a buffer is missing or too short, the geometry uses an unsupported feature, or
 /// the file or its body is too large.
-pub fn read(bytes: &[u8], sibling: impl Fn(&str) -> Option<Vec<u8>>) -> Result<Soup, ReadError> {
+pub fn read(bytes: &[u8], sibling: impl Fn(&str) -> Option<Vec<u8>>) -> Result<Vec<Body>, ReadError> {
     let container = container::open(bytes)?;
     let document = document::parse(&container)?;
     extensions::check(&document.extensions_required)?;
     let buffers = buffers::read(&document, container.binary, sibling)?;
-    scene::triangles(&document, &buffers)
+    scene::bodies(&document, &buffers)
 }

@@ -4,7 +4,7 @@ use crate::gltf_file::document::{Document, Node, Primitive, at};
 use crate::gltf_file::elements::Elements;
 use crate::gltf_file::placement::{Matrix, UNIT, determinant, of, placed, product};
 use crate::read_error::DAMAGED;
-use crate::{ReadError, Soup, enough_room};
+use crate::{Body, ReadError, Soup, enough_room};
 
 /// Largest nesting depth of nodes [-] (chosen: valid files have far less).
 const DEEPEST: usize = 64;
@@ -13,24 +13,29 @@ const POINTS_AND_LINES: std::ops::RangeInclusive<u32> = 0..=3;
 const TRIANGLES: u32 = 4;
 const STRIPS_AND_FANS: std::ops::RangeInclusive<u32> = 5..=6;
 
-/// Returns the triangles of the default scene, or of all meshes of a file without scenes.
-pub fn triangles(document: &Document, buffers: &[Vec<u8>]) -> Result<Soup, ReadError> {
+/// Returns the triangles of each node of the default scene that has a mesh; those of a file without scenes are one body.
+pub fn bodies(document: &Document, buffers: &[Vec<u8>]) -> Result<Vec<Body>, ReadError> {
     let elements = Elements::of(document, buffers);
-    let mut reader = Reader { elements, soup: Soup::default(), visited: vec![false; document.nodes.len()] };
+    let visited = vec![false; document.nodes.len()];
+    let mut reader = Reader { elements, bodies: Vec::new(), triangles: 0, vertices: 0, visited };
     if document.scenes.is_empty() {
+        reader.bodies.push(Body::default());
         let mut primitives = document.meshes.iter().flat_map(|mesh| &mesh.primitives);
         primitives.try_for_each(|primitive| reader.primitive(primitive, UNIT))?;
     } else {
         let scene = at(&document.scenes, document.scene.unwrap_or(0), "scene")?;
         scene.nodes.iter().try_for_each(|node| reader.node(*node, UNIT, 0))?;
     }
-    Ok(reader.soup)
+    Ok(reader.bodies)
 }
 
 /// The triangles read so far.
 struct Reader<'a> {
     elements: Elements<'a>,
-    soup: Soup,
+    bodies: Vec<Body>,
+    /// Number of all triangles and corners so far [-].
+    triangles: usize,
+    vertices: usize,
     /// True for the nodes read so far.
     visited: Vec<bool>,
 }
@@ -50,6 +55,7 @@ impl Reader<'_> {
         let matrix = product(outer, of(node));
         if let Some(mesh) = node.mesh {
             let mesh = at(&document.meshes, mesh, "mesh")?;
+            self.bodies.push(Body { name: node.name.clone(), soup: Soup::default() });
             mesh.primitives.iter().try_for_each(|primitive| self.primitive(primitive, matrix))?;
         }
         node.children.iter().try_for_each(|child| self.node(*child, matrix, depth + 1))
@@ -76,7 +82,7 @@ impl Reader<'_> {
         let indices = primitive.indices.map(|index| self.elements.indices(index)).transpose()?;
         let count = positions.count();
         let corners = indices.as_ref().map_or(count, |indices| indices.count());
-        enough_room(self.soup.triangles.len() + corners / 3, self.soup.vertices.len().saturating_add(count))?;
+        enough_room(self.triangles + corners / 3, self.vertices.saturating_add(count))?;
         let corners = match indices {
             Some(indices) => self.elements.read_indices(&indices)?,
             None => (0..count as u32).collect(),
@@ -90,11 +96,14 @@ impl Reader<'_> {
     }
 
     fn push(&mut self, positions: &[[f64; 3]], corners: &[u32], matrix: Matrix) {
-        let first = self.soup.vertices.len() as u32;
+        let Some(Body { soup, .. }) = self.bodies.last_mut() else { return };
+        let first = soup.vertices.len() as u32;
         let is_mirrored = determinant(matrix) < 0.0;
-        self.soup.vertices.extend(positions.iter().map(|p| placed(matrix, *p)));
+        self.triangles += corners.len() / 3;
+        self.vertices += positions.len();
+        soup.vertices.extend(positions.iter().map(|p| placed(matrix, *p)));
         let triangles = corners.as_chunks::<3>().0.iter();
         let triangles = triangles.map(|&[a, b, c]| if is_mirrored { [a, c, b] } else { [a, b, c] });
-        self.soup.triangles.extend(triangles.map(|triangle| triangle.map(|corner| first + corner)));
+        soup.triangles.extend(triangles.map(|triangle| triangle.map(|corner| first + corner)));
     }
 }

@@ -18,6 +18,8 @@ const RIBBON: f32 = 66.0;
 /// Height of the legend with its space, and of the line about simplified rules [points].
 const LEGEND: f32 = 70.0;
 const RULES: f32 = 26.0;
+/// How far below the other messages a notice is alone in a wide window [points].
+const NOTICE: f32 = 40.0;
 
 /// Shows the badges where there is something to show: the last notice, and what waits until the instant is reached to which time is
 /// turned.
@@ -30,29 +32,38 @@ pub fn show(
     layout: &Layout,
 ) {
     standing(state, ui, acts, layout);
-    let lower = clear_of(state, layout);
-    if let Some(behind) = state.session.behind_s() {
-        let text = state.settings.language.fill(
-            "scene.behind",
-            &[("speed", &format!("{:.0}", state.session.speed)), ("seconds", &format!("{behind:.0}"))],
-        );
-        message(ui, layout, ("behind", 12.0 + lower), false, &text, |_| {});
-    }
-    if !waiting.is_empty() {
-        let l = state.settings.language;
-        let (what, time) = (waiting.join(l.text("doneness.list_joint")), clock(state.session.bound_for_s()));
-        let text = l.fill("waiting.until", &[("what", &what), ("time", &time)]);
-        message(ui, layout, ("waiting", 12.0 + lower), false, &text, |_| {});
+    let held: Vec<(&str, String)> = [("behind", behind(state)), ("waiting", waits(state, waiting))]
+        .into_iter()
+        .filter_map(|(name, text)| Some((name, text?)))
+        .collect();
+    // Each begins where the one before it ends, however many lines that has.
+    let mut drop = 12.0 + clear_of(state, layout);
+    for (name, text) in &held {
+        drop += GAP + message(ui, layout, (name, drop), false, text, |_| {});
     }
     if let Some(said) = notice {
         // A click on its button must reach it; through all others it reaches the scene.
         let has_button = host_panels::has_button(said);
-        // Over the food of a narrow window there is little room.
-        let is_alone = layout.narrow && waiting.is_empty() && state.session.behind_s().is_none();
-        message(ui, layout, ("notice", if is_alone { 12.0 } else { 52.0 } + lower), has_button, &said.text, |ui| {
+        // In a wide window it is clear of what comes and goes above it; over the food of a narrow one there is little room.
+        let drop = if layout.narrow || !held.is_empty() { drop } else { drop + NOTICE };
+        message(ui, layout, ("notice", drop), has_button, &said.text, |ui| {
             host_panels::file_button(state, ui, acts, said);
         });
     }
+}
+
+/// How far the clock is behind the chosen speed.
+fn behind(state: &PanelContext) -> Option<String> {
+    let behind_s = state.session.behind_s()?;
+    let [speed, seconds] = [state.session.speed, behind_s].map(|value| format!("{value:.0}"));
+    Some(state.settings.language.fill("scene.behind", &[("speed", &speed), ("seconds", &seconds)]))
+}
+
+/// What waits until an instant is reached.
+fn waits(state: &PanelContext, waiting: &[String]) -> Option<String> {
+    let l = state.settings.language;
+    let (what, time) = (waiting.join(l.text("doneness.list_joint")), clock(state.session.bound_for_s()));
+    (!waiting.is_empty()).then(|| l.fill("waiting.until", &[("what", &what), ("time", &time)]))
 }
 
 /// Height of what is at the edge from which messages begin: the ribbon of a study or a lesson, on a narrow window the legend.
@@ -114,6 +125,7 @@ fn place(layout: &Layout, drop: f32) -> (egui::Pos2, Align2) {
     }
 }
 
+/// Shows a message; returns its height [points].
 fn message(
     ui: &Ui,
     layout: &Layout,
@@ -121,10 +133,10 @@ fn message(
     clicked: bool,
     text: &str,
     beside: impl FnOnce(&mut Ui),
-) {
+) -> f32 {
     let (at, pivot) = place(layout, drop);
     let area = Area::new(Id::unique(("message", name))).fixed_pos(at).pivot(pivot);
-    area.interactable(clicked).show(ui.ctx(), |ui| {
+    let shown = area.interactable(clicked).show(ui.ctx(), |ui| {
         theme::of(ui).panel().show(ui, |ui| {
             ui.set_max_width(layout.free.width() - 40.0);
             ui.horizontal_wrapped(|ui| {
@@ -133,4 +145,5 @@ fn message(
             });
         });
     });
+    shown.response.rect.height()
 }

@@ -110,7 +110,7 @@ pub fn show_all(parts: &Parts, memory: &mut PanelMemory, ui: &mut Ui, acts: &mut
     if let Some(ways) = &layout.ways {
         ways::show(&parts.ways, &mut memory.ways, ui, acts, (whole, ways));
     }
-    if !state.settings.hides_panels() {
+    if !(state.settings.hides_panels() || layout.tiny) {
         show(parts, memory, ui, acts, layout);
     }
     if state.reads_out() {

@@ -11,9 +11,11 @@ use crate::ui::aloud::spoken_value;
 use crate::ui::theme;
 use saute_controls::act::{Act, Acts, AppAct, Card, CookAct, Setting};
 use saute_controls::context::PanelContext;
+use saute_recipe::Recipe;
 use saute_session::export::Export;
 use saute_session::{SteakChoice, noun};
 use saute_words::language::Language;
+use saute_words::speech::capitalised;
 
 /// Most pieces that are added at once (chosen: a full pan).
 const MOST_AT_ONCE: usize = 35;
@@ -27,11 +29,33 @@ pub struct PantryMemory {
     pub count: usize,
     /// Pictures of the foods.
     stills: Stills,
+    /// The recipes of the library, read once.
+    recipes: Option<(Language, Vec<Shipped>)>,
+}
+
+/// A recipe of the library, as the list shows it.
+struct Shipped {
+    id: String,
+    name: String,
+    minutes: Option<f64>,
+    /// Kind of its first food.
+    food: String,
+}
+
+impl Shipped {
+    fn all(library: &Library, l: Language) -> Vec<Self> {
+        let read = |(id, text): (&String, &String)| {
+            let recipe = Recipe::parse(text, id, library).ok()?;
+            let name = capitalised(l.called("recipe_file", &id.replace('-', " ")));
+            Some(Self { id: id.clone(), name, minutes: recipe.minutes, food: recipe.foods.first()?.kind.clone() })
+        };
+        library.recipes.iter().filter_map(read).collect()
+    }
 }
 
 impl Default for PantryMemory {
     fn default() -> Self {
-        Self { count: 1, stills: Stills::default() }
+        Self { count: 1, stills: Stills::default(), recipes: None }
     }
 }
 
@@ -41,7 +65,7 @@ pub fn show(state: &PanelContext, memory: &mut PantryMemory, ui: &mut Ui, acts: 
     let l = state.settings.language;
     let food = noun(library, &state.settings.choice.kind, l);
     heading(ui, l.fill("pantry.mine", &[("food", &food)]));
-    let is_free = !state.forbids(&Act::Cook(CookAct::SetOut)) && !state.forbids(&Act::Cook(CookAct::Add(1)));
+    let is_free = !state.forbids(&Act::Cook(CookAct::SetOut(1))) && !state.forbids(&Act::Cook(CookAct::Add(1)));
     free(state, is_free, ui, |ui| {
         set_out(state, memory.count, ui, acts);
         how_many(&mut memory.count, ui, l);
@@ -55,7 +79,7 @@ pub fn show(state: &PanelContext, memory: &mut PantryMemory, ui: &mut Ui, acts: 
         acts.push(Act::App(AppAct::Set(Setting::Choice(choice))));
     }
     ui.separator();
-    free(state, !state.forbids(&Act::App(AppAct::ChooseFile)), ui, |ui| recipes(state, ui, acts));
+    free(state, !state.forbids(&Act::App(AppAct::ChooseFile)), ui, |ui| recipes(state, memory, ui, acts));
 }
 
 /// Shows controls; those that a study or a lesson locks look so, and show why.
@@ -119,7 +143,7 @@ fn list(ui: &mut Ui, salt: &str, shown: &str, spoken: &str, content: impl FnOnce
 fn kinds(ui: &mut Ui, library: &Library, choice: &mut SteakChoice, stills: &mut Stills, l: Language) {
     ui.spacing_mut().item_spacing.y = 3.0;
     for (id, food) in &library.foods {
-        let clicked = kind(ui, stills.of(ui.ctx(), id), food.name_in(l.code()), choice.kind == *id);
+        let clicked = pictured(ui, stills.of(ui.ctx(), id), [food.name_in(l.code()), ""], Some(choice.kind == *id));
         if clicked && choice.kind != *id {
             choice.kind.clone_from(id);
             choice.size_mm.clone_from(&food.size.default_mm);
@@ -127,12 +151,15 @@ fn kinds(ui: &mut Ui, library: &Library, choice: &mut SteakChoice, stills: &mut 
     }
 }
 
-/// A food with its picture and its name; returns true if it was clicked.
-fn kind(ui: &mut Ui, still: Option<egui::TextureHandle>, name: &str, on: bool) -> bool {
+/// A row with a picture, a name and a quiet word at its end, which is chosen or not, or acts; returns true if it was clicked.
+fn pictured(ui: &mut Ui, still: Option<egui::TextureHandle>, [name, end]: [&str; 2], chosen: Option<bool>) -> bool {
     let palette = theme::of(ui);
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width() - 4.0, KIND), egui::Sense::click());
-    response
-        .widget_info(|| egui::WidgetInfo::selected(egui::accesskit::Role::RadioButton, response.enabled(), on, name));
+    let (on, enabled) = (chosen == Some(true), response.enabled());
+    response.widget_info(|| match chosen {
+        Some(on) => egui::WidgetInfo::selected(egui::accesskit::Role::RadioButton, enabled, on, name),
+        None => egui::WidgetInfo::labeled(egui::accesskit::Role::Button, enabled, name),
+    });
     let ground = if on || response.hovered() { palette.raised } else { egui::Color32::TRANSPARENT };
     let edge = match (response.has_focus(), on) {
         (true, _) => palette.text,
@@ -146,7 +173,12 @@ fn kind(ui: &mut Ui, still: Option<egui::TextureHandle>, name: &str, on: bool) -
         None => drop(ui.painter().rect_filled(picture, 5.0, palette.sunken)),
     }
     let at = egui::pos2(picture.right() + 9.0, rect.center().y);
-    ui.painter().text(at, egui::Align2::LEFT_CENTER, name, egui::FontId::proportional(15.0), palette.text);
+    let font = |size: f32| egui::FontId::proportional(size);
+    let at_end = rect.right_center() - vec2(9.0, 0.0);
+    let end = ui.painter().text(at_end, egui::Align2::RIGHT_CENTER, end, font(12.5), palette.quiet);
+    let room = end.left() - at.x - 6.0;
+    let name = ui.painter().layout(name.to_owned(), font(if room < 150.0 { 13.5 } else { 15.0 }), palette.text, room);
+    ui.painter().galley(at - vec2(0.0, 0.5 * name.size().y), name, palette.text);
     response.clicked()
 }
 
@@ -180,7 +212,7 @@ fn set_out(state: &PanelContext, count: usize, ui: &mut Ui, acts: &mut Acts) {
         let palette = theme::of(ui);
         let button = |text: &str, on| palette.button(text, on).min_size(egui::vec2(half, theme::TOUCH));
         if ui.add(button(l.text("pantry.set_out"), true)).clicked() {
-            acts.push(Act::Cook(CookAct::SetOut));
+            acts.push(Act::Cook(CookAct::SetOut(count)));
         }
         if ui.add(button(&l.fill("pantry.add", &[("count", &count)]), false)).clicked() {
             acts.push(Act::Cook(CookAct::Add(count)));
@@ -203,7 +235,7 @@ fn how_many(count: &mut usize, ui: &mut Ui, l: Language) {
     *count = (shown.round() as usize).clamp(1, MOST_AT_ONCE);
 }
 
-fn recipes(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
+fn recipes(state: &PanelContext, memory: &mut PantryMemory, ui: &mut Ui, acts: &mut Acts) {
     let l = state.settings.language;
     heading(ui, l.text("pantry.play"));
     ui.label(RichText::new(l.text("pantry.drop")).size(12.5).color(theme::of(ui).quiet));
@@ -219,12 +251,13 @@ fn recipes(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
         acts.push(Act::App(AppAct::CopyLink));
     }
     host_panels::recent_files(state, ui, acts);
-    for id in state.session.library.recipes.keys() {
-        let plain = id.replace('-', " ");
-        let title = l.called("recipe_file", &plain);
-        let clicked = ui.add(egui::Button::new(title).min_size(egui::vec2(ui.available_width(), 34.0))).clicked();
-        if clicked {
-            acts.push(Act::Cook(CookAct::Play(id.clone())));
+    memory.recipes.take_if(|(language, _)| *language != l);
+    let shipped = memory.recipes.get_or_insert_with(|| (l, Shipped::all(&state.session.library, l)));
+    for recipe in &shipped.1 {
+        let minutes = recipe.minutes.map(|minutes| l.fill("pantry.minutes", &[("minutes", &format!("{minutes:.0}"))]));
+        let still = memory.stills.of(ui.ctx(), &recipe.food);
+        if pictured(ui, still, [&recipe.name, minutes.as_deref().unwrap_or_default()], None) {
+            acts.push(Act::Cook(CookAct::Play(recipe.id.clone())));
         }
     }
 }

@@ -42,27 +42,28 @@ pub fn show(state: &PanelContext, unfolded: &mut BTreeSet<String>, ui: &mut Ui, 
     }
 }
 
-/// Puts in what waits.
+/// Puts in what waits; the row is always there, so that nothing below it moves when food is added.
 pub fn all_at_once(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
     let waiting = state.session.waiting();
     let l = state.settings.language;
-    if waiting.len() < 2 {
-        return;
-    }
+    ui.add_enabled_ui(waiting.len() > 1, |ui| lay_or_heap(&waiting, l, ui, acts));
+}
+
+fn lay_or_heap(waiting: &[String], l: Language, ui: &mut Ui, acts: &mut Acts) {
     ui.horizontal(|ui| {
         if ui
             .add(theme::of(ui).button(l.text("piece.lay_all"), true))
             .on_hover_text(l.text("piece.lay_all_hint"))
             .clicked()
         {
-            acts.push(Act::Cook(CookAct::Lay(waiting.clone())));
+            acts.push(Act::Cook(CookAct::Lay(waiting.to_vec())));
         }
         if ui
             .add(theme::of(ui).button(l.text("piece.heap_all"), false))
             .on_hover_text(l.text("piece.heap_all_hint"))
             .clicked()
         {
-            acts.push(Act::Cook(CookAct::Heap(waiting.clone())));
+            acts.push(Act::Cook(CookAct::Heap(waiting.to_vec())));
         }
     });
 }

@@ -8,6 +8,9 @@ use saute_controls::settings::Settings;
 
 /// Below this width the panels gather in one drawer [points] (chosen: hob and clock still fit in one row).
 const NARROW: f32 = 1080.0;
+/// A wide window narrower than this has room for the scene and for the line that states what to do [points] (chosen: the drawer beside
+/// the scene, and three quarters as much for the scene).
+const TINY: f32 = 640.0;
 /// Width of the drawer beside the scene [points].
 const DRAWER_WIDTH: f32 = 366.0;
 /// Space around panels [points].
@@ -76,6 +79,8 @@ pub struct Layout {
     pub free: Rect,
     /// One drawer instead of side panels.
     pub narrow: bool,
+    /// No panels at all: the scene, and the line that states what to do.
+    pub tiny: bool,
     /// Ways side by side in place of the scene, where they are shown.
     pub ways: Option<WaysLayout>,
 }
@@ -89,6 +94,7 @@ impl Layout {
     /// Lays out a window for a mouse, or for fingers: the drawer has the room that they need, at any width.
     pub fn used_by(whole: Rect, settings: &Settings, fingers: bool) -> Self {
         let narrow = fingers || whole.width() < NARROW;
+        let tiny = whole.width() > whole.height() && whole.width() < TINY;
         let inner = whole.shrink(GAP);
         let mut layout = if narrow && whole.width() > whole.height() {
             Self::beside(whole, inner, fingers)
@@ -107,7 +113,8 @@ impl Layout {
         if settings.few {
             layout = layout.with_few_on_top(fingers);
         }
-        if settings.hides_panels() {
+        layout.tiny = tiny;
+        if settings.hides_panels() || tiny {
             layout = layout.bare();
         }
         layout
@@ -154,7 +161,7 @@ impl Layout {
         let left = open.then(|| Rect::from_min_size(middle.min, vec2(LEFT_WIDTH, middle.height())));
         let free_left = left.map_or(whole.left(), |l| l.right());
         let free = Rect::from_min_max(pos2(free_left, top.bottom() - 0.4 * TOP_HEIGHT), pos2(rest, bottom.top()));
-        Self { whole, top, left, right, bottom, eye: Rect::NOTHING, free, narrow: false, ways: None }
+        Self { whole, top, left, right, bottom, eye: Rect::NOTHING, free, narrow: false, tiny: false, ways: None }
     }
 
     /// One row of controls at the foot, and nothing at the right.
@@ -162,7 +169,7 @@ impl Layout {
         let bottom = Rect::from_min_max(pos2(inner.left(), inner.bottom() - FEW_HEIGHT), inner.max);
         let free = Rect::from_min_max(whole.min, pos2(whole.right(), bottom.top()));
         let [right, eye] = [Rect::NOTHING; 2];
-        Self { whole, top: inner, left: None, right, bottom, eye, free, narrow: false, ways: None }
+        Self { whole, top: inner, left: None, right, bottom, eye, free, narrow: false, tiny: false, ways: None }
     }
 
     /// The drawer at the right, over the whole height.
@@ -180,6 +187,7 @@ impl Layout {
             eye: Rect::NOTHING,
             free,
             narrow: true,
+            tiny: false,
             ways: None,
         }
     }
@@ -191,7 +199,18 @@ impl Layout {
         let top = chips(inner, inner.right(), fingers);
         let bottom = Rect::from_min_max(pos2(inner.left(), split), inner.max);
         let free = Rect::from_min_max(pos2(whole.left(), top.bottom()), pos2(whole.right(), split));
-        Self { whole, top, left: None, right: bottom, bottom, eye: Rect::NOTHING, free, narrow: true, ways: None }
+        Self {
+            whole,
+            top,
+            left: None,
+            right: bottom,
+            bottom,
+            eye: Rect::NOTHING,
+            free,
+            narrow: true,
+            tiny: false,
+            ways: None,
+        }
     }
 
     /// Shows this many ways side by side in place of the scene; the one at the place `live` goes on.

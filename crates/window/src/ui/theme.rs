@@ -51,6 +51,12 @@ fn shape(style: &mut Style) {
     style.spacing.button_padding = egui::vec2(12.0, 6.0);
     style.spacing.interact_size.y = 30.0;
     style.spacing.slider_width = 150.0;
+    // What scrolls shows it before anybody tries: its bar has a place of its own and is never invisible.
+    style.spacing.scroll = egui::style::ScrollStyle {
+        floating_allocated_width: 5.0,
+        dormant_handle_opacity: 0.5,
+        ..egui::style::ScrollStyle::floating()
+    };
     let size = |text_style: &TextStyle| match text_style {
         TextStyle::Small => 12.5,
         TextStyle::Heading => 19.0,

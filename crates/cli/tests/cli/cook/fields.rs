@@ -101,6 +101,22 @@ fn an_output_folder_has_tables_as_parquet_and_the_cooked_food_as_gltf() {
     assert!(checked.code == Some(0) && checked.out.contains("closed surface: "), "{}{}", checked.out, checked.err);
 }
 
+#[test]
+fn each_cooked_food_of_a_dish_is_checked_by_its_name() {
+    let dir = tempfile::tempdir().unwrap();
+    let one = std::fs::read_to_string(recipe(dir.path())).unwrap();
+    let other = "[[food]]\nid = \"other\"\nkind = \"beef-lean\"\nsize_mm = [50, 40, 15]\nmesh = \"2013\"\n[[step]]";
+    let two = one.replacen("[[step]]", other, 1);
+    std::fs::write(dir.path().join("two.toml"), two).unwrap();
+    let out = dir.path().join("out");
+    let cooked = run(&["cook", dir.path().join("two.toml").to_str().unwrap(), "--out", out.to_str().unwrap()]);
+    assert_eq!(cooked.code, Some(0), "{}", cooked.err);
+    let checked = run(&["food", "check", out.join("cooked.glb").to_str().unwrap(), "--json"]);
+    let verdict: Value = serde_json::from_str(&checked.out).unwrap();
+    let names: Vec<_> = verdict["surfaces"].as_array().unwrap().iter().map(|body| &body["name"]).collect();
+    assert!(checked.code == Some(0) && names == ["steak", "other"], "{}{}", checked.out, checked.err);
+}
+
 /// Length, width and height of points.
 fn extent(points: &[[f64; 3]]) -> [f64; 3] {
     [0, 1, 2].map(|k| {

@@ -82,10 +82,10 @@ impl SauteApp {
         self.session.select(id);
     }
 
-    /// Restarts with the chosen food and pan.
-    pub(crate) fn set_out(&mut self) {
+    /// Restarts with so many of the chosen food, and the chosen pan.
+    pub(crate) fn set_out(&mut self, count: usize) {
         self.leads.learn.begin_cook();
-        match self.session.set_out(&self.settings.choice) {
+        match self.session.set_out(&self.settings.choice, count) {
             Ok(()) => {
                 self.sights.motions.clear();
                 self.say_new_beginning();

@@ -20,7 +20,7 @@ fn a_study_allows_cooking_and_looking_and_nothing_that_stops_time_or_leads_out()
         Act::Time(TimeAct::Undo),
         Act::Time(TimeAct::SpeedSet(20.0)),
         Act::Time(TimeAct::Pause),
-        Act::Cook(CookAct::SetOut),
+        Act::Cook(CookAct::SetOut(1)),
         Act::Cook(CookAct::Play("rare".into())),
         Act::Cook(CookAct::Restart),
         Act::App(AppAct::Photo),
@@ -50,7 +50,7 @@ fn a_lesson_locks_what_its_scenario_says_and_the_way_out_only_if_it_is_locked() 
     for act in [AppAct::CopyLink, AppAct::ChooseFile, AppAct::Open(Card::Lessons)].map(Act::App) {
         assert!(!allow(fixed, &act), "{act:?}");
     }
-    for act in [CookAct::Play("rare".into()), CookAct::SetOut].map(Act::Cook) {
+    for act in [CookAct::Play("rare".into()), CookAct::SetOut(1)].map(Act::Cook) {
         assert!(!allow(fixed, &act), "{act:?}");
     }
 }

@@ -31,9 +31,7 @@ impl SauteApp {
     pub(crate) fn aim_at(&mut self, goal: &Goal) {
         self.settings.goal_id = None;
         if let Some(scale) = self.session.library.scale(&goal.scale.id).cloned() {
-            if self.scale().is_none_or(|shown| shown.id != scale.id) {
-                self.choose_scale(&scale);
-            }
+            self.settings.scale.clone_from(&scale.id);
             self.settings.set_goal(&scale, usual_goal(&scale, goal.class));
         } else if let Some(scale) = self.scale().filter(|scale| scale.measure() == goal.scale.measure()) {
             self.settings.set_goal(&scale, goal.aim);

@@ -35,6 +35,7 @@ impl SauteApp {
         if let Err(error) = self.session.set_out_led(recipe) {
             return self.say_trouble(&error);
         }
+        self.set_tutorial(false);
         let mut desk = LessonDesk::begin(start);
         self.session.lesson = Some(desk.watch(&self.session));
         self.session.set_speed(speed);
@@ -135,6 +136,7 @@ impl SauteApp {
         if let Err(error) = self.session.set_out_led(recipe) {
             return self.say_trouble(&error);
         }
+        self.set_tutorial(false);
         self.session.set_speed(speed);
         self.sights.motions.clear();
         let session = &self.session;

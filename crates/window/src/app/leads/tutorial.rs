@@ -20,11 +20,12 @@ impl SauteApp {
         if let Some(left) = self.leads.learn.tutorial.take() {
             self.session.set_speed(left.before);
         }
-        if !on {
+        // What else leads has the line to itself.
+        if !on || self.leads.guided.is_some() {
             return;
         }
         self.settings.choice = SteakChoice::default();
-        self.set_out();
+        self.set_out(1);
         self.session.set_paused(false);
         (self.settings.introduced, self.settings.skill_mode, self.settings.few) = (true, false, false);
         (self.desk.card, self.sights.slice) = (None, None);

@@ -35,7 +35,7 @@ impl SauteApp {
             let choice = SteakChoice { kind, size_mm: size_mm.unwrap_or_default(), ..SteakChoice::default() };
             if self.settings.choice != choice {
                 self.settings.choice = choice;
-                self.set_out();
+                self.set_out(1);
             }
         }
         if opening.is_cut {

@@ -16,6 +16,8 @@ const PICTURE: Vec2 = vec2(112.0, 78.0);
 const NARROW: f32 = 700.0;
 /// Wall time in which a cook waits for hands [s] (chosen: seven acts of six seconds).
 const HANDS_S: f64 = 40.0;
+/// Height of what does not scroll [points]: heading, time and two rows of buttons and words.
+const BESIDE: f32 = 210.0;
 /// Room for one step next to others [points].
 const COLUMN: f32 = 236.0;
 
@@ -69,13 +71,16 @@ pub fn show(state: &PanelContext, japanese_font: bool, ui: &Ui, acts: &mut Acts,
                 });
             });
             ui.add_space(6.0);
-            if narrow {
-                STEPS.iter().enumerate().for_each(|(place, step)| row(state, ui, place, step));
-            } else {
-                ui.horizontal_top(|ui| {
-                    STEPS.iter().enumerate().for_each(|(place, step)| column(state, ui, place, step))
-                });
-            }
+            // In a low window the steps scroll; the button that begins stays in sight.
+            egui::ScrollArea::vertical().max_height(whole.height() - BESIDE).show(ui, |ui| {
+                if narrow {
+                    STEPS.iter().enumerate().for_each(|(place, step)| row(state, ui, place, step));
+                } else {
+                    ui.horizontal_top(|ui| {
+                        STEPS.iter().enumerate().for_each(|(place, step)| column(state, ui, place, step))
+                    });
+                }
+            });
             ui.add_space(8.0);
             if let Some(words) = lasts(state) {
                 ui.label(RichText::new(words).size(14.0).strong());

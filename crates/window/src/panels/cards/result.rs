@@ -96,10 +96,6 @@ fn buttons(state: &PanelContext, try_from_s: Option<f64>, ui: &mut Ui, acts: &mu
     if ui.add(palette.button(l.text("result.share"), false)).on_hover_text(l.text("result.share_hint")).clicked() {
         acts.push(Act::App(AppAct::ShareResult));
     }
-    let rewind = ui.add(palette.button(l.text("result.rewind"), false));
-    if rewind.on_hover_text(l.text("result.rewind_hint")).clicked() {
-        acts.push(Act::App(AppAct::Shut(Card::Result)));
-    }
     if ui.add(palette.button(l.text("goals.title"), false)).clicked() {
         acts.push(Act::App(AppAct::Open(Card::Goals)));
     }

@@ -107,17 +107,18 @@ impl Power<'_> {
 fn dragged(state: &PanelContext, ui: &mut Ui, power: &Power, now: f64) -> Option<f64> {
     let l = state.settings.language;
     let id = ui.scope_id().with("hob");
+    // A drag may begin on a word below the track.
     let mut place = power.track.expand2(vec2(8.0, 0.0));
-    if fingers::are_used(ui.ctx()) {
-        place.max.y = power.whole.bottom();
-    }
+    place.max.y = power.whole.bottom();
     let response = ui.interact(place, id, Sense::click_and_drag());
     response.widget_info(|| egui::WidgetInfo::slider(true, now, l.text("hob.power_spoken")));
     paint(ui, &response, power, now);
     spoken_value(ui, &response, format!("{now:.0} W"));
     let spoken = spoken_range(ui, &response, 0.0..=power.most, now);
     let by_key = if response.has_focus() { arrows(ui) } else { 0.0 };
-    let at = response.interact_pointer_pos().filter(|_| response.dragged() || response.clicked());
+    // A hand that is quick moves and lets go within one frame.
+    let is_moved = response.dragged() || response.drag_stopped() || response.clicked();
+    let at = response.interact_pointer_pos().filter(|_| is_moved);
     let wanted = at.map(|at| power.at(at.x)).or(spoken).or((by_key != 0.0).then(|| power.beside(now, by_key)));
     response.on_hover_text(l.text("hob.power"));
     wanted.filter(|watts| (watts - now).abs() > 0.5)

@@ -34,7 +34,7 @@ pub fn show(state: &PanelContext, entries: &mut Entries, ui: &Ui, acts: &mut Act
     match state.guided {
         None => false,
         Some(Guided::Study(desk)) if desk.is_running() => {
-            ribbon::of_study(state, desk, ui, acts, layout);
+            ribbon::of_study(state, desk, ui, layout);
             false
         }
         Some(Guided::Study(desk)) => {

@@ -1,17 +1,18 @@
-//! The ribbon over the scene: where one is in a study or a lesson, the goal, and the way to the end.
+//! The ribbon over the scene: where one is in a study or a lesson, the goal, and the way out of a lesson. What ends it is a button of the
+//! Now line.
 
 use egui::{Align2, Area, Id, RichText, Ui, vec2};
 use saute_study::Stage;
 
 use crate::ui::layout::{GAP, Layout};
-use crate::ui::{fingers, theme};
+use crate::ui::theme;
 use saute_controls::act::GuidedAct;
 use saute_controls::act::{Act, Acts, LearnAct};
 use saute_controls::context::PanelContext;
 use saute_session::guided::{LessonDesk, StudyDesk};
 
-/// Names phase and trial, and ends the trial; it never states which condition applies.
-pub(super) fn of_study(state: &PanelContext, desk: &StudyDesk, ui: &Ui, acts: &mut Acts, layout: &Layout) {
+/// Names phase and trial; it never states which condition applies.
+pub(super) fn of_study(state: &PanelContext, desk: &StudyDesk, ui: &Ui, layout: &Layout) {
     let Some(simulate) = desk.study().simulate() else { return };
     let Stage::Trial { phase, trial } = desk.study().stage() else { return };
     let l = state.settings.language;
@@ -19,12 +20,10 @@ pub(super) fn of_study(state: &PanelContext, desk: &StudyDesk, ui: &Ui, acts: &m
     let at: [(&str, &dyn std::fmt::Display); 2] = [("trial", &trial), ("trials", &simulate.trials)];
     let where_ = format!("{title} · {}", l.fill("study.trial", &at));
     let goal = l.called("goal", &simulate.goal.goal.name).to_owned();
-    ribbon(ui, layout, (&where_, &goal), |ui| {
-        end_button(state, ui, acts, "study.end_trial", GuidedAct::EndTrial);
-    });
+    ribbon(ui, layout, (&where_, &goal), |_| {});
 }
 
-/// Names the lesson and its goal, ends it, and leaves it where that is allowed.
+/// Names the lesson and its goal, and leaves it where that is allowed.
 pub(super) fn of_lesson(state: &PanelContext, desk: &LessonDesk, ui: &Ui, acts: &mut Acts, layout: &Layout) {
     if !desk.has_begun() || desk.rest().is_some() || desk.result().is_some() {
         return;
@@ -33,23 +32,11 @@ pub(super) fn of_lesson(state: &PanelContext, desk: &LessonDesk, ui: &Ui, acts: 
     let title = desk.scenario().title.of(l.code()).to_owned();
     let goal = l.called("goal", &desk.scenario().goal.goal.name).to_owned();
     ribbon(ui, layout, (&title, &goal), |ui| {
-        end_button(state, ui, acts, "lesson.end", GuidedAct::EndLesson);
         let leave = theme::of(ui).button(l.text("lesson.leave_short"), false);
         if !desk.is_locked() && ui.add(leave).on_hover_text(l.text("lesson.leave")).clicked() {
             acts.push(Act::Learn(LearnAct::Guided(GuidedAct::Leave)));
         }
     });
-}
-
-/// A button that ends a cook once the food is out.
-fn end_button(state: &PanelContext, ui: &mut Ui, acts: &mut Acts, key: &'static str, act: GuidedAct) {
-    let l = state.settings.language;
-    let can = saute_study::class::rest::is_out(&state.session.kitchen);
-    let end = theme::of(ui).button(l.text(key), can).min_size(vec2(84.0, fingers::height(ui, 32.0)));
-    let response = ui.add_enabled(can, end).on_disabled_hover_text(l.text("guided.take_out_first"));
-    if response.clicked() {
-        acts.push(Act::Learn(LearnAct::Guided(act)));
-    }
 }
 
 fn ribbon(ui: &Ui, layout: &Layout, (first, second): (&str, &str), buttons: impl FnOnce(&mut Ui)) {

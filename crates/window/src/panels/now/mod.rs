@@ -1,5 +1,5 @@
 //! The line that states what to do now, over the foot of the scene: a verb, its reason or the time that is left, and the one button
-//! that does it. While a plan or the tutorial leads, its words are shown there instead, and what else it shows below them.
+//! that does it. While a plan, the tutorial, a lesson or a study leads, its words are shown there instead, and what else it shows below them.
 
 pub mod control_place;
 mod guide;
@@ -43,7 +43,7 @@ const WHY_SIZES: [f32; 3] = [14.0, 13.0, 12.0];
 
 /// Shows the line over the scene; a narrow window has it in the drawer, unless that is hidden.
 pub fn show(state: &NowState, memory: &mut NowMemory, ui: &Ui, acts: &mut Acts, layout: &Layout) {
-    let in_drawer = layout.narrow && !state.settings.hides_panels();
+    let in_drawer = layout.narrow && !layout.tiny && !state.settings.hides_panels();
     let lead = Lead::of(state);
     let beside_ways = layout.ways.is_some() && !matches!(lead, Some(Lead::Tutorial(_)));
     if in_drawer || beside_ways {
@@ -127,7 +127,7 @@ impl<'a> Now<'a> {
 
     /// Height of what the lead shows below it [points].
     fn below(&self, ui: &Ui, width: f32) -> f32 {
-        self.lead.map_or(0.0, |lead| PAD + lead.height(ui, width))
+        self.lead.and_then(|lead| lead.height(ui, width)).map_or(0.0, |height| PAD + height)
     }
 
     /// Core, verb and reason, button: the upper part, of a height; below it what the lead shows.

@@ -153,7 +153,7 @@ fn answers_say_that_they_are_old_and_that_something_was_done() {
     save(&mut harness, "forecast-old");
     let age = harness.state().session().foreseen(Question::Flip).expect("is foreseen").age_s;
     assert!(age > 7.0);
-    harness.get_by_label(&format!("{age:.0} s old"));
+    harness.get_by_label(&format!("forecast {age:.0} s old"));
     harness.get_by_label("Lower the heat").click();
     steps(&mut harness, 3);
     assert_eq!(harness.state().session().kitchen.hob_w(), 550.0);

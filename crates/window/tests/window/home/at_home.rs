@@ -242,7 +242,7 @@ fn a_cook_of_one_kitchen_is_played_exactly_in_the_window_of_another() {
             let (state, efficiency, mut session) = resumed(recording, there);
             assert_eq!(state, expected);
             assert_eq!(efficiency, here.hob.efficiency());
-            session.set_out(&SteakChoice::default()).expect("sets out");
+            session.set_out(&SteakChoice::default(), 1).expect("sets out");
             assert_eq!(session.kitchen.hob().efficiency(), there.hob.efficiency(), "later cooks are at home");
         }
         // A kitchen as bytes, as it goes to a worker, finds its own kitchen at home too.
