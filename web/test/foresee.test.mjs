@@ -93,6 +93,8 @@ test("a plan is asked for, found and cooked, while the page answers", { timeout:
   const before = await stats(page);
   await says(page, /^Search: [1-9]\d* %/);
   assert.ok((await stats(page)).frames > before.frames, "the page draws meanwhile");
+  const cores = await page.evaluate(() => navigator.hardwareConcurrency);
+  assert.ok(page.workers().length >= Math.min(cores, 2), "two workers share the search where there are two cores");
   await says(page, /^Cook it live$/, 240_000);
   const said = await read(page);
   const promised = numbers(said.find((text) => /at its highest/.test(text)))[0];

@@ -12,3 +12,9 @@ export async function clickLabel(page, name, key = null) {
   await page.waitForFunction((element) => !element.disabled, await control.elementHandle());
   await control.evaluate((element) => element.click());
 }
+
+/** Presses a row of the card of files, which a chip on top opens; a first cook has it once all controls are there. */
+export async function clickFile(page, name) {
+  await clickLabel(page, "File", "n");
+  await clickLabel(page, name);
+}

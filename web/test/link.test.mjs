@@ -5,7 +5,7 @@ import { test } from "node:test";
 
 import { STUCK_MS, reaches, trouble, watch } from "./browser.mjs";
 import { cookUntil, kitchen, press, stats, until, visit } from "./cooking.mjs";
-import { clickLabel } from "./labels.mjs";
+import { clickFile } from "./labels.mjs";
 
 const there = kitchen();
 
@@ -19,7 +19,7 @@ test("a link opens the cook that was copied, and a broken one says why not", { t
   await until(page, "the steak is in", (now) => now.pieces[0].place === "pan");
   await press(page, " ");
   const shared = await until(page, "time stands still", (now) => now.paused);
-  await clickLabel(page, LINK, "n");
+  await clickFile(page, LINK);
   const said = await until(page, "it is said", (now) => now.said[0]?.includes("is copied"));
   const link = await page.evaluate(() => navigator.clipboard.readText());
   assert.ok(said.said[0].includes(`${link.length} characters`), said.said[0]);

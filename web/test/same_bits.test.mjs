@@ -8,7 +8,7 @@ import { test } from "node:test";
 
 import { STUCK_MS, trouble } from "./browser.mjs";
 import { kitchen, press, until, visit } from "./cooking.mjs";
-import { clickLabel } from "./labels.mjs";
+import { clickFile } from "./labels.mjs";
 
 const COOK = join(resolve(process.env.SAUTE_STILLS), "cook.saute");
 
@@ -16,7 +16,7 @@ const there = kitchen();
 
 test("a native cook replays in the page to the same bits, and is saved as the same file", { timeout: STUCK_MS }, async () => {
   const { page, seen, close } = await visit(there.browser, there.host.address);
-  const [chooser] = await Promise.all([page.waitForEvent("filechooser"), clickLabel(page, "Open a recipe file…", "n")]);
+  const [chooser] = await Promise.all([page.waitForEvent("filechooser"), clickFile(page, "Open a recipe file…")]);
   await chooser.setFiles(COOK);
   await until(page, "the cook is opened", (now) => now.end_s > 10);
   await until(page, "it is played", (now) => !now.travels);
@@ -25,14 +25,14 @@ test("a native cook replays in the page to the same bits, and is saved as the sa
   assert.ok(native.split("\n").length > 5, native);
   assert.equal(hashes, native);
   // Saved again it is the same cook, byte by byte.
-  const [download] = await Promise.all([page.waitForEvent("download"), clickLabel(page, "Save this cook…")]);
+  const [download] = await Promise.all([page.waitForEvent("download"), clickFile(page, "Save this cook…")]);
   assert.equal(download.suggestedFilename(), "my-cook.saute");
   assert.deepEqual(readFileSync(await download.path()), readFileSync(COOK));
-  const [table] = await Promise.all([page.waitForEvent("download"), clickLabel(page, "Save the readings…")]);
+  const [table] = await Promise.all([page.waitForEvent("download"), clickFile(page, "Save the readings…")]);
   const rows = readFileSync(await table.path(), "utf8").split("\n");
   assert.match(rows[0], /^time_s,hob_drawn_w,pan_c,/);
   assert.ok(rows.length > 50, `${rows.length} rows`);
-  const [recipe] = await Promise.all([page.waitForEvent("download"), clickLabel(page, "Save as a recipe…")]);
+  const [recipe] = await Promise.all([page.waitForEvent("download"), clickFile(page, "Save as a recipe…")]);
   assert.equal(recipe.suggestedFilename(), "my-recipe.toml");
   assert.match(readFileSync(await recipe.path(), "utf8"), /^\[\[step\]\]\nat_s = [\d.]+\nhob_w = /m);
   const [picture] = await Promise.all([page.waitForEvent("download"), press(page, "s")]);

@@ -6,7 +6,7 @@ import { test } from "node:test";
 
 import { STUCK_MS, trouble } from "./browser.mjs";
 import { atSpeed, draws, kitchen, press, stats, until, visit } from "./cooking.mjs";
-import { clickLabel } from "./labels.mjs";
+import { clickFile } from "./labels.mjs";
 
 const there = kitchen();
 
@@ -40,7 +40,7 @@ async function cooked(page, time_s) {
 
 /** The cook of an address is opened anew by its own link. */
 async function openedAgain(page) {
-  await clickLabel(page, "Copy a link to this cook", "n");
+  await clickFile(page, "Copy a link to this cook");
   await until(page, "it is copied", (now) => now.said[0]?.includes("is copied"));
   const link = await page.evaluate(() => navigator.clipboard.readText());
   await longest(page);

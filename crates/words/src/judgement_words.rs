@@ -202,7 +202,8 @@ impl Teller<'_> {
         measures.extend([
             ("result.crust", whole(judgement.crust_pct)),
             ("result.charred", whole(judgement.charred_pct)),
-            ("result.lost", format!("{:.0}\u{a0}%", outcome.lost_pct)),
+            // Adding zero turns −0 into 0.
+            ("result.lost", format!("{:.0}\u{a0}%", outcome.lost_pct.round() + 0.0)),
             (
                 "result.energy",
                 format!("{:.0}\u{a0}kJ ({:.2}\u{a0}kWh)", judgement.energy_kj, judgement.energy_kj / 3600.0),

@@ -17,6 +17,8 @@ pub enum Card {
     FirstSteps,
     /// What there is to learn and to try.
     Learn,
+    /// Files to open and to save.
+    Files,
     /// The lessons.
     Lessons,
     /// The goals of a cook.
@@ -36,7 +38,7 @@ impl Card {
             Self::Help | Self::Messages => &[Permit::Help],
             Self::Settings => &[Permit::Comfort],
             Self::Mirror => &[Permit::Devices],
-            Self::FirstSteps | Self::Learn | Self::Lessons | Self::Goals => &[Permit::Leaving],
+            Self::FirstSteps | Self::Learn | Self::Files | Self::Lessons | Self::Goals => &[Permit::Leaving],
             // It shows the inside.
             Self::Result => &[Permit::ReadOuts, Permit::Leaving],
             Self::Plan | Self::AtHome => &[Permit::Advice, Permit::Leaving],

