@@ -68,7 +68,7 @@ fn cook() -> Vec<CookAct> {
         CookAct::RollBy(_) => CookAct::RollBy(0.1),
         CookAct::LevelTool => CookAct::LevelTool,
         CookAct::PutAway => CookAct::PutAway,
-        CookAct::SetOut(count) => CookAct::SetOut(count),
+        CookAct::SetOut(_) => CookAct::SetOut(1),
         CookAct::Add(_) => CookAct::Add(1),
         CookAct::Play(_) => CookAct::Play("rare".into()),
         CookAct::ResumeRecipe => CookAct::ResumeRecipe,

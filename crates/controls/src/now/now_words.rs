@@ -1,7 +1,6 @@
 //! Advice as a verb, a reason and a deed.
 
-use saute_kitchen::advice::{Advice, BROWN, HALF_WAY, Situation, TURNS_S, WARM_ENOUGH_C};
-use saute_kitchen::celsius;
+use saute_kitchen::advice::{Advice, BROWN, HALF_WAY, Situation, TURNS_S};
 
 use super::now_state::NowState;
 use super::time_left::{Course, TimeLeft};
