@@ -48,7 +48,7 @@ fn cooked(pan: &str, mm: f64) -> Harness<'static, SauteApp> {
     let choice = SteakChoice { pan: pan.to_owned(), size_mm: vec![120.0, 80.0, mm], ..SteakChoice::default() };
     let context = harness.ctx.clone();
     harness.state_mut().act(Act::App(AppAct::Set(Setting::Choice(choice))), &context);
-    harness.state_mut().act(Act::Cook(CookAct::SetOut), &context);
+    harness.state_mut().act(Act::Cook(CookAct::SetOut(1)), &context);
     steps(&mut harness, 2);
     let mut stages = 0;
     while !follow(&mut harness) {

@@ -62,7 +62,7 @@ impl Cook {
         let mut cook = Self::visit(None, Hand::Reader);
         let choice = SteakChoice { pan: pan.to_owned(), size_mm: vec![120.0, 80.0, mm], ..SteakChoice::default() };
         cook.act(Act::App(AppAct::Set(Setting::Choice(choice))));
-        cook.act(Act::Cook(CookAct::SetOut));
+        cook.act(Act::Cook(CookAct::SetOut(1)));
         let goal = class_goal(&cook.app.scale().expect("a scale"), class);
         cook.act(Act::App(AppAct::Set(Setting::Goal(goal))));
         cook

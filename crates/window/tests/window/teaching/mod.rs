@@ -40,7 +40,7 @@ fn small_steak(size: egui::Vec2) -> Harness<'static, SauteApp> {
     let mut harness = window(size);
     let choice = SteakChoice { size_mm: vec![60.0, 50.0, 16.0], ..SteakChoice::default() };
     set(&mut harness, Setting::Choice(choice));
-    act(&mut harness, Act::Cook(CookAct::SetOut));
+    act(&mut harness, Act::Cook(CookAct::SetOut(1)));
     harness.state_mut().session_mut().set_paused(true);
     harness
 }

@@ -89,7 +89,7 @@ fn the_result_is_shared_as_a_picture_of_its_own_and_fits_a_phone_and_japanese() 
             ..Start::default()
         },
     );
-    act(&mut harness, Act::Cook(CookAct::SetOut));
+    act(&mut harness, Act::Cook(CookAct::SetOut(1)));
     let mut small = small_steak(PHONE);
     fry(&mut small, 54.0);
     std::mem::swap(harness.state_mut().session_mut(), small.state_mut().session_mut());

@@ -43,7 +43,7 @@ fn frying() -> Harness<'static, SauteApp> {
     let mut harness = window(WIDE);
     let choice = SteakChoice { size_mm: vec![60.0, 50.0, 15.0], ..SteakChoice::default() };
     set(&mut harness, Setting::Choice(choice));
-    act(&mut harness, Act::Cook(CookAct::SetOut));
+    act(&mut harness, Act::Cook(CookAct::SetOut(1)));
     press(&mut harness, egui::Key::A);
     cook(&mut harness, 2.0);
     harness
