@@ -13,7 +13,6 @@ use saute_controls::context::PanelContext;
 use saute_recipe::Recipe;
 use saute_session::{SteakChoice, noun};
 use saute_words::language::Language;
-use saute_words::speech::capitalised;
 
 /// Most pieces that are added at once (chosen: a full pan).
 const MOST_AT_ONCE: usize = 35;
@@ -44,7 +43,10 @@ impl Shipped {
     fn all(library: &Library, l: Language) -> Vec<Self> {
         let read = |(id, text): (&String, &String)| {
             let recipe = Recipe::parse(text, id, library).ok()?;
-            let name = capitalised(l.called("recipe_file", &id.replace('-', " ")));
+            let plain = id.replace('-', " ");
+            // In English its own title; a recipe of the user's has none but that in any language.
+            let called = l.called("recipe_file", &plain);
+            let name = if called == plain { recipe.title.clone() } else { called.to_owned() };
             Some(Self { id: id.clone(), name, minutes: recipe.minutes, food: recipe.foods.first()?.kind.clone() })
         };
         library.recipes.iter().filter_map(read).collect()

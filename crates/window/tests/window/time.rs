@@ -230,8 +230,10 @@ fn a_cook_is_saved_as_a_whole_or_not_at_all() {
     std::fs::create_dir_all(&folder).expect("folder");
     let mut harness = fried(WIDE);
     let end = hash(&harness);
-    press(&mut harness, Key::N);
+    harness.get_by_label("File").click();
+    steps(&mut harness, 2);
     assert!(harness.query_by_label("Save this cook…").is_some());
+    press(&mut harness, Key::Escape);
     // What is ahead is saved, too.
     undo(&mut harness);
     harness.state_mut().save_export(saute_session::export::Export::Cook, &folder.join("mine"));

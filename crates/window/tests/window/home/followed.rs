@@ -136,7 +136,7 @@ fn the_scale_and_the_goal_of_the_plan_are_those_of_the_panel() {
     assert_eq!(scale.id, "chefs");
     assert_eq!(scale.name_of(scale.of_nodes(app.settings().goal(&scale))), "medium");
     // The panels name it; a notice about it would hide the one that another cook begins.
-    assert!(!app.said().iter().any(|said| said.contains("Scale of doneness")), "{:?}", app.said());
+    assert!(!app.said().iter().any(|said| said.contains("Scale of doneness: Chefs")), "{:?}", app.said());
 }
 
 #[test]
