@@ -17,6 +17,9 @@ use saute_words::language::Language;
 /// Most pieces that are added at once (chosen: a full pan).
 const MOST_AT_ONCE: usize = 35;
 
+/// Height of what comes below what was set out [points]: a row of buttons, or two lines of words.
+const NEXT: f32 = 34.0;
+
 /// Height of a food with its picture [points] (chosen: for a finger).
 const KIND: f32 = 44.0;
 
@@ -70,9 +73,14 @@ pub fn show(state: &PanelContext, memory: &mut PantryMemory, ui: &mut Ui, acts: 
         set_out(state, memory.count, ui, acts);
         how_many(&mut memory.count, ui, l);
     });
-    crate::panels::pieces::all_at_once(state, ui, acts);
-    let starts = l.fill("pantry.starts", &[("food", &food)]);
-    ui.label(RichText::new(starts).size(12.5).color(theme::of(ui).quiet));
+    // Of one height, so that nothing below moves when food is added.
+    ui.allocate_ui(vec2(ui.available_width(), NEXT), |ui| {
+        ui.set_min_height(NEXT);
+        if !crate::panels::pieces::all_at_once(state, ui, acts) {
+            let starts = l.fill("pantry.starts", &[("food", &food)]);
+            ui.label(RichText::new(starts).size(12.5).color(theme::of(ui).quiet));
+        }
+    });
     let mut choice = state.settings.choice.clone();
     free(state, is_free, ui, |ui| food_and_pan(state, &mut choice, &mut memory.stills, ui, acts));
     if choice != state.settings.choice {

@@ -42,11 +42,14 @@ pub fn show(state: &PanelContext, unfolded: &mut BTreeSet<String>, ui: &mut Ui, 
     }
 }
 
-/// Puts in what waits; the row is always there, so that nothing below it moves when food is added.
-pub fn all_at_once(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
+/// Puts in what waits; returns false where fewer than two pieces do.
+pub fn all_at_once(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) -> bool {
     let waiting = state.session.waiting();
-    let l = state.settings.language;
-    ui.add_enabled_ui(waiting.len() > 1, |ui| lay_or_heap(&waiting, l, ui, acts));
+    let waits = waiting.len() > 1;
+    if waits {
+        lay_or_heap(&waiting, state.settings.language, ui, acts);
+    }
+    waits
 }
 
 fn lay_or_heap(waiting: &[String], l: Language, ui: &mut Ui, acts: &mut Acts) {

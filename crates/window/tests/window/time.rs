@@ -231,7 +231,7 @@ fn a_cook_is_saved_as_a_whole_or_not_at_all() {
     let mut harness = fried(WIDE);
     let end = hash(&harness);
     harness.get_by_label("File").click();
-    steps(&mut harness, 2);
+    steps(&mut harness, 4);
     assert!(harness.query_by_label("Save this cook…").is_some());
     press(&mut harness, Key::Escape);
     // What is ahead is saved, too.
