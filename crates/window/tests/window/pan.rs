@@ -176,10 +176,7 @@ fn a_toss_flies_in_real_time_however_fast_the_cook_runs() {
     assert_eq!(speed, 1.0);
     while harness.state().session().speed == 1.0 {
         steps(&mut harness, 1);
-        let needed = || {
-            harness.query_all_by_label_contains("As advised").map(|n| n.accesskit_node().label()).collect::<Vec<_>>()
-        };
-        assert!(session(&harness).1 < tossed_s + 3.0, "the speed of before comes back: {:?}", needed());
+        assert!(session(&harness).1 < tossed_s + 3.0, "the speed of before comes back");
     }
     let (speed, time_s) = session(&harness);
     assert!(speed == fast && time_s >= tossed_s + 1.5, "{speed} {time_s}");
