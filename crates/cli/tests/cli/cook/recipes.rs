@@ -11,12 +11,21 @@ fn within(cooked: &Cooked, pointer: &str, range: std::ops::RangeInclusive<f64>) 
     assert!(range.contains(&value), "{} of {} is not in {range:?}: {value}", pointer, cooked.summary["title"]);
 }
 
+/// A recipe takes the minutes that its file states.
+fn takes_its_minutes(id: &str, summary: &serde_json::Value) {
+    let library = saute_kitchen::Library::embedded().unwrap();
+    let stated = saute_recipe::Recipe::parse(&library.recipes[id], id, &library).unwrap().minutes.unwrap();
+    let took = summary["simulated_s"].as_f64().unwrap() / 60.0;
+    assert!((took - stated).abs() <= 0.6, "{id}: {took} min, {stated} stated");
+}
+
 #[test]
 fn every_shipped_recipe_ends_by_its_last_step() {
     for id in SHIPPED {
         assert_eq!(cooked(id).ran.code, Some(0), "{id}");
         assert_eq!(cooked(id).summary["stopped_by"], "end", "{id}");
         assert_eq!(cooked(id).summary["warnings"].as_array().map(Vec::len), Some(0), "{id}");
+        takes_its_minutes(id, &cooked(id).summary);
     }
 }
 
@@ -89,6 +98,7 @@ fn the_dishes_with_many_foods_end_done_and_lose_hardly_anything() {
         assert_eq!(ran.code, Some(0), "{id}: {}", ran.err);
         let summary: serde_json::Value = serde_json::from_str(&ran.out).unwrap();
         assert_eq!(summary["stopped_by"], "end", "{id}");
+        takes_its_minutes(id, &summary);
         let foods = summary["foods"].as_array().unwrap();
         let lost = foods.iter().filter(|f| ["table", "glass"].contains(&f["place"].as_str().unwrap())).count();
         assert!(lost <= most_lost, "{id}: {lost} fell out");
