@@ -42,7 +42,7 @@ impl SauteApp {
         advised.iter().any(|one| one.is_due()) || is_done() || self.food_is_tossed()
     }
 
-    /// Time slows to the real one before food is tossed.
+    /// Time slows to the real one while food that is tossed flies.
     pub(super) fn ease_for_toss(&mut self) {
         self.pace.tossed_s = Some(self.session.kitchen.time_s());
         self.ease(true);

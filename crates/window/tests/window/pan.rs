@@ -3,7 +3,6 @@
 use egui::{Event, Key, Modifiers, Rect, pos2, vec2};
 use egui_kittest::{Harness, kittest::Queryable};
 use glam::Vec3;
-use saute_controls::act::{Act, TimeAct};
 use saute_kitchen::Place;
 use saute_window::SauteApp;
 
@@ -154,36 +153,6 @@ fn a_toss_throws_what_is_in_the_pan_and_an_empty_pan_says_so() {
         }
     }
     assert!(highest > 0.04, "{highest}");
-}
-
-#[test]
-fn a_toss_flies_in_real_time_however_fast_the_cook_runs() {
-    let mut harness = window(WIDE);
-    (0..2).for_each(|_| press(&mut harness, Key::E));
-    cook(&mut harness, 150.0);
-    press(&mut harness, Key::A);
-    // While it fries no other hand is needed.
-    cook(&mut harness, 30.0);
-    let ctx = harness.ctx.clone();
-    harness.state_mut().act(Act::Time(TimeAct::SpeedEased), &ctx);
-    let fast = harness.state().session().speed;
-    assert!(fast > 1.0);
-    press(&mut harness, Key::T);
-    let session = |harness: &Harness<'static, SauteApp>| {
-        (harness.state().session().speed, harness.state().session().kitchen.time_s())
-    };
-    let (speed, tossed_s) = session(&harness);
-    assert_eq!(speed, 1.0);
-    while harness.state().session().speed == 1.0 {
-        steps(&mut harness, 1);
-        let line: Vec<_> = harness
-            .query_all_by_label_contains(".")
-            .filter_map(|n| egui_kittest::kittest::NodeT::accesskit_node(&n).label())
-            .collect();
-        assert!(session(&harness).1 < tossed_s + 3.0, "the speed of before comes back {line:?}");
-    }
-    let (speed, time_s) = session(&harness);
-    assert!(speed == fast && time_s >= tossed_s + 1.5, "{speed} {time_s}");
 }
 
 #[test]

@@ -37,8 +37,9 @@ impl SauteApp {
 
     /// Tosses what is in the pan.
     pub(super) fn toss(&mut self) {
-        self.ease_for_toss();
-        self.command(&Command::Toss { height: TOSS_M });
+        if self.give(&Command::Toss { height: TOSS_M }) {
+            self.ease_for_toss();
+        }
     }
 
     /// Takes the food out onto the board; the eye follows it there.

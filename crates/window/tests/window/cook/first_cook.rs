@@ -36,6 +36,12 @@ impl FirstVisit {
         }
     }
 
+    /// Cooks so many ticks without frames, then draws one.
+    fn tick(&mut self, count: usize) {
+        (0..count).for_each(|_| self.app.session_mut().tick().expect("ticks"));
+        self.frames(1);
+    }
+
     fn speed(&self) -> f64 {
         self.app.session().speed
     }
@@ -44,8 +50,7 @@ impl FirstVisit {
     fn until_a_hand_is_needed(&mut self, most_s: f64) -> f64 {
         let from_s = self.app.session().kitchen.time_s();
         loop {
-            (0..10).for_each(|_| self.app.session_mut().tick().expect("ticks"));
-            self.frames(1);
+            self.tick(10);
             let passed_s = self.app.session().kitchen.time_s() - from_s;
             if self.speed() == 1.0 || passed_s > most_s {
                 return passed_s;
@@ -72,6 +77,22 @@ fn time_is_fast_and_waits_for_a_hand() {
     assert_eq!(visit.speed(), 2.0);
     visit.act(Act::Time(TimeAct::SpeedEased));
     assert!(visit.app.settings().eases);
+}
+
+#[test]
+fn a_toss_flies_at_the_pace_of_a_hand_and_time_is_fast_again_afterwards() {
+    let mut visit = FirstVisit::new("{}");
+    visit.act(Act::Cook(CookAct::HobHold(180.0)));
+    visit.until_a_hand_is_needed(3600.0);
+    visit.act(Act::Cook(CookAct::Put));
+    while visit.speed() == 1.0 {
+        visit.tick(10);
+    }
+    visit.act(Act::Cook(CookAct::Toss));
+    visit.tick(12);
+    assert_eq!(visit.speed(), 1.0, "it flies and lands");
+    visit.tick(6);
+    assert_eq!(visit.speed(), 5.0);
 }
 
 #[test]
