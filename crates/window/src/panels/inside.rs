@@ -237,7 +237,7 @@ fn goal(state: &InsideState, ui: &mut Ui, acts: &mut Acts) {
         let goal = state.settings.goal(&scale);
         let mut shown = if share { goal } else { state.settings.degrees(goal) };
         let range = if share { 1.0..=99.0 } else { state.settings.degrees(45.0)..=state.settings.degrees(85.0) };
-        let unit = if share { " %" } else { state.settings.unit() };
+        let unit = if share { " %".to_owned() } else { format!(" {}", state.settings.unit()) };
         let drag = egui::DragValue::new(&mut shown).range(range).speed(0.2).max_decimals(0).suffix(unit);
         let response = ui.add(drag);
         response.widget_info(|| {

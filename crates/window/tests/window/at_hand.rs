@@ -233,3 +233,64 @@ fn the_curves_are_zoomed_and_a_double_click_shows_all_of_them() {
     steps(&mut harness, 6);
     assert_eq!(minutes(&mut harness), Some(0), "all of it is shown again");
 }
+
+#[test]
+fn a_window_that_is_tiny_has_the_picture_and_the_one_button() {
+    for size in [vec2(400.0, 300.0), vec2(320.0, 180.0)] {
+        let mut harness = window(size);
+        steps(&mut harness, 2);
+        assert!(harness.query_by_label("Flip").is_none() && harness.query_by_label("?").is_none());
+        save(&mut harness, &format!("tiny-{:.0}", size.x));
+        harness.get_by_label("As advised: hob to 1100 W").click();
+        steps(&mut harness, 4);
+        assert_eq!(harness.state().session().kitchen.hob_w(), 1100.0);
+        let whole = Rect::from_min_size(egui::Pos2::ZERO, size);
+        let line = harness.get_by_label_contains("160 °C").rect();
+        assert!(whole.contains_rect(line), "{line:?}");
+    }
+}
+
+#[test]
+fn a_quick_drag_of_the_hob_counts_from_its_knob_and_from_its_words() {
+    let mut harness = window(WINDOW.size());
+    let [off, most] = ["off", "2000 W"].map(|name| harness.get_by_label(name).rect().center());
+    for up in [0.0, 18.0] {
+        harness.hover_at(off - vec2(0.0, up));
+        harness.step();
+        harness.drag_at(off - vec2(0.0, up));
+        harness.step();
+        // It is moved and let go within a frame.
+        harness.hover_at(most - vec2(0.0, up));
+        harness.drop_at(most - vec2(0.0, up));
+        steps(&mut harness, 3);
+        assert_eq!(harness.state().session().kitchen.hob_w(), 2000.0, "{up}");
+        harness.get_by_label("off").click();
+        steps(&mut harness, 3);
+    }
+}
+
+#[test]
+fn nothing_moves_in_the_list_of_foods_when_food_is_added() {
+    let mut harness = window(WINDOW.size());
+    press(&mut harness, Key::N);
+    let place = |harness: &Harness<'static, SauteApp>| harness.get_by_label("Ground-beef patty").rect();
+    let before = place(&harness);
+    harness.state_mut().set_count(9);
+    steps(&mut harness, 2);
+    harness.get_by_label("Add 9").click();
+    steps(&mut harness, 4);
+    assert!(harness.query_by_label("Lay all in").is_some());
+    assert_eq!(place(&harness), before);
+}
+
+#[test]
+fn as_many_pieces_are_set_out_as_would_be_added() {
+    let mut harness = window(WINDOW.size());
+    press(&mut harness, Key::N);
+    harness.state_mut().set_count(3);
+    steps(&mut harness, 2);
+    harness.get_by_label("Set out").click();
+    steps(&mut harness, 4);
+    let ids: Vec<_> = harness.state().session().kitchen.pieces().iter().map(|piece| piece.id.clone()).collect();
+    assert_eq!(ids, ["steak.1", "steak.2", "steak.3"]);
+}

@@ -15,7 +15,7 @@ use saute_study::class::{Scenario, shipped};
 use saute_study::{LogRow, Pace, Protocol, RowKind, Stage, from_csv};
 use saute_window::{DesktopOptions, SauteApp, Start};
 
-use crate::harness::{cook, press, save, steps, window_with};
+use crate::harness::{cook, drawn_words, press, save, steps, window_with};
 use crate::sound::Witness;
 
 /// Two short trials, one before and one after the stove, with hidden read-outs in both conditions.
@@ -150,6 +150,7 @@ fn locks_hold(harness: &mut Harness<'static, SauteApp>) {
     assert!(app.settings().view == View::Look && !app.settings().curves_open);
     assert!(app.said().iter().any(|said| said == "This is locked here."), "{:?}", app.said());
     assert!(harness.query_by_label_contains("°C").is_none(), "no temperature is read");
+    no_number_is_drawn(harness);
     save(harness, "study-blind");
     nothing_is_told_on_a_phone(harness);
     no_card_stops_time(harness);
@@ -158,6 +159,12 @@ fn locks_hold(harness: &mut Harness<'static, SauteApp>) {
         assert!(harness.query_by_label(locked).is_none(), "{locked} gives away what there could be");
     }
     save(harness, "study-locked");
+}
+
+/// Nothing that is drawn tells a temperature.
+fn no_number_is_drawn(harness: &Harness<'static, SauteApp>) {
+    let told: Vec<_> = drawn_words(harness).into_iter().filter(|words| words.contains('°')).collect();
+    assert!(told.is_empty(), "{told:?}");
 }
 
 /// A narrow window hides the same: neither readings nor the coach's cues.
@@ -195,6 +202,7 @@ fn second_trial(harness: &mut Harness<'static, SauteApp>) {
     press(harness, Key::O);
     cook(harness, 3.0);
     save(harness, "study-out");
+    no_number_is_drawn(harness);
     click(harness, "Finish");
     assert_eq!(stage(harness), Stage::Questionnaire { phase: 3 });
 }

@@ -87,6 +87,20 @@ pub fn save(harness: &mut Harness<'static, SauteApp>, name: &str) {
     image.save(folder.join(format!("{name}.png"))).expect("saves");
 }
 
+/// All words that are drawn, also those that have no name.
+pub fn drawn_words(harness: &Harness<'static, SauteApp>) -> Vec<String> {
+    fn words(shape: &egui::Shape, all: &mut Vec<String>) {
+        match shape {
+            egui::Shape::Vec(shapes) => shapes.iter().for_each(|shape| words(shape, all)),
+            egui::Shape::Text(text) => all.push(text.galley.text().to_owned()),
+            _ => {}
+        }
+    }
+    let mut all = Vec::new();
+    harness.output().shapes.iter().for_each(|clipped| words(&clipped.shape, &mut all));
+    all
+}
+
 /// The usual window.
 pub const WINDOW: Rect = Rect { min: Pos2::ZERO, max: pos2(1280.0, 720.0) };
 

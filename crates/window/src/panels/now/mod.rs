@@ -256,9 +256,9 @@ fn forget_button(ui: &Ui) {
     ui.ctx().data_mut(|data| data.remove::<Shown>(Id::unique("now-deed")));
 }
 
-/// The temperature of the core, large, and the goal below it; none where doneness is determined by something else.
+/// The temperature of the core, large, and the goal below it; none where doneness is determined by something else, or nothing is read out.
 fn core(state: &PanelContext) -> Option<[String; 2]> {
-    let scale = state.scale().filter(|scale| scale.measure() == Measure::Peak)?;
+    let scale = state.scale().filter(|scale| scale.measure() == Measure::Peak && state.reads_out())?;
     let piece = state.session.steak()?;
     let goal = state.settings.temperature(state.settings.goal(&scale));
     let core = state.settings.temperature(celsius(piece.core()));
