@@ -3,7 +3,9 @@
 //! Each [`WorkKind`] has its own worker, so that none waits behind another. The window hires a [`Helper`] for a kind from
 //! its [`Agency`], gives it orders and goes on drawing. On the other side an [`Executor`](self::executor::Executor) does the work in slices:
 //! on a thread in the native window, in a second instance of the program in a page's worker, or, where there is neither, in the
-//! window's own thread between frames. Nothing is shared: what an order needs is in its bytes, or in the embedded library.
+//! window's own thread between frames. Nothing is shared: what an order needs is in its bytes, or in the embedded library. A page has
+//! no threads within a worker: for what takes long, two workers get the same order, begin at opposite ends of each round and tell each
+//! other what they have done ([`WorkKind::is_shared`]).
 //!
 //! To add a kind of work: a variant of [`WorkKind`] with its name, and a [`Worker`](self::worker::Worker) in [`executor`]. The page's
 //! scripts take the name as it is. An order replaces the one before and an empty one ends the work, so answers state the number of
