@@ -9,7 +9,6 @@ import { before, describe, test } from "node:test";
 
 import { reaches, trouble, watch } from "../test/browser.mjs";
 import { kitchen, stats, until } from "../test/cooking.mjs";
-import { clickLabel } from "../test/labels.mjs";
 
 const PICTURES = resolve(process.env.SAUTE_PICTURES ?? "pictures");
 /** How late the hand is [s], and how long a cook may take on a slow machine [wall ms]. */
@@ -37,7 +36,6 @@ async function visitor(late) {
   await reaches(page, "cooking");
   await until(page, "the first frames", (now) => now.frames > 2);
   await page.screenshot({ path: join(PICTURES, `first-visit-${late}-s.png`) });
-  await clickLabel(page, "Begin");
   const begun = Date.now();
   let [asked, since, presses] = [null, 0, 0];
   while (!(await told(page, "Goal met")) && !(await told(page, "Goal missed"))) {
