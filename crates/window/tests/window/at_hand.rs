@@ -241,9 +241,8 @@ fn a_window_that_is_tiny_has_the_picture_and_the_one_button() {
         steps(&mut harness, 2);
         assert!(harness.query_by_label("Flip").is_none() && harness.query_by_label("?").is_none());
         save(&mut harness, &format!("tiny-{:.0}", size.x));
-        let mut named = harness.get_all_by_label_contains("1100 W");
-        let button = named.find(|node| node.accesskit_node().role() == Role::Button).expect("the one button");
-        button.click();
+        let is_button = |node: &egui_kittest::Node<'_>| node.accesskit_node().role() == Role::Button;
+        harness.get_all_by_label_contains("1100 W").find(is_button).expect("the one button").click();
         steps(&mut harness, 4);
         assert_eq!(harness.state().session().kitchen.hob_w(), 1100.0);
         let whole = Rect::from_min_size(egui::Pos2::ZERO, size);
