@@ -17,8 +17,8 @@ use saute_words::language::Language;
 /// Most pieces that are added at once (chosen: a full pan).
 const MOST_AT_ONCE: usize = 35;
 
-/// Height of what comes below what was set out [points]: a row of buttons, or two lines of words.
-const NEXT: f32 = 40.0;
+/// Height of what comes below what was set out [points]: a row of buttons, or three lines of words.
+const NEXT: f32 = 46.0;
 
 /// Height of a food with its picture [points] (chosen: for a finger).
 const KIND: f32 = 44.0;
