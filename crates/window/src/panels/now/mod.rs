@@ -87,7 +87,7 @@ struct Now<'a> {
 fn place(state: &PanelContext, layout: &Layout, size: Vec2) -> Rect {
     let free = layout.free;
     let left = free.center().x - 0.5 * size.x;
-    let beside = left + size.x + GAP <= layout.eye.left();
+    let beside = layout.tiny || left + size.x + GAP <= layout.eye.left();
     let corner = if beside { 0.0 } else { 2.0 * GAP + layout.eye.height() };
     let foot = free.bottom() - PAD - corner.max(crate::panels::badge::held_height(state));
     Rect::from_min_size(pos2(left, foot - size.y), size)
