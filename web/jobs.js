@@ -26,6 +26,7 @@ class Job {
   constructor(kind, isShared, program, address, wake) {
     Object.assign(this, { kind, isShared, program, address, wake });
     this.answers = [];
+    this.started = [];
     this.failed = typeof Worker === "undefined";
     this.workers = null;
   }
@@ -46,14 +47,21 @@ class Job {
     const { module, script } = await this.program;
     const { port1, port2 } = new MessageChannel();
     const between = this.isShared ? [port1, port2] : [null];
-    return between.map((port, place) => {
+    const begin = (port, isSecond) => {
       const worker = new Worker(this.address, { type: "module", name: this.kind });
-      const isSecond = place > 0;
-      // The first one does all of it if the second one cannot work.
       if (!isSecond) this.listen(worker);
       worker.postMessage({ module, script, kind: this.kind, isSecond, port }, port ? [port] : []);
-      return worker;
+      this.started.push(worker);
+    };
+    between.forEach((port, place) => {
+      try {
+        begin(port, place > 0);
+      } catch (error) {
+        // The first one does all of it if the second one cannot work.
+        if (place === 0) throw error;
+      }
     });
+    return this.started;
   }
 
   listen(worker) {
@@ -68,6 +76,7 @@ class Job {
   fail(reason = "it could not be started") {
     if (!this.failed) console.info(`The page does without its worker "${this.kind}": ${reason}`);
     this.failed = true;
+    this.started.forEach((worker) => worker.terminate());
     this.wake();
   }
 }

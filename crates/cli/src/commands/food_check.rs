@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use saute_kitchen::Library;
 use saute_kitchen::data::food_check::{Finding, FoodReport, SurfaceReport, check_food};
 use saute_kitchen::data::library::surface_file;
-use saute_kitchen::heat::{Defect, Soup, Surface};
+use saute_kitchen::heat::{Defect, Surface};
 use saute_schema::echo::shortened;
 use saute_surface::{Body, Place, ReadError};
 use serde::Serialize;
@@ -80,29 +80,34 @@ fn food(path: &Path, data: Option<&Path>) -> Result<Result<FoodReport, Vec<Findi
     Ok(check_food(&text, soup.as_ref(), &library))
 }
 
-/// Checks a surface on its own, given the millimetres in one of its units unless they are the usual ones; of a file with several bodies
-/// each of them.
+/// Checks a surface on its own, given the millimetres in one of its units unless they are the usual ones; of a file with several bodies,
+/// which is no food, each of them.
 fn check_bodies(path: &Path, scale_mm: Option<f64>, verdict: &mut FoodVerdict) {
-    let bodies = match surface::bodies(path) {
-        Ok(bodies) => bodies,
+    let (whole, bodies) = match surface::read(path).and_then(|whole| Ok((whole, surface::bodies(path)?))) {
+        Ok(read) => read,
         Err(error) => return verdict.findings.push(unread(error)),
     };
-    let is_one = bodies.len() == 1;
-    for (number, Body { name, soup }) in bodies.into_iter().enumerate() {
-        let name = name.unwrap_or_else(|| format!("body {}", number + 1));
-        match closed(&soup, scale_mm.unwrap_or(soup.unit_mm)) {
-            Ok(report) if is_one => verdict.surface = Some(report),
-            Ok(surface) => verdict.surfaces.push(Named { name, surface }),
-            Err((message, remedy)) if is_one => verdict.findings.push(of_file(1, &message, remedy)),
-            Err((message, remedy)) => verdict.findings.push(of_file(1, &format!("{name} {message}"), remedy)),
+    let unit_mm = scale_mm.unwrap_or(whole.unit_mm);
+    match Surface::close(&whole, 1e-3 * unit_mm) {
+        Ok(surface) => verdict.surface = Some(SurfaceReport::of(&surface)),
+        Err(Defect::Bodies(_)) if bodies.len() > 1 => {
+            bodies.into_iter().enumerate().for_each(|(place, body)| check_body(place, body, unit_mm, verdict));
         }
+        Err(defect) => verdict.findings.push(unsound("", &defect, unit_mm)),
     }
 }
 
-fn closed(soup: &Soup, unit_mm: f64) -> Result<SurfaceReport, (String, String)> {
-    let surface = Surface::close(soup, 1e-3 * unit_mm);
-    let surface = surface.map_err(|defect| (format!("is not sound: {defect}"), remedy(&defect, unit_mm)))?;
-    Ok(SurfaceReport::of(&surface))
+/// Checks one of several bodies.
+fn check_body(place: usize, Body { name, soup }: Body, unit_mm: f64, verdict: &mut FoodVerdict) {
+    let name = name.unwrap_or_else(|| format!("body {}", place + 1));
+    match Surface::close(&soup, 1e-3 * unit_mm) {
+        Ok(surface) => verdict.surfaces.push(Named { name, surface: SurfaceReport::of(&surface) }),
+        Err(defect) => verdict.findings.push(unsound(&format!("{name} "), &defect, unit_mm)),
+    }
+}
+
+fn unsound(whose: &str, defect: &Defect, unit_mm: f64) -> Finding {
+    of_file(1, &format!("{whose}is not sound: {defect}"), remedy(defect, unit_mm))
 }
 
 /// A finding about a line of a file, which has no keys.

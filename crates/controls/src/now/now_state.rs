@@ -7,6 +7,7 @@ use crate::reads_context;
 use crate::tutorial::Tutorial;
 use saute_session::Forecast;
 use saute_session::plan::live::Live;
+use saute_study::class::rest::is_out;
 
 /// What the line reads.
 pub struct NowState<'a> {
@@ -29,9 +30,10 @@ pub struct NowState<'a> {
 }
 
 impl NowState<'_> {
-    /// Returns true while a plan or the tutorial leads.
+    /// Returns true while a plan or the tutorial leads, or what leads waits to be ended.
     pub fn is_led(&self) -> bool {
-        self.tutorial.is_some() || self.live.is_some_and(|live| !live.is_closed())
+        let waits = || self.guided.is_some() && is_out(&self.session.kitchen);
+        self.tutorial.is_some() || self.live.is_some_and(|live| !live.is_closed()) || waits()
     }
 }
 

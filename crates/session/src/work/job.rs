@@ -85,13 +85,22 @@ pub struct JobWorker<U: Job> {
     work: Option<(u64, Box<U>)>,
     /// Why the order that came last cannot be done.
     refused: Option<(u64, U::WhyNot)>,
+    /// What the twin does not have yet of an order that is over.
+    last: Option<Vec<u8>>,
     computed: Duration,
 }
 
 impl<U: Job> JobWorker<U> {
     /// Without an order; one of two that share each order works from the back.
     pub fn new(library: Arc<Library>, end: End) -> Self {
-        Self { library, end, work: None, refused: None, computed: Duration::ZERO }
+        Self { library, end, work: None, refused: None, last: None, computed: Duration::ZERO }
+    }
+
+    /// What was done of the order since the last call, for a twin.
+    fn shares(&mut self) -> Option<Vec<u8>> {
+        let (number, work) = self.work.as_mut()?;
+        let shares = work.shares();
+        (!shares.is_empty()).then(|| postcard::to_allocvec(&(*number, shares)).ok())?
     }
 
     /// Works on; returns the progress where that is to be reported.
@@ -108,6 +117,7 @@ impl<U: Job> JobWorker<U> {
         };
         self.computed = Duration::ZERO;
         if !matches!(reply, Reply::Progress(_)) {
+            self.last = self.shares();
             self.work = None;
         }
         Some((number, reply))
@@ -116,7 +126,7 @@ impl<U: Job> JobWorker<U> {
 
 impl<U: Job> Worker for JobWorker<U> {
     fn take(&mut self, order: &[u8]) {
-        (self.work, self.refused, self.computed) = (None, None, Duration::ZERO);
+        (self.work, self.refused, self.last, self.computed) = (None, None, None, Duration::ZERO);
         let Ok(order) = postcard::from_bytes::<U::Order>(order) else { return };
         let number = U::number(&order);
         match U::begin(order, &self.library, self.end) {
@@ -136,9 +146,7 @@ impl<U: Job> Worker for JobWorker<U> {
     }
 
     fn share(&mut self) -> Option<Vec<u8>> {
-        let (number, work) = self.work.as_mut()?;
-        let shares = work.shares();
-        (!shares.is_empty()).then(|| postcard::to_allocvec(&(*number, shares)).ok())?
+        self.last.take().or_else(|| self.shares())
     }
 
     fn take_shared(&mut self, shares: &[u8]) {

@@ -50,7 +50,8 @@ impl SauteApp {
 
     fn show(&mut self, ui: &mut Ui) {
         let whole = ui.max_rect();
-        let layout = Layout::used_by(whole, &self.settings, fingers::are_used(ui.ctx()));
+        let hands = (fingers::are_used(ui.ctx()), self.leads.guided.is_some());
+        let layout = Layout::used_by(whole, &self.settings, hands);
         let layout = self.make_room(layout);
         let layout = if self.photo_is_open() { layout.bare() } else { layout };
         let layout = if self.reads_out() { layout } else { layout.without_inside() };
@@ -82,6 +83,7 @@ impl SauteApp {
         if self.refuses(&Act::App(AppAct::ChooseFile)) {
             return;
         }
+        self.shut_card(Card::Files);
         let read = match read {
             Ok(bytes) if is_session(&bytes) => return self.open_session(name, &bytes),
             Ok(bytes) if is_table(name) => return self.open_log(name, &bytes),

@@ -39,20 +39,23 @@ struct Shipped {
     name: String,
     minutes: Option<f64>,
     /// Kind of its first food.
-    food: String,
+    food: Option<String>,
 }
 
 impl Shipped {
     fn all(library: &Library, l: Language) -> Vec<Self> {
         let read = |(id, text): (&String, &String)| {
-            let recipe = Recipe::parse(text, id, library).ok()?;
+            // A broken one is listed, too: its error is stated when it is chosen.
+            let recipe = Recipe::parse(text, id, library).ok();
             let plain = id.replace('-', " ");
             // In English its own title; a recipe of the user's has none but that in any language.
             let called = l.called("recipe_file", &plain);
-            let name = if called == plain { recipe.title.clone() } else { called.to_owned() };
-            Some(Self { id: id.clone(), name, minutes: recipe.minutes, food: recipe.foods.first()?.kind.clone() })
+            let title = recipe.as_ref().filter(|_| called == plain).map(|recipe| recipe.title.clone());
+            let name = title.unwrap_or_else(|| called.to_owned());
+            let food = recipe.as_ref().and_then(|recipe| Some(recipe.foods.first()?.kind.clone()));
+            Self { id: id.clone(), name, minutes: recipe.and_then(|recipe| recipe.minutes), food }
         };
-        library.recipes.iter().filter_map(read).collect()
+        library.recipes.iter().map(read).collect()
     }
 }
 
@@ -250,7 +253,7 @@ fn recipes(state: &PanelContext, memory: &mut PantryMemory, ui: &mut Ui, acts: &
     let shipped = memory.recipes.get_or_insert_with(|| (l, Shipped::all(&state.session.library, l)));
     for recipe in &shipped.1 {
         let minutes = recipe.minutes.map(|minutes| l.fill("pantry.minutes", &[("minutes", &format!("{minutes:.0}"))]));
-        let still = memory.stills.of(ui.ctx(), &recipe.food);
+        let still = recipe.food.as_ref().and_then(|food| memory.stills.of(ui.ctx(), food));
         if pictured(ui, still, [&recipe.name, minutes.as_deref().unwrap_or_default()], None) {
             acts.push(Act::Cook(CookAct::Play(recipe.id.clone())));
         }

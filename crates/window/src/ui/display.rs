@@ -7,6 +7,8 @@ use saute_controls::settings::Settings;
 use saute_controls::settings::interface_size::InterfaceSize;
 use saute_controls::settings::theme::Theme;
 
+use crate::ui::layout::TINY;
+
 /// Room that the panels need at least [points] (chosen: a phone, on which two rows hold all views; a window of 1280 ×
 /// 720 at 150 %).
 const ROOM: Vec2 = vec2(390.0, 470.0);
@@ -42,7 +44,9 @@ pub fn moves_less(settings: &Settings) -> bool {
 /// The factor of a size, or the largest smaller one that leaves the panels room in the window [-].
 fn fitting(size: InterfaceSize, ctx: &Context) -> f32 {
     let window = ctx.content_rect().size() * ctx.zoom_factor();
-    let most = (window / ROOM).min_elem().max(1.0);
+    // A wide window keeps its controls.
+    let room = if window.x > window.y { vec2(TINY, ROOM.y) } else { ROOM };
+    let most = (window / room).min_elem().max(1.0);
     size.factor().min(most)
 }
 

@@ -10,7 +10,7 @@ use saute_controls::settings::Settings;
 const NARROW: f32 = 1080.0;
 /// A wide window narrower than this has room for the scene and for the line that states what to do [points] (chosen: the drawer beside
 /// the scene, and three quarters as much for the scene).
-const TINY: f32 = 640.0;
+pub const TINY: f32 = 640.0;
 /// Width of the drawer beside the scene [points].
 const DRAWER_WIDTH: f32 = 366.0;
 /// Space around panels [points].
@@ -88,13 +88,14 @@ pub struct Layout {
 impl Layout {
     /// Lays out a window for a mouse.
     pub fn new(whole: Rect, settings: &Settings) -> Self {
-        Self::used_by(whole, settings, false)
+        Self::used_by(whole, settings, (false, false))
     }
 
-    /// Lays out a window for a mouse, or for fingers: the drawer has the room that they need, at any width.
-    pub fn used_by(whole: Rect, settings: &Settings, fingers: bool) -> Self {
+    /// Lays out a window for a mouse, or for fingers: the drawer has the room that they need, at any width. Whoever is guided has the
+    /// controls in every window, since the line does not state what to do.
+    pub fn used_by(whole: Rect, settings: &Settings, (fingers, guided): (bool, bool)) -> Self {
         let narrow = fingers || whole.width() < NARROW;
-        let tiny = whole.width() > whole.height() && whole.width() < TINY;
+        let tiny = whole.width() > whole.height() && whole.width() < TINY && !(guided || settings.skill_mode);
         let inner = whole.shrink(GAP);
         let mut layout = if narrow && whole.width() > whole.height() {
             Self::beside(whole, inner, fingers)
@@ -320,7 +321,7 @@ mod tests {
                 [false, false, true, true],
             ] {
                 let settings = Settings { pantry_open, curves_open, few, ..Settings::default() };
-                let l = Layout::used_by(Rect::from_min_size(Pos2::ZERO, size), &settings, fingers);
+                let l = Layout::used_by(Rect::from_min_size(Pos2::ZERO, size), &settings, (fingers, false));
                 assert_eq!(l.narrow, l.bottom == l.right);
                 if l.tiny {
                     assert_eq!(l.free, l.whole, "nothing covers the scene");

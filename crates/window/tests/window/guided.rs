@@ -203,6 +203,9 @@ fn second_trial(harness: &mut Harness<'static, SauteApp>) {
     cook(harness, 3.0);
     save(harness, "study-out");
     no_number_is_drawn(harness);
+    press(harness, Key::H);
+    assert!(harness.query_by_label("Finish").is_some(), "also without panels");
+    press(harness, Key::H);
     click(harness, "Finish");
     assert_eq!(stage(harness), Stage::Questionnaire { phase: 3 });
 }

@@ -62,7 +62,7 @@ impl SauteApp {
 
     /// Gives ways side by side their places.
     pub(crate) fn lay_out_ways(&self, layout: Layout) -> Layout {
-        if !self.shows_ways() {
+        if !self.shows_ways() || layout.tiny {
             return layout;
         }
         let live = self.session.way();

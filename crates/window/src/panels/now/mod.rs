@@ -45,7 +45,7 @@ const WHY_SIZES: [f32; 3] = [14.0, 13.0, 12.0];
 pub fn show(state: &NowState, memory: &mut NowMemory, ui: &Ui, acts: &mut Acts, layout: &Layout) {
     let in_drawer = layout.narrow && !layout.tiny && !state.settings.hides_panels();
     let lead = Lead::of(state);
-    let beside_ways = layout.ways.is_some() && !matches!(lead, Some(Lead::Tutorial(_)));
+    let beside_ways = layout.ways.is_some() && !matches!(lead, Some(Lead::Tutorial(_) | Lead::Guided(_)));
     if in_drawer || beside_ways {
         return;
     }
