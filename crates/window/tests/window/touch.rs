@@ -119,7 +119,7 @@ fn a_finger_held_still_on_food_asks_what_it_is_and_does_nothing_to_it() {
 fn too_low(harness: &Harness<'static, SauteApp>, size: egui::Vec2) -> Vec<String> {
     use Role::{Button, CheckBox, ComboBox, RadioButton, Slider, SpinButton, TextInput};
     let whole = Rect::from_min_size(Pos2::ZERO, size);
-    let mut places = Layout::used_by(whole, harness.state().settings(), true).panels();
+    let mut places = Layout::used_by(whole, harness.state().settings(), (true, false)).panels();
     if harness.state().settings_are_open() || harness.state().help_is_open() {
         places = vec![whole.shrink(24.0)];
     }
@@ -159,7 +159,7 @@ fn what_there_is_to_learn_is_under_the_thumb_on_a_phone_in_every_language() {
         harness.state_mut().set_language(language);
         steps(&mut harness, 14);
         let [learn, settings, said] = ["learn.title", "settings.title", "messages.title"].map(|key| language.text(key));
-        let drawer = Layout::used_by(PHONE_RECT, harness.state().settings(), true).bottom;
+        let drawer = Layout::used_by(PHONE_RECT, harness.state().settings(), (true, false)).bottom;
         for name in [learn, settings, said] {
             let rect = harness.get_by_label(name).rect();
             assert!(drawer.contains_rect(rect) && rect.height() >= TOUCH - 0.01, "{name}: {rect:?} in {drawer:?}");
