@@ -45,8 +45,8 @@ class Job {
 
   async begin() {
     const { module, script } = await this.program;
-    const { port1, port2 } = new MessageChannel();
-    const between = this.isShared ? [port1, port2] : [null];
+    const channel = this.isShared && new MessageChannel();
+    const between = channel ? [channel.port1, channel.port2] : [null];
     const begin = (port, isSecond) => {
       const worker = new Worker(this.address, { type: "module", name: this.kind });
       if (!isSecond) this.listen(worker);

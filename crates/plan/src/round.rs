@@ -3,10 +3,9 @@
 use serde::{Deserialize, Serialize};
 
 /// From which end of a round jobs are begun.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum End {
     /// From the first job on.
-    #[default]
     Front,
     /// From the last job back: for the second of two who share a round.
     Back,

@@ -78,14 +78,18 @@ pub struct Body {
 /// # Errors
 /// As [`bodies`].
 pub fn read(name: &str, bytes: &[u8], sibling: impl Fn(&str) -> Option<Vec<u8>>) -> Result<Soup, ReadError> {
-    let mut bodies = bodies(name, bytes, sibling)?.into_iter();
-    let mut all = bodies.next().unwrap_or_default().soup;
+    Ok(joined(&bodies(name, bytes, sibling)?))
+}
+
+/// Returns the triangles of bodies of one file together, in the unit of the file.
+pub fn joined(bodies: &[Body]) -> Soup {
+    let mut all = Soup { unit_mm: bodies.first().map_or(1.0, |body| body.soup.unit_mm), ..Soup::default() };
     for Body { soup, .. } in bodies {
         let first = all.vertices.len() as u32;
-        all.vertices.extend(soup.vertices);
-        all.triangles.extend(soup.triangles.into_iter().map(|triangle| triangle.map(|corner| first + corner)));
+        all.vertices.extend(&soup.vertices);
+        all.triangles.extend(soup.triangles.iter().map(|triangle| triangle.map(|corner| first + corner)));
     }
-    Ok(all)
+    all
 }
 
 /// Returns the bodies of a surface file, with z up: those of a glTF file by its nodes; an STL or OBJ file is one.

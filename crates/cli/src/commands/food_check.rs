@@ -8,7 +8,7 @@ use saute_kitchen::data::food_check::{Finding, FoodReport, SurfaceReport, check_
 use saute_kitchen::data::library::surface_file;
 use saute_kitchen::heat::{Defect, Surface};
 use saute_schema::echo::shortened;
-use saute_surface::{Body, Place, ReadError};
+use saute_surface::{Body, Place, ReadError, joined};
 use serde::Serialize;
 
 use crate::args::FoodCheckArgs;
@@ -83,10 +83,11 @@ fn food(path: &Path, data: Option<&Path>) -> Result<Result<FoodReport, Vec<Findi
 /// Checks a surface on its own, given the millimetres in one of its units unless they are the usual ones; of a file with several bodies,
 /// which is no food, each of them.
 fn check_bodies(path: &Path, scale_mm: Option<f64>, verdict: &mut FoodVerdict) {
-    let (whole, bodies) = match surface::read(path).and_then(|whole| Ok((whole, surface::bodies(path)?))) {
-        Ok(read) => read,
+    let bodies = match surface::bodies(path) {
+        Ok(bodies) => bodies,
         Err(error) => return verdict.findings.push(unread(error)),
     };
+    let whole = joined(&bodies);
     let unit_mm = scale_mm.unwrap_or(whole.unit_mm);
     match Surface::close(&whole, 1e-3 * unit_mm) {
         Ok(surface) => verdict.surface = Some(SurfaceReport::of(&surface)),

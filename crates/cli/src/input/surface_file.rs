@@ -4,7 +4,7 @@ use std::path::Path;
 
 use saute_files::regular_file::{self, Unread};
 use saute_kitchen::heat::Soup;
-use saute_surface::{Body, Place, ReadError};
+use saute_surface::{Body, Place, ReadError, joined};
 
 use crate::error::CliError;
 
@@ -13,19 +13,11 @@ const LARGEST_MIB: u64 = 128;
 
 /// Reads the triangles of all bodies of a surface file.
 pub fn read(path: &Path) -> Result<Soup, ReadError> {
-    with_bytes(path, |name, bytes| saute_surface::read(name, bytes, |name| beside(path, name)))
+    Ok(joined(&bodies(path)?))
 }
 
 /// Reads the bodies of a surface file.
 pub fn bodies(path: &Path) -> Result<Vec<Body>, ReadError> {
-    with_bytes(path, |name, bytes| saute_surface::bodies(name, bytes, |name| beside(path, name)))
-}
-
-fn beside(path: &Path, name: &str) -> Option<Vec<u8>> {
-    regular_file::read_beside(path, name, LARGEST_MIB)
-}
-
-fn with_bytes<T>(path: &Path, read: impl FnOnce(&str, &[u8]) -> Result<T, ReadError>) -> Result<T, ReadError> {
     let bytes = regular_file::read(path, LARGEST_MIB).map_err(|unread| {
         let remedy = match unread {
             Unread::Large(_) => {
@@ -35,8 +27,9 @@ fn with_bytes<T>(path: &Path, read: impl FnOnce(&str, &[u8]) -> Result<T, ReadEr
         };
         ReadError { place: Place::File, message: unread.to_string(), remedy: remedy.to_owned() }
     })?;
+    let beside = |name: &str| regular_file::read_beside(path, name, LARGEST_MIB);
     let name = path.file_name().unwrap_or_default().to_string_lossy();
-    read(&name, &bytes)
+    saute_surface::bodies(&name, &bytes, beside)
 }
 
 /// Returns the error of a surface file with its path, and its line or byte.

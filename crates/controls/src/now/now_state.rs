@@ -6,6 +6,7 @@ use crate::context::PanelContext;
 use crate::reads_context;
 use crate::tutorial::Tutorial;
 use saute_session::Forecast;
+use saute_session::guided::Guided;
 use saute_session::plan::live::Live;
 use saute_study::class::rest::is_out;
 
@@ -29,11 +30,15 @@ pub struct NowState<'a> {
     pub card_is_open: bool,
 }
 
-impl NowState<'_> {
-    /// Returns true while a plan or the tutorial leads, or what leads waits to be ended.
+impl<'a> NowState<'a> {
+    /// Returns true while a plan or the tutorial leads, or a lesson or a study waits to be ended.
     pub fn is_led(&self) -> bool {
-        let waits = || self.guided.is_some() && is_out(&self.session.kitchen);
-        self.tutorial.is_some() || self.live.is_some_and(|live| !live.is_closed()) || waits()
+        self.tutorial.is_some() || self.live.is_some_and(|live| !live.is_closed()) || self.waits_to_end().is_some()
+    }
+
+    /// The lesson or the study that waits to be ended: its food is out.
+    pub fn waits_to_end(&self) -> Option<&'a Guided> {
+        self.guided.filter(|_| is_out(&self.session.kitchen))
     }
 }
 

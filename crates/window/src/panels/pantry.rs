@@ -30,11 +30,11 @@ pub struct PantryMemory {
     /// Pictures of the foods.
     stills: Stills,
     /// The recipes of the library, read once.
-    recipes: Option<(Language, Vec<Shipped>)>,
+    recipes: Option<(Language, Vec<Listed>)>,
 }
 
 /// A recipe of the library, as the list shows it.
-struct Shipped {
+struct Listed {
     id: String,
     name: String,
     minutes: Option<f64>,
@@ -42,13 +42,13 @@ struct Shipped {
     food: Option<String>,
 }
 
-impl Shipped {
+impl Listed {
     fn all(library: &Library, l: Language) -> Vec<Self> {
         let read = |(id, text): (&String, &String)| {
             // A broken one is listed, too: its error is stated when it is chosen.
             let recipe = Recipe::parse(text, id, library).ok();
             let plain = id.replace('-', " ");
-            // In English its own title; a recipe of the user's has none but that in any language.
+            // A translation where there is one, else its own title.
             let called = l.called("recipe_file", &plain);
             let title = recipe.as_ref().filter(|_| called == plain).map(|recipe| recipe.title.clone());
             let name = title.unwrap_or_else(|| called.to_owned());
@@ -250,7 +250,7 @@ fn recipes(state: &PanelContext, memory: &mut PantryMemory, ui: &mut Ui, acts: &
     let l = state.settings.language;
     heading(ui, l.text("pantry.play"));
     memory.recipes.take_if(|(language, _)| *language != l);
-    let shipped = memory.recipes.get_or_insert_with(|| (l, Shipped::all(&state.session.library, l)));
+    let shipped = memory.recipes.get_or_insert_with(|| (l, Listed::all(&state.session.library, l)));
     for recipe in &shipped.1 {
         let minutes = recipe.minutes.map(|minutes| l.fill("pantry.minutes", &[("minutes", &format!("{minutes:.0}"))]));
         let still = recipe.food.as_ref().and_then(|food| memory.stills.of(ui.ctx(), food));

@@ -1,8 +1,8 @@
 //! The card of files: a cook, a recipe or a log is opened, what was cooked is saved, and its link is copied.
 
-use egui::{Rect, RichText, ScrollArea, Ui, vec2};
+use egui::{Rect, RichText, Ui, vec2};
 
-use crate::panels::cards::frame::Framed;
+use crate::panels::cards::frame::{Framed, list};
 use crate::panels::host_panels;
 use crate::ui::{fingers, theme};
 use saute_controls::act::{Act, Acts, AppAct, Card};
@@ -18,9 +18,7 @@ const HEIGHT: f32 = 34.0;
 pub fn show(state: &PanelContext, ui: &Ui, acts: &mut Acts, whole: Rect) {
     let framed = Framed { card: Card::Files, id: "files", title: "files.title", width: WIDTH };
     framed.show(state, ui, acts, whole, |ui, acts| {
-        let height = whole.height() - 140.0;
-        let list = ScrollArea::vertical().max_height(height).min_scrolled_height(height);
-        list.show(ui, |ui| rows(state, ui, acts));
+        list(ui, whole, |ui| rows(state, ui, acts));
     });
 }
 

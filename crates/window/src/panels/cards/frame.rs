@@ -7,6 +7,9 @@ use crate::ui::theme;
 use saute_controls::act::{Act, Acts, AppAct, Card};
 use saute_controls::context::PanelContext;
 
+/// Height of a window beyond the rows of a card [points].
+const BESIDE: f32 = 140.0;
+
 /// A card with a heading.
 pub struct Framed {
     /// The card.
@@ -61,6 +64,12 @@ impl Framed {
             acts.push(Act::App(AppAct::Shut(self.card)));
         }
     }
+}
+
+/// The rows of a card, over the whole height that the window has for them; they scroll where that is too little.
+pub fn list(ui: &mut Ui, whole: Rect, rows: impl FnOnce(&mut Ui)) {
+    let height = whole.height() - BESIDE;
+    egui::ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, rows);
 }
 
 /// A part of a card beside another one, which scrolls by itself.

@@ -1,9 +1,9 @@
 //! The card of the goals: what a cook is judged by, the coach, and skill mode.
 
-use egui::{Rect, RichText, ScrollArea, Ui, vec2};
+use egui::{Rect, RichText, Ui, vec2};
 use saute_kitchen::data::goals::{Counted, GoalDescription};
 
-use crate::panels::cards::frame::Framed;
+use crate::panels::cards::frame::{Framed, list};
 use crate::panels::cards::setting_row::{explained, row};
 use crate::ui::{fingers, theme};
 use saute_controls::act::{Act, Acts, AppAct, Card, Setting};
@@ -21,9 +21,7 @@ const HEIGHT: f32 = 34.0;
 pub fn show(state: &PanelContext, ui: &Ui, acts: &mut Acts, whole: Rect) {
     let framed = Framed { card: Card::Goals, id: "goals", title: "goals.title", width: WIDTH };
     framed.show(state, ui, acts, whole, |ui, acts| {
-        let list =
-            ScrollArea::vertical().max_height(whole.height() - 140.0).min_scrolled_height(whole.height() - 140.0);
-        list.show(ui, |ui| {
+        list(ui, whole, |ui| {
             ui.label(RichText::new(state.settings.language.text("goals.how")).size(13.5).color(theme::of(ui).quiet));
             goals(state, ui, acts);
             ui.separator();

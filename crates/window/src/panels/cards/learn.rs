@@ -1,8 +1,8 @@
 //! The menu of what there is to learn and to try.
 
-use egui::{Rect, RichText, ScrollArea, Ui, vec2};
+use egui::{Rect, RichText, Ui, vec2};
 
-use crate::panels::cards::frame::Framed;
+use crate::panels::cards::frame::{Framed, list};
 use crate::ui::{fingers, theme};
 use saute_controls::act::{Act, Acts, AppAct, Card, LearnAct};
 use saute_controls::context::PanelContext;
@@ -30,9 +30,7 @@ const ENTRIES: [LearnRow; 7] = [
 pub fn show(state: &PanelContext, ui: &Ui, acts: &mut Acts, whole: Rect) {
     let framed = Framed { card: Card::Learn, id: "learn", title: "learn.title", width: WIDTH };
     framed.show(state, ui, acts, whole, |ui, acts| {
-        let height = whole.height() - 140.0;
-        let list = ScrollArea::vertical().max_height(height).min_scrolled_height(height);
-        list.show(ui, |ui| ENTRIES.iter().for_each(|entry| row(state, ui, acts, entry)));
+        list(ui, whole, |ui| ENTRIES.iter().for_each(|entry| row(state, ui, acts, entry)));
     });
 }
 

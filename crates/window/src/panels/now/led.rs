@@ -1,5 +1,5 @@
-//! The leads other than the advice: a plan, the tutorial, a lesson or a study. While one leads, its words are on the line; what else it shows is
-//! below the line.
+//! The leads other than the advice: a plan, the tutorial, a lesson or a study. While one leads, its words are on the line; what else it
+//! shows is below the line.
 
 use egui::Ui;
 use saute_kitchen::advice::Advice;
@@ -12,7 +12,6 @@ use saute_controls::now::now_state::NowState;
 use saute_controls::now::now_words::{Deed, NowWords};
 use saute_controls::tutorial::{Step, Tutorial};
 use saute_session::guided::Guided;
-use saute_study::class::rest::is_out;
 use saute_words::language::Language;
 
 /// A lead other than the advice.
@@ -29,8 +28,7 @@ impl<'a> Lead<'a> {
     /// The present lead.
     pub fn of(state: &NowState<'a>) -> Option<Self> {
         let guide = state.live.filter(|live| !live.is_closed()).map(|live| Self::Plan(Guide::of(live, state)));
-        let ends = || state.guided.filter(|_| is_out(&state.session.kitchen)).map(Self::Guided);
-        guide.or(state.tutorial.map(Self::Tutorial)).or_else(ends)
+        guide.or(state.tutorial.map(Self::Tutorial)).or_else(|| state.waits_to_end().map(Self::Guided))
     }
 
     /// Its words, unless the line shows the advice: what is dangerous is always shown, and who has left a plan is advised again.

@@ -1,5 +1,6 @@
 //! The line that states what to do now, over the foot of the scene: a verb, its reason or the time that is left, and the one button
-//! that does it. While a plan, the tutorial, a lesson or a study leads, its words are shown there instead, and what else it shows below them.
+//! that does it. While a plan, the tutorial, a lesson or a study leads, its words are shown there instead, and what else it shows below
+//! them.
 
 pub mod control_place;
 mod guide;
@@ -256,7 +257,8 @@ fn forget_button(ui: &Ui) {
     ui.ctx().data_mut(|data| data.remove::<Shown>(Id::unique("now-deed")));
 }
 
-/// The temperature of the core, large, and the goal below it; none where doneness is determined by something else, or nothing is read out.
+/// The temperature of the core, large, and the goal below it; none where doneness is determined by something else, or nothing is read
+/// out.
 fn core(state: &PanelContext) -> Option<[String; 2]> {
     let scale = state.scale().filter(|scale| scale.measure() == Measure::Peak && state.reads_out())?;
     let piece = state.session.steak()?;
