@@ -34,7 +34,7 @@ count_one() {
     local out="$2/$3.callgrind" units
     units="$(GLIBC_TUNABLES="$PLAIN_PROCESSOR" valgrind --quiet --tool=callgrind --callgrind-out-file="$out" \
         --toggle-collect='*counted::counted*' --compress-strings=no \
-        "$1" "$3" | sed -n 's/^units //p')"
+        "$1" "$2" "$3" | sed -n 's/^units //p')"
     echo $(($(own_instructions "$1" "$out") / units)) >"$2/$3"
     say "  $3: $(cat "$2/$3")"
 }
@@ -50,7 +50,8 @@ count() {
     program="$(counts_program)"
     export -f say count_one own_instructions
     export PLAIN_PROCESSOR
-    "$program" | xargs -P 2 -I NAME bash -c 'set -euo pipefail; count_one "$@"' count "$program" "$folder" NAME
+    "$program" "$folder" >"$folder/names"
+    <"$folder/names" xargs -P 2 -I NAME bash -c 'set -euo pipefail; count_one "$@"' count "$program" "$folder" NAME
 }
 
 # counts_in_file: the file that the new counts make.
@@ -60,7 +61,7 @@ counts_in_file() {
     printf '[counted_with]\n'
     counted_with
     printf '\n[instructions]\n'
-    for name in $("$(counts_program)"); do printf '%s = %s\n' "$name" "$(cat "$(counts_folder)/$name")"; done
+    while read -r name; do printf '%s = %s\n' "$name" "$(cat "$(counts_folder)/$name")"; done <"$(counts_folder)/names"
 }
 
 # bless_counts: writes the numbers of this machine.

@@ -2,6 +2,7 @@
 
 use std::error::Error;
 use std::hint::black_box;
+use std::path::Path;
 
 use saute_kitchen::dynamics::RIGID_HZ;
 use saute_kitchen::food::{FoodModel, PieceSpec, Rules};
@@ -12,8 +13,8 @@ use saute_picture::stage::{Places, Stage, StageOptions};
 use crate::counted::counted;
 use crate::kitchens;
 
-/// Sets up and does one piece of work; returns its units.
-type Work = fn() -> Result<u32, Box<dyn Error>>;
+/// Sets up and does one piece of work with the kitchens of a folder; returns its units.
+type Work = fn(&Path) -> Result<u32, Box<dyn Error>>;
 
 /// All work by name.
 pub const WORK: [(&str, Work); 7] = [
@@ -60,13 +61,13 @@ at_mm = [50, 35, 12.5]
 "#;
 
 /// A tick of the steak: its heat, water and changes, and the pan's.
-fn steak_tick() -> Result<u32, Box<dyn Error>> {
-    ticks(kitchens::steak()?)
+fn steak_tick(folder: &Path) -> Result<u32, Box<dyn Error>> {
+    ticks(kitchens::steak(folder)?)
 }
 
 /// A tick of the shrimps that lie still.
-fn shrimps_tick() -> Result<u32, Box<dyn Error>> {
-    ticks(kitchens::shrimps()?)
+fn shrimps_tick(folder: &Path) -> Result<u32, Box<dyn Error>> {
+    ticks(kitchens::shrimps(folder)?)
 }
 
 fn ticks(mut kitchen: Kitchen) -> Result<u32, Box<dyn Error>> {
@@ -76,8 +77,8 @@ fn ticks(mut kitchen: Kitchen) -> Result<u32, Box<dyn Error>> {
 }
 
 /// A step of the rigid bodies while none of the shrimps sleeps; the frames of one tick but the last, which heats.
-fn shrimps_rigid_step() -> Result<u32, Box<dyn Error>> {
-    let mut kitchen = kitchens::shrimps()?;
+fn shrimps_rigid_step(folder: &Path) -> Result<u32, Box<dyn Error>> {
+    let mut kitchen = kitchens::shrimps(folder)?;
     kitchen.set_sleeping(false);
     kitchen.step();
     let frames = FRAMES_PER_TICK - 1;
@@ -86,14 +87,14 @@ fn shrimps_rigid_step() -> Result<u32, Box<dyn Error>> {
 }
 
 /// The brick from its mesh to its end.
-fn brick() -> Result<u32, Box<dyn Error>> {
+fn brick(_: &Path) -> Result<u32, Box<dyn Error>> {
     let case = Case::parse(BRICK, "brick", &Library::embedded()?)?;
     counted(&mut || drop(black_box(run(&case, || 0.0))));
     Ok(1)
 }
 
 /// The model of a steak of the default size, with its mesh.
-fn food_model() -> Result<u32, Box<dyn Error>> {
+fn food_model(_: &Path) -> Result<u32, Box<dyn Error>> {
     let library = Library::embedded()?;
     let food = library.foods.get("beef-lean").ok_or("there is no beef-lean")?;
     let kinetics = library.kinetics.get(&food.kinetics).ok_or("there are no kinetics of beef")?;
@@ -113,16 +114,16 @@ fn food_model() -> Result<u32, Box<dyn Error>> {
 }
 
 /// The first picture's input of the steak, with the meshes of its skin.
-fn first_scene() -> Result<u32, Box<dyn Error>> {
-    let kitchen = kitchens::steak()?;
+fn first_scene(folder: &Path) -> Result<u32, Box<dyn Error>> {
+    let kitchen = kitchens::steak(folder)?;
     let mut stage = Stage::default();
     counted(&mut || scene(&mut stage, &kitchen));
     Ok(1)
 }
 
 /// The next picture's input of the steak, a second later.
-fn next_scene() -> Result<u32, Box<dyn Error>> {
-    let mut kitchen = kitchens::steak()?;
+fn next_scene(folder: &Path) -> Result<u32, Box<dyn Error>> {
+    let mut kitchen = kitchens::steak(folder)?;
     let mut stage = Stage::default();
     scene(&mut stage, &kitchen);
     (0..TICKS).for_each(|_| kitchen.step());
