@@ -34,16 +34,16 @@ impl FatRates {
         Self {
             solid_until: rate.zero_until(),
             rate,
-            near: (0..mesh.node_count()).map(|n| nearness(mesh, n, release.depth_mm * 1e-3)).collect(),
+            near: mesh.depths().iter().map(|depth| nearness(*depth, release.depth_mm * 1e-3)).collect(),
             fine_share: release.fine_share,
             seam_share: release.seam_share,
         }
     }
 }
 
-/// Depth factor exp(−depth / scale), with the depth below the nearer big face of a slice or below the skin [-].
-fn nearness(mesh: &BodyMesh, node: usize, scale: f64) -> f64 {
-    libm::exp(-mesh.depth(node) / scale)
+/// Depth factor exp(−depth / scale) of a depth [m] below the nearer big face of a slice or below the skin [-].
+fn nearness(depth: f64, scale: f64) -> f64 {
+    libm::exp(-depth / scale)
 }
 
 impl FoodModel {

@@ -105,11 +105,11 @@ impl BodyMesh {
         }
     }
 
-    /// Returns the depth of a node below the nearer face of a slice, otherwise below the surface [m].
-    pub fn depth(&self, node: usize) -> f64 {
+    /// Returns the depth of each node below the nearer face of a slice, otherwise below the surface [m].
+    pub fn depths(&self) -> Vec<f64> {
         match self {
-            Self::Swept(mesh) => mesh.depth(node),
-            Self::Cells(cells) => cells.depth[node],
+            Self::Swept(mesh) => mesh.depths(),
+            Self::Cells(cells) => cells.depth.clone(),
         }
     }
 

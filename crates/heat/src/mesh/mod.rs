@@ -32,6 +32,7 @@ pub mod cut;
 pub mod levels;
 pub mod locate;
 pub mod outline;
+pub mod outline_bands;
 pub mod path;
 pub mod probe;
 pub mod section;

@@ -2,6 +2,8 @@
 
 use libm::{cos, fabs, pow, sin};
 
+use crate::mesh::outline_bands::is_crossed;
+
 /// A closed polygon, counter-clockwise, with its area centroid at the origin [m].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outline {
@@ -83,11 +85,7 @@ impl Outline {
 
     /// Returns true if a point [m] is inside, by the even–odd rule.
     pub fn contains(&self, point: [f64; 2]) -> bool {
-        let [x, y] = point;
-        let crossings = self
-            .corners()
-            .filter(|(p, q)| (p[1] > y) != (q[1] > y) && x < p[0] + (y - p[1]) / (q[1] - p[1]) * (q[0] - p[0]));
-        crossings.count() % 2 == 1
+        self.corners().filter(|&(p, q)| is_crossed(point, [p, q])).count() % 2 == 1
     }
 
     /// Returns the distance of a point from the curve [m].
@@ -138,7 +136,7 @@ impl Outline {
         samples
     }
 
-    fn corners(&self) -> impl Iterator<Item = ([f64; 2], [f64; 2])> + '_ {
+    pub(super) fn corners(&self) -> impl Iterator<Item = ([f64; 2], [f64; 2])> + '_ {
         let n = self.points.len();
         (0..n).map(move |i| (self.points[i], self.points[(i + 1) % n]))
     }
@@ -148,7 +146,7 @@ fn distance(p: [f64; 2], q: [f64; 2]) -> f64 {
     libm::hypot(p[0] - q[0], p[1] - q[1])
 }
 
-fn distance_to_segment(point: [f64; 2], p: [f64; 2], q: [f64; 2]) -> f64 {
+pub(super) fn distance_to_segment(point: [f64; 2], p: [f64; 2], q: [f64; 2]) -> f64 {
     let d = [q[0] - p[0], q[1] - p[1]];
     let t = ((point[0] - p[0]) * d[0] + (point[1] - p[1]) * d[1]) / (d[0] * d[0] + d[1] * d[1]);
     let t = t.clamp(0.0, 1.0);

@@ -3,6 +3,7 @@
 use spade::{DelaunayTriangulation, Point2, Triangulation};
 
 use crate::mesh::outline::Outline;
+use crate::mesh::outline_bands::OutlineBands;
 
 /// The reason why a cross-section cannot be triangulated.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -41,18 +42,18 @@ impl Section {
     /// # Errors
     /// [`MeshError::NoArea`] if the nodes span no triangle.
     pub fn mesh(outline: &Outline, spacing: f64, rim: f64) -> Result<Self, MeshError> {
-        let boundary = outline.sampled(0.75 * spacing);
+        let (boundary, bands) = (outline.sampled(0.75 * spacing), OutlineBands::new(outline));
         let mut points: Vec<[f64; 2]> = boundary.iter().map(|&(p, _)| p).collect();
         let inset = boundary.iter().map(|&(p, n)| [p[0] + rim * n[0], p[1] + rim * n[1]]);
         let apart = 0.45 * spacing;
         for p in inset {
-            if outline.distance_to(p) > 0.95 * rim {
+            if bands.is_farther(p, 0.95 * rim) {
                 push_apart(&mut points, p, 0.6 * rim.min(apart));
             }
         }
-        let lattice = hexagonal_lattice(outline, spacing);
-        points.extend(lattice.into_iter().filter(|&p| outline.distance_to(p) > rim + 0.7 * spacing));
-        Self::triangulate(points, |p| outline.contains(p))
+        let lattice = hexagonal_lattice(outline.reach(), spacing);
+        points.extend(lattice.filter(|&p| bands.contains(p) && bands.is_farther(p, rim + 0.7 * spacing)));
+        Self::triangulate(points, |p| bands.contains(p))
     }
 
     /// Estimated number of nodes of [`Self::mesh`], without meshing [-].
@@ -94,7 +95,7 @@ impl Section {
         };
         let points: Vec<[f64; 2]> = rings.iter().flat_map(ring).collect();
         // Where the outline is slightly concave, slivers between it and its convex hull do not belong to the section.
-        let rim = Outline { points: points[..rings.first().map_or(0, |r| r.0)].to_vec() };
+        let rim = OutlineBands::new(&Outline { points: points[..rings.first().map_or(0, |r| r.0)].to_vec() });
         Self::triangulate(points, |p| rim.contains(p))
     }
 
@@ -201,21 +202,15 @@ fn push_apart(points: &mut Vec<[f64; 2]>, p: [f64; 2], apart: f64) {
     }
 }
 
-/// Returns the points of a hexagonal lattice about the origin inside the outline [m].
-fn hexagonal_lattice(outline: &Outline, spacing: f64) -> Vec<[f64; 2]> {
-    let reach = outline.reach();
+/// Returns the points of a hexagonal lattice about the origin that reaches as far along both axes [m].
+fn hexagonal_lattice(reach: f64, spacing: f64) -> impl Iterator<Item = [f64; 2]> {
     let row_height = spacing * libm::sqrt(3.0) / 2.0;
     let rows = libm::ceil(reach / row_height) as i32 + 1;
     let columns = libm::ceil(reach / spacing) as i32 + 1;
-    let mut lattice = Vec::new();
-    for row in -rows..=rows {
+    (-rows..=rows).flat_map(move |row| {
         let offset = 0.5 * f64::from(row.rem_euclid(2));
-        for column in -columns..=columns {
-            lattice.push([(f64::from(column) + offset) * spacing, f64::from(row) * row_height]);
-        }
-    }
-    lattice.retain(|&p| outline.contains(p));
-    lattice
+        (-columns..=columns).map(move |column| [(f64::from(column) + offset) * spacing, f64::from(row) * row_height])
+    })
 }
 
 /// Returns twice the signed area of a triangle [m²].

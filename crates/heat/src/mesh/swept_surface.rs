@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use crate::mesh::outline::Outline;
-use crate::mesh::path::Path;
+use crate::mesh::path::{Path, Station};
 use crate::mesh::swept::SweptMesh;
 
 impl SweptMesh {
@@ -50,14 +50,23 @@ impl SweptMesh {
         areas
     }
 
-    /// Returns the depth of a node below the nearer end face, or below the side of a body on stations if that is nearer [m].
-    pub fn depth(&self, node: usize) -> f64 {
-        let (level, i) = (node / self.nodes_per_level(), node % self.nodes_per_level());
-        let z = self.levels[level];
-        let below_ends = z.min(self.thickness() - z) * self.path.column(i);
-        let Path::Stations(stations) = &self.path else { return below_ends };
-        let section = &stations[level].section;
-        let rim = Outline { points: self.section.rim().iter().map(|&i| section.points[i as usize]).collect() };
-        below_ends.min(rim.distance_to(section.points[i]))
+    /// Returns the depth of each node below the nearer end face, or below the side of a body on stations if that is nearer [m].
+    pub fn depths(&self) -> Vec<f64> {
+        let below_ends = |level: usize, i: usize| {
+            let z = self.levels[level];
+            z.min(self.thickness() - z) * self.path.column(i)
+        };
+        let columns = self.nodes_per_level();
+        let mut depths: Vec<f64> =
+            (0..self.levels.len() * columns).map(|node| below_ends(node / columns, node % columns)).collect();
+        if let Path::Stations(stations) = &self.path {
+            let rim = self.section.rim();
+            for (level, Station { section, .. }) in stations.iter().enumerate() {
+                let rim = Outline { points: rim.iter().map(|&i| section.points[i as usize]).collect() };
+                let depths = depths[level * columns..].iter_mut().zip(&section.points);
+                depths.for_each(|(depth, &point)| *depth = depth.min(rim.distance_to(point)));
+            }
+        }
+        depths
     }
 }

@@ -56,13 +56,13 @@ fn a_shrimp_has_its_mass_its_nodes_and_its_layers() {
     let shrimp = model("shrimp", 1.0, [0.075, 0.016, 0.016]);
     assert!((8e-3..12e-3).contains(&shrimp.raw_mass()), "{}", shrimp.raw_mass());
     assert!(shrimp.mesh().node_count() >= 2000, "{}", shrimp.mesh().node_count());
-    let mut depths: Vec<f64> = (0..shrimp.mesh().node_count()).map(|n| shrimp.mesh().depth(n)).collect();
+    let mut depths: Vec<f64> = shrimp.mesh().depths();
     depths.retain(|d| *d > 1e-6);
     let first = depths.iter().copied().fold(f64::INFINITY, f64::min);
     assert!((0.1e-3..0.41e-3).contains(&first), "{first}");
     let deepest = depths.iter().copied().fold(0.0, f64::max);
     assert!((5.5e-3..7.5e-3).contains(&deepest), "{deepest}");
-    assert_eq!(shrimp.mesh().depth(0), 0.0);
+    assert_eq!(shrimp.mesh().depths()[0], 0.0);
 }
 
 /// Length along the curve and thickest diameter are the requested ones.
