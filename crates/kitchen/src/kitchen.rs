@@ -247,6 +247,16 @@ impl Kitchen {
         self.add_with(library, order, &mut Models::default())
     }
 
+    /// Builds the model of a piece into known models, where [`Self::add_with`] finds it.
+    ///
+    /// # Errors
+    ///
+    /// If there is no such food, or if it cannot be built.
+    pub fn prepare(&self, library: &Library, order: &PieceOrder, models: &mut Models) -> Result<(), SetupError> {
+        order.check()?;
+        models.food(&FoodKey::ordered(order, library), &self.fixed, library).map(drop)
+    }
+
     /// Adds a piece, with known models, to which one that had to be built is added.
     pub fn add_with(&mut self, library: &Library, order: &PieceOrder, models: &mut Models) -> Result<(), SetupError> {
         order.check()?;

@@ -5,6 +5,7 @@ use std::ops::Range;
 
 use crate::action::Action;
 use crate::condition::Condition;
+use saute_kitchen::bytes::Models;
 use saute_kitchen::data::library::Library;
 use saute_kitchen::kitchen::{Kitchen, PieceOrder, SetupError};
 use saute_kitchen::piece::piece_state::Piece;
@@ -144,9 +145,14 @@ impl Recipe {
 
     /// Returns a kitchen with the recipe's pan and foods, at time 0.
     pub fn kitchen(&self, library: &Library) -> Result<Kitchen, SetupError> {
+        self.kitchen_with(library, &mut Models::default())
+    }
+
+    /// As [`Self::kitchen`], with known models, to which those that had to be built are added.
+    pub fn kitchen_with(&self, library: &Library, models: &mut Models) -> Result<Kitchen, SetupError> {
         let mut kitchen = self.empty_kitchen(library)?;
         for food in &self.foods {
-            kitchen.add(library, food)?;
+            kitchen.add_with(library, food, models)?;
         }
         Ok(kitchen)
     }

@@ -95,6 +95,8 @@ pub struct Session<H = NoHands> {
     forecast: Option<(String, u64, Forecast)>,
     /// The valid order about the hob.
     order: KeptOrder,
+    /// Foods that are being built.
+    building: Option<stock::Building>,
 }
 
 impl<H: Hands> Session<H> {
@@ -134,6 +136,7 @@ impl<H: Hands> Session<H> {
             start_mass_g: BTreeMap::new(),
             forecast: None,
             order: KeptOrder::default(),
+            building: None,
         };
         session.begin();
         Ok(session)
@@ -177,7 +180,8 @@ impl<H: Hands> Session<H> {
 
     /// As [`Self::begin_with`], in the kitchen of a library.
     fn begin_in(&mut self, library: Arc<Library>, recipe: Arc<Recipe>, plays: bool) -> Result<(), ReplayError> {
-        let kitchen = recipe.kitchen(&library)?;
+        let mut models = self.take_built();
+        let kitchen = recipe.kitchen_with(&library, &mut models)?;
         self.put_by();
         self.library = library;
         self.recording = Recording::begin(&recipe, plays, &self.library);
@@ -185,6 +189,7 @@ impl<H: Hands> Session<H> {
         self.runner = plays.then(|| Runner::new(Arc::clone(&recipe)));
         (self.recipe, self.plays) = (recipe, plays);
         self.begin();
+        self.timeline.models().adopt(models);
         Ok(())
     }
 
@@ -331,7 +336,7 @@ impl<H: Hands> Session<H> {
 }
 
 /// Food that was added.
-fn added(deed: &Deed) -> Option<&PieceOrder> {
+pub(crate) fn added(deed: &Deed) -> Option<&PieceOrder> {
     match deed {
         Deed::Add(order) => Some(order),
         _ => None,

@@ -19,17 +19,21 @@ impl<H: Hands> Session<H> {
     ///
     /// If the library has not what the session needs.
     pub fn resume(&mut self, recording: Recording) -> Result<(), ReplayError> {
-        // It goes on in the kitchen in which it was recorded.
-        let library = match recording.beginning().library(self.home())? {
-            Cow::Borrowed(_) => Arc::clone(self.home()),
-            Cow::Owned(there) => Arc::new(there),
-        };
+        let library = self.library_of(&recording)?;
         let recipe = recording.beginning().recipe(&library)?;
         self.begin_in(library, Arc::new(recipe), recording.beginning().plays)?;
         self.lay_ahead(recording);
         self.set_paused(true);
         self.timeline.catches_up = self.lies_ahead();
         Ok(())
+    }
+
+    /// The library of the kitchen in which a cook was recorded: it goes on there.
+    pub(super) fn library_of(&self, recording: &Recording) -> Result<Arc<Library>, ReplayError> {
+        Ok(match recording.beginning().library(self.home())? {
+            Cow::Borrowed(_) => Arc::clone(self.home()),
+            Cow::Owned(there) => Arc::new(there),
+        })
     }
 
     /// Plays on to the recording's last frame, which may be within a tick, for no longer than `budget`; at least a tick.

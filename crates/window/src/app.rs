@@ -247,6 +247,10 @@ impl SauteApp {
                 return self.desk.notice.say(l.fill("notice.wrong_recipe", &parts));
             }
         };
+        let is_to_build = self.session.builds_recipe_first(&recipe);
+        if self.waits_for_food(is_to_build, || Later::Recipe(file.to_owned(), text.to_owned())) {
+            return;
+        }
         match self.session.play(recipe) {
             Ok(()) => {
                 let title = l.called("recipe", self.session.recipe_title().unwrap_or(file));

@@ -70,7 +70,7 @@ mod tests {
         ];
         for outline in &outlines {
             let bands = OutlineBands::new(outline);
-            for i in 0..20_000 {
+            for i in 0..1500 {
                 let share = [0.618_034, 0.754_878].map(|step| f64::from(i) * step % 1.0 - 0.5);
                 let mut p = [0.15 * share[0], 0.1 * share[1]];
                 if i % 5 == 0 {

@@ -77,6 +77,15 @@ impl Models {
         }
     }
 
+    /// Adds other models that are known.
+    pub fn adopt(&mut self, other: Self) {
+        for food in other.foods {
+            if self.known_food(&food.key).is_none() {
+                self.foods.push(food);
+            }
+        }
+    }
+
     fn known_kitchen(&self, pan_kind: &str, data_hash: u64) -> Option<&Arc<Fixed>> {
         self.kitchens.iter().find(|known| known.pan_kind == pan_kind && known.data_hash == data_hash)
     }

@@ -1,6 +1,7 @@
 //! A piece of food in the kitchen: its place, its contacts and their heat transfer.
 
 pub mod board;
+pub mod building_time;
 pub mod carry_over;
 pub mod contact;
 mod contact_2013;

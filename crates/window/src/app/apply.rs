@@ -56,7 +56,7 @@ impl SauteApp {
             CookAct::RollBy(by) => self.with_turner(|turner| turner.tilt(by, 0.0)),
             CookAct::LevelTool => self.with_turner(TurnerPose::level),
             CookAct::PutAway => self.put_tool_away(),
-            CookAct::SetOut(count) => self.set_out(count),
+            CookAct::SetOut(count) => self.set_out_by_hand(count),
             CookAct::Add(count) => self.add(count),
             CookAct::Play(id) => self.play(&id),
             CookAct::ResumeRecipe => self.resume_recipe(),

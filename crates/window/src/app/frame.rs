@@ -36,6 +36,7 @@ impl SauteApp {
         self.take_keys(&ctx);
         self.take_dropped_files(&ctx);
         self.take_news(&ctx);
+        self.build_foods(&ctx);
         self.let_time_pass(&ctx);
         self.guide(&ctx);
         self.follow_plan(&ctx);

@@ -6,6 +6,7 @@ use saute_recipe::Recording;
 use saute_recipe::session::Opened;
 
 use super::SauteApp;
+use super::keeps::later::Later;
 
 impl SauteApp {
     /// Opens a session's file: it is played again up to its end. Reports what of it was lost, or why it cannot be opened.
@@ -15,6 +16,10 @@ impl SauteApp {
             Ok(opened) => opened,
             Err(error) => return self.say_trouble(&error),
         };
+        let is_to_build = self.session.builds_recorded_first(&recording).unwrap_or(false);
+        if self.waits_for_food(is_to_build, || Later::Session(name.to_owned(), bytes.to_vec())) {
+            return;
+        }
         if let Err(error) = self.session.resume(recording) {
             return self.say_trouble(&error);
         }

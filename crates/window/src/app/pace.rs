@@ -2,6 +2,7 @@
 
 use super::SauteApp;
 use crate::app::apply::waiting::Waiting;
+use crate::app::keeps::later::Later;
 use saute_kitchen::advice::Advice;
 use saute_picture::frame_meter::FrameMeter;
 use saute_session::easing::Easing;
@@ -27,6 +28,8 @@ pub(crate) struct Pace {
     tossed_s: Option<f64>,
     /// What waits until the instant is reached to which time is turned.
     pub(crate) waiting: Vec<Waiting>,
+    /// What is done as soon as its foods are built.
+    pub(crate) later: Option<Later>,
     /// Real time where a hand is needed.
     pub(crate) easing: Easing,
     /// True if time was stopped because nobody sees the window.

@@ -32,10 +32,14 @@ pub fn show(
     layout: &Layout,
 ) {
     standing(state, ui, acts, layout);
-    let held: Vec<(&str, String)> = [("behind", behind(state)), ("waiting", waits(state, waiting))]
-        .into_iter()
-        .filter_map(|(name, text)| Some((name, text?)))
-        .collect();
+    let held: Vec<(&str, String)> = [
+        ("behind", behind(state)),
+        ("waiting", waits(state, waiting)),
+        ("building", state.session.building().map(|[built, all]| building(state, built, all))),
+    ]
+    .into_iter()
+    .filter_map(|(name, text)| Some((name, text?)))
+    .collect();
     // Each begins where the one before it ends, however many lines that has.
     let mut drop = 12.0 + clear_of(state, layout);
     for (name, text) in &held {
@@ -64,6 +68,11 @@ fn waits(state: &PanelContext, waiting: &[String]) -> Option<String> {
     let l = state.settings.language;
     let (what, time) = (waiting.join(l.text("doneness.list_joint")), clock(state.session.bound_for_s()));
     (!waiting.is_empty()).then(|| l.fill("waiting.until", &[("what", &what), ("time", &time)]))
+}
+
+/// How many foods are there of those that are set out as soon as all are.
+fn building(state: &PanelContext, built: usize, all: usize) -> String {
+    state.settings.language.fill("waiting.building", &[("built", &built), ("all", &all)])
 }
 
 /// Height of what is at the edge from which messages begin: the ribbon of a study or a lesson, on a narrow window the legend.

@@ -4,6 +4,8 @@ use saute_kitchen::{Command, RestOn, kelvin};
 use saute_plan::forecast::Question;
 
 use crate::app::SauteApp;
+use crate::app::keeps::later::Later;
+use saute_controls::act::{Act, CookAct};
 use saute_kitchen::piece::memory::MOST_PIECES;
 
 /// Height of a toss by key [m] (chosen: over the rim, within reach).
@@ -83,6 +85,14 @@ impl SauteApp {
         self.session.select(id);
     }
 
+    /// Sets out so many of the chosen food as soon as they are built.
+    pub(super) fn set_out_by_hand(&mut self, count: usize) {
+        let is_to_build = self.session.builds_choice_first(&self.settings.choice, count);
+        if !self.waits_for_food(is_to_build, || Later::Act(Act::Cook(CookAct::SetOut(count)))) {
+            self.set_out(count);
+        }
+    }
+
     /// Restarts with so many of the chosen food, and the chosen pan.
     pub(crate) fn set_out(&mut self, count: usize) {
         self.leads.learn.begin_cook();
@@ -110,6 +120,10 @@ impl SauteApp {
             self.desk.notice.say(l.fill("pantry.full", &[("most", &MOST_PIECES), ("room", &room)]));
             return;
         }
+        let is_to_build = self.session.builds_added_first(&self.settings.choice, count);
+        if self.waits_for_food(is_to_build, || Later::Act(Act::Cook(CookAct::Add(count)))) {
+            return;
+        }
         match self.session.add(&self.settings.choice, count) {
             Ok(group) => {
                 let first = self.session.members(&group).into_iter().next();
@@ -132,6 +146,10 @@ impl SauteApp {
     pub(super) fn restart(&mut self) {
         if self.leads.guided.is_some() {
             return self.lesson_again();
+        }
+        let is_to_build = self.session.builds_again_first();
+        if self.waits_for_food(is_to_build, || Later::Act(Act::Cook(CookAct::Restart))) {
+            return;
         }
         self.leads.learn.begin_cook();
         match self.session.restart() {

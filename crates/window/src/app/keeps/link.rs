@@ -1,8 +1,10 @@
 //! A cook as the fragment of an address: what it began with and every command, packed, with a version and a checksum.
 
 use crate::app::SauteApp;
+use crate::app::keeps::later::Later;
 use crate::host::Host;
 use crate::system::page_address;
+use saute_recipe::Recording;
 use saute_session::kept::link::{LONGEST, fragment, read};
 use saute_session::permits::Permit;
 
@@ -26,11 +28,19 @@ impl SauteApp {
         }
         match read(fragment) {
             Ok(None) => {}
-            Ok(Some(recording)) => match self.session.resume(recording) {
-                Ok(()) => self.say("link.opened"),
-                Err(error) => self.say_trouble(&error),
-            },
+            Ok(Some(recording)) => self.open_linked(recording, fragment),
             Err(error) => self.say(error.words()),
+        }
+    }
+
+    fn open_linked(&mut self, recording: Recording, fragment: &str) {
+        let is_to_build = self.session.builds_recorded_first(&recording).unwrap_or(false);
+        if self.waits_for_food(is_to_build, || Later::Link(fragment.to_owned())) {
+            return;
+        }
+        match self.session.resume(recording) {
+            Ok(()) => self.say("link.opened"),
+            Err(error) => self.say_trouble(&error),
         }
     }
 }

@@ -1,5 +1,9 @@
 //! Pieces of a session: added, removed, laid into the pan.
 
+mod building;
+
+pub(super) use building::Building;
+
 use saute_kitchen::kitchen::SetupError;
 use saute_kitchen::{Command, PieceOrder};
 
@@ -17,6 +21,8 @@ impl<H: Hands> Session<H> {
     /// If they cannot be built.
     pub fn add(&mut self, choice: &SteakChoice, count: usize) -> Result<String, SetupError> {
         let group = self.free_name(&base_name(&self.library, &choice.kind));
+        let built = self.take_built();
+        self.timeline.models().adopt(built);
         orders(&self.library, choice, &group, count).into_iter().try_for_each(|order| self.add_one(order))?;
         Ok(group)
     }

@@ -1,0 +1,147 @@
+//! Foods that are built before a cook begins with them or they are added, some in each frame: many pieces take longer than a person waits
+//! before a picture that stands.
+
+use std::sync::Arc;
+
+use saute_kitchen::bytes::Models;
+use saute_kitchen::kitchen::SetupError;
+use saute_kitchen::piece::building_time::building_s;
+use saute_kitchen::{Kitchen, Library, PieceOrder};
+use saute_recipe::session::ReplayError;
+use saute_recipe::{Recipe, Recording};
+use web_time::{Duration, Instant};
+
+use crate::Session;
+use crate::added;
+use crate::choice::{SteakChoice, as_recipe, orders};
+use crate::hands::Hands;
+
+/// What takes no longer is built at once [s] (chosen: what a person takes for an answer at once is 0.1 s, and a page that stands for
+/// half a second is not yet thought to be stuck).
+const AT_ONCE_S: f64 = 0.5;
+
+/// Foods that are being built.
+pub(crate) struct Building {
+    /// The kitchen without food.
+    bare: Kitchen,
+    library: Arc<Library>,
+    orders: Vec<PieceOrder>,
+    built: usize,
+    models: Models,
+    /// False until a frame has told that they are built.
+    is_told: bool,
+}
+
+impl<H: Hands> Session<H> {
+    /// Returns true if the foods of a choice must be built before they are set out: [`Self::build_more`] then does it.
+    pub fn builds_choice_first(&mut self, choice: &SteakChoice, count: usize) -> bool {
+        as_recipe(&self.library, choice, count).is_ok_and(|recipe| self.builds_recipe_first(&recipe))
+    }
+
+    /// Returns true if foods must be built before they are added.
+    pub fn builds_added_first(&mut self, choice: &SteakChoice, count: usize) -> bool {
+        let (recipe, library) = (Arc::clone(&self.recipe), Arc::clone(&self.library));
+        let orders = orders(&library, choice, "", count);
+        self.builds_first(&recipe, &library, orders)
+    }
+
+    /// Returns true if the foods of a recipe must be built before it is played or set out.
+    pub fn builds_recipe_first(&mut self, recipe: &Recipe) -> bool {
+        let home = Arc::clone(&self.home);
+        self.builds_first(recipe, &home, recipe.foods.clone())
+    }
+
+    /// Returns true if foods must be built before this cook is begun again.
+    pub fn builds_again_first(&mut self) -> bool {
+        let (recipe, home) = (Arc::clone(&self.recipe), Arc::clone(&self.home));
+        let orders = with_added(&recipe, &self.recording);
+        self.builds_first(&recipe, &home, orders)
+    }
+
+    /// Returns true if foods must be built before a recorded cook is resumed.
+    ///
+    /// # Errors
+    ///
+    /// If the library has not what it began with.
+    pub fn builds_recorded_first(&mut self, recording: &Recording) -> Result<bool, ReplayError> {
+        let library = self.library_of(recording)?;
+        let recipe = recording.beginning().recipe(&library)?;
+        let orders = with_added(&recipe, recording);
+        Ok(self.builds_first(&recipe, &library, orders))
+    }
+
+    fn builds_first(&mut self, recipe: &Recipe, library: &Arc<Library>, orders: Vec<PieceOrder>) -> bool {
+        let is_built = |building: &Building| building.is_ended() && building.orders == orders;
+        if self.building.as_ref().is_some_and(is_built) || building_s(library, &orders).is_ok_and(|s| s < AT_ONCE_S) {
+            return false;
+        }
+        let begun = recipe.empty_kitchen(library).map(|bare| Building {
+            bare,
+            library: Arc::clone(library),
+            orders,
+            built: 0,
+            models: Models::default(),
+            is_told: false,
+        });
+        // What is wrong is told by the cook that cannot begin.
+        self.building = begun.ok();
+        self.building.is_some()
+    }
+
+    /// Number of foods that are built, and of all, while they are being built [-].
+    pub fn building(&self) -> Option<[usize; 2]> {
+        let building = self.building.as_ref().filter(|building| !building.is_ended())?;
+        Some([building.built, building.orders.len()])
+    }
+
+    /// Builds foods for no longer than `budget`, but one at least; none in the first call, so that it can be told before the first is
+    /// built. Returns true once all are built; none where nothing is to be built.
+    pub fn build_more(&mut self, budget: Duration) -> Option<bool> {
+        let building = self.building.as_mut()?;
+        if std::mem::replace(&mut building.is_told, true) {
+            building.more(budget);
+        }
+        Some(building.is_ended())
+    }
+
+    /// Lets go of foods that are being built.
+    pub fn stop_building(&mut self) {
+        self.building = None;
+    }
+
+    /// The models that were built, for the cook that begins or goes on with them.
+    pub(crate) fn take_built(&mut self) -> Models {
+        self.building.take().map(|building| building.models).unwrap_or_default()
+    }
+}
+
+impl Building {
+    fn is_ended(&self) -> bool {
+        self.built == self.orders.len()
+    }
+
+    fn more(&mut self, budget: Duration) {
+        let begun = Instant::now();
+        while !self.is_ended() {
+            // What is wrong with one is told when it is set out.
+            if self.next().is_err() {
+                self.built = self.orders.len();
+            }
+            if begun.elapsed() >= budget {
+                break;
+            }
+        }
+    }
+
+    fn next(&mut self) -> Result<(), SetupError> {
+        self.bare.prepare(&self.library, &self.orders[self.built], &mut self.models)?;
+        self.built += 1;
+        Ok(())
+    }
+}
+
+/// The foods of a recipe, and those that were added to its cook.
+fn with_added(recipe: &Recipe, recording: &Recording) -> Vec<PieceOrder> {
+    let added = recording.entries().iter().filter_map(|entry| added(&entry.deed));
+    recipe.foods.iter().chain(added).cloned().collect()
+}
