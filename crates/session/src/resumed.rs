@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use web_time::{Duration, Instant};
 
+use saute_kitchen::Library;
 use saute_recipe::Recording;
 use saute_recipe::session::ReplayError;
 

@@ -145,3 +145,55 @@ fn with_added(recipe: &Recipe, recording: &Recording) -> Vec<PieceOrder> {
     let added = recording.entries().iter().filter_map(|entry| added(&entry.deed));
     recipe.foods.iter().chain(added).cloned().collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const MANY: usize = 60;
+
+    fn session() -> (Session, SteakChoice) {
+        let library = Arc::new(Library::embedded().expect("embedded data"));
+        let session = Session::new(library, &SteakChoice::default()).expect("sets out");
+        let size_mm = session.library.foods["shrimp"].size.default_mm.clone();
+        (session, SteakChoice { kind: "shrimp".into(), size_mm, ..SteakChoice::default() })
+    }
+
+    /// Builds all; returns the number of slices.
+    fn build(session: &mut Session) -> usize {
+        assert_eq!(session.build_more(Duration::ZERO), Some(false));
+        assert_eq!(session.building(), Some([0, MANY]), "the first slice only tells");
+        let mut slices = 1;
+        while session.build_more(Duration::ZERO) == Some(false) {
+            slices += 1;
+        }
+        slices
+    }
+
+    #[test]
+    fn one_piece_is_built_at_once_and_many_one_after_another() {
+        let (mut session, choice) = session();
+        assert!(!session.builds_choice_first(&choice, 1) && session.building().is_none());
+        assert!(session.builds_choice_first(&choice, MANY));
+        assert_eq!(build(&mut session), MANY, "a slice builds one piece at least");
+        assert!(session.building().is_none() && session.kitchen.pieces().len() == 1, "the cook goes on meanwhile");
+        assert!(!session.builds_choice_first(&choice, MANY), "they are built");
+        session.set_out(&choice, MANY).expect("sets out");
+        assert_eq!(session.kitchen.pieces().len(), MANY);
+        assert!(session.builds_choice_first(&choice, MANY), "they are let go of then");
+    }
+
+    #[test]
+    fn added_food_and_that_of_a_recording_are_built_first() {
+        let (mut session, choice) = session();
+        assert!(session.builds_added_first(&choice, MANY));
+        build(&mut session);
+        assert!(!session.builds_added_first(&choice, MANY));
+        session.add(&choice, MANY).expect("adds");
+        let recording = session.recording().clone();
+        assert!(session.builds_recorded_first(&recording).expect("the food is known"));
+        assert!(session.builds_again_first());
+        session.stop_building();
+        assert_eq!(session.build_more(Duration::ZERO), None);
+    }
+}

@@ -2,6 +2,7 @@
 
 use egui::Key;
 use egui_kittest::{Harness, kittest::Queryable};
+use saute_controls::act::{Act, CookAct};
 use saute_kitchen::Command;
 use saute_picture::View;
 use saute_window::{SauteApp, Start};
@@ -241,4 +242,33 @@ fn the_hob_says_why_it_gives_no_power() {
     cook(&mut hot, 90.0);
     hot.get_by_label("Less power: overheat protection");
     save(&mut hot, "limit");
+}
+
+/// The window goes on while many pieces are built, says how far it is, and lets go of them on Esc.
+#[test]
+fn many_pieces_are_set_out_over_frames_which_can_be_stopped() {
+    let mut harness = window(WIDE);
+    press(&mut harness, Key::N);
+    harness.get_by_label("Shrimp").click();
+    steps(&mut harness, 2);
+    let ask = |harness: &mut Harness<'static, SauteApp>| {
+        let context = harness.ctx.clone();
+        harness.state_mut().act(Act::Cook(CookAct::SetOut(60)), &context);
+        harness.step();
+        harness.get_by_label_contains("Setting out the food: 0 of 60");
+    };
+    ask(&mut harness);
+    press(&mut harness, Key::Escape);
+    steps(&mut harness, 3);
+    assert!(harness.query_by_label_contains("Setting out the food").is_none());
+    assert_eq!(harness.state().session().kitchen.pieces().len(), 1, "the cook before goes on");
+    ask(&mut harness);
+    for _ in 0..200 {
+        if harness.query_by_label_contains("Setting out the food").is_none() {
+            break;
+        }
+        assert_eq!(harness.state().session().kitchen.pieces().len(), 1);
+        harness.step();
+    }
+    assert_eq!(harness.state().session().kitchen.pieces().len(), 60);
 }
