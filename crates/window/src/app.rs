@@ -36,6 +36,7 @@ use self::desk::Desk;
 use self::graphics::Graphics;
 use self::hands::Inputs;
 use self::keeps::Keeps;
+use self::keeps::later::Later;
 use self::leads::Leads;
 use self::on_host::OnHost;
 use self::pace::Pace;
