@@ -254,7 +254,7 @@ fn many_pieces_are_set_out_over_frames_which_can_be_stopped() {
     let ask = |harness: &mut Harness<'static, SauteApp>| {
         let context = harness.ctx.clone();
         harness.state_mut().act(Act::Cook(CookAct::SetOut(60)), &context);
-        harness.step();
+        steps(harness, 2);
         harness.get_by_label_contains("Setting out the food: 0 of 60");
     };
     ask(&mut harness);
