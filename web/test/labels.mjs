@@ -17,4 +17,6 @@ export async function clickLabel(page, name, key = null) {
 export async function clickFile(page, name) {
   await clickLabel(page, "File", "n");
   await clickLabel(page, name);
+  // Else the next press could reach a row of this card, while it closes.
+  await page.locator("#controls").getByRole("button", { name, exact: true }).waitFor({ state: "detached" });
 }
