@@ -31,10 +31,13 @@ impl DateOrder {
 /// Number of a day in the Gregorian calendar.
 fn day_number(year: i64, month: i64, day: i64) -> Option<f64> {
     let is_date = (1900..=2200).contains(&year) && (1..=12).contains(&month) && (1..=31).contains(&day);
+    if !is_date {
+        return None;
+    }
     // Years begin in March, so that the leap day is the last one.
     let (year, month) = if month > 2 { (year, month - 3) } else { (year - 1, month + 9) };
     let days = 365 * year + year / 4 - year / 100 + year / 400 + (153 * month + 2) / 5 + day;
-    is_date.then_some(days as f64)
+    Some(days as f64)
 }
 
 /// Returns the time since midnight [s] of hours, minutes and seconds, in the half of the day that is named.
@@ -70,6 +73,7 @@ mod tests {
         }
         assert_eq!(DateOrder::Mdy.day(&[4, 5, 25]), DateOrder::Ymd.day(&[2025, 4, 5]));
         assert_eq!(DateOrder::Mdy.day(&[13, 5, 25]), None);
+        assert_eq!(DateOrder::Ymd.day(&[i64::MAX, 1, i64::MIN]), None);
     }
 
     #[test]
