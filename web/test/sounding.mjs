@@ -3,7 +3,8 @@
 /** What a window tells of a pan of carbon steel at 180 °C with a tenth of a gram of steam a second under the food, and of a clank. */
 export function frying({ clanks = true } = {}) {
   const steam = [1e-4, 0, 0, 0, 0, 0];
-  const state = [180, 180, 0, 0, 1, 0.115, 2.3e-3, 0, 0.5];
+  const [stove, pan] = [[0, 0], [1, 0.115, 2.3e-3]];
+  const state = [180, 180, 0, 0, ...stove, ...pan, 0, 0.5];
   const clank = [4, 0.8, 0.05, 0];
   return new Float32Array([...steam, ...state, ...(clanks ? clank : [])]);
 }

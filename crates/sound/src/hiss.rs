@@ -22,7 +22,7 @@ const WIDTH: f32 = 0.35;
 
 /// A band of noise, and how much of it is heard.
 #[derive(Clone, Copy, Debug)]
-struct Noise {
+pub(crate) struct Noise {
     /// What both sides share, and what differs between them.
     band: Band,
     quality: f32,
@@ -31,24 +31,24 @@ struct Noise {
 }
 
 impl Noise {
-    fn new(hz: f32, quality: f32, rate: f32) -> Self {
+    pub(crate) fn new(hz: f32, quality: f32, rate: f32) -> Self {
         Self { band: Band::new(hz, quality, rate), quality, gain: Smooth::over(GAIN_S, rate), goal: 0.0 }
     }
 
     /// Sets the power, given the centre [Hz]: a band-pass lets π·f/(2·Q) of a white density through.
-    fn set(&mut self, power: f32, hz: f32, rate: f32) {
+    pub(crate) fn set(&mut self, power: f32, hz: f32, rate: f32) {
         let passed = core::f32::consts::PI * hz / self.quality / rate;
         self.goal = libm::sqrtf(power / passed);
     }
 
-    fn next(&mut self, white: [f32; 2]) -> [f32; 2] {
+    pub(crate) fn next(&mut self, white: [f32; 2]) -> [f32; 2] {
         let gain = self.gain.follow(self.goal);
         let [middle, sides] = self.band.pass(white);
         let (middle, side) = (gain * middle, WIDTH * gain * sides);
         [middle + side, middle - side]
     }
 
-    fn is_silent(&self) -> bool {
+    pub(crate) fn is_silent(&self) -> bool {
         self.goal == 0.0 && self.gain.value() == 0.0
     }
 }

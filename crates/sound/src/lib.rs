@@ -41,6 +41,7 @@ mod player;
 mod pour;
 mod random;
 mod snapshot;
+mod stove;
 mod struck;
 mod synth;
 
@@ -49,5 +50,6 @@ pub use limiter::CEILING;
 pub use loudness::SILENCE_DB;
 pub use player::{Player, Told};
 pub use snapshot::{Snapshot, Steam};
+pub use stove::Stove;
 pub use struck::plate::{Metal, Plate};
 pub use synth::{RATES, SEED, Synth};

@@ -14,10 +14,17 @@ impl Snapshot {
         decibels(self.within_ranges().power(place))
     }
 
-    /// Level of all steam [dBFS], as [`Self::level_of`].
+    /// Level of the stove [dBFS], as [`Self::level_of`].
+    pub fn level_of_stove(&self) -> f32 {
+        let within = self.within_ranges();
+        decibels(within.stove.loudness(within.stove_w))
+    }
+
+    /// Level of all steam and of the stove [dBFS], as [`Self::level_of`].
     pub fn level(&self) -> f32 {
         let within = self.within_ranges();
-        decibels(Steam::ALL.into_iter().map(|place| within.power(place)).sum())
+        let steam: f32 = Steam::ALL.into_iter().map(|place| within.power(place)).sum();
+        decibels(steam + within.stove.loudness(within.stove_w))
     }
 
     /// Power of the steam of one place that is heard, over that of a full-scale square [-].

@@ -1,5 +1,7 @@
 //! What sounds for as long as it goes on: the state of a kitchen at a tick.
 
+use crate::stove::Stove;
+
 /// Where steam rises. Each has its own sound.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Steam {
@@ -35,12 +37,23 @@ pub struct Snapshot {
     pub lid: bool,
     /// Share of the floor under food or liquid, which damps the metal [-].
     pub covered: f32,
+    /// How the stove heats, and the power that it draws [W].
+    pub stove: Stove,
+    pub stove_w: f32,
 }
 
 impl Default for Snapshot {
     /// A cold, empty pan without a lid.
     fn default() -> Self {
-        Self { steam: [0.0; Steam::ALL.len()], floor_c: 20.0, oil_c: 20.0, lid: false, covered: 0.0 }
+        Self {
+            steam: [0.0; Steam::ALL.len()],
+            floor_c: 20.0,
+            oil_c: 20.0,
+            lid: false,
+            covered: 0.0,
+            stove: Stove::Silent,
+            stove_w: 0.0,
+        }
     }
 }
 
@@ -61,11 +74,15 @@ impl Snapshot {
             oil_c: finite(self.oil_c, HOTTEST_C),
             lid: self.lid,
             covered: finite(self.covered, 1.0),
+            stove: self.stove,
+            stove_w: finite(self.stove_w, MOST_W),
         }
     }
 }
 
 /// Largest flow of steam [kg/s] (chosen: 100 kW, more than any stove gives; the limiter is at work long before).
 const MOST_STEAM: f32 = 0.04;
+/// Largest power of a stove [W] (chosen: more than any at home).
+const MOST_W: f32 = 1e4;
 /// Highest temperature [°C] (chosen: above the fire of any oil).
 const HOTTEST_C: f32 = 600.0;

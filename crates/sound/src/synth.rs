@@ -12,6 +12,7 @@ use crate::limiter::Limiter;
 use crate::pour::Pour;
 use crate::random::Random;
 use crate::snapshot::{Snapshot, Steam};
+use crate::stove::StoveSound;
 use crate::struck::Struck;
 use crate::struck::plate::Plate;
 
@@ -42,6 +43,7 @@ pub struct Synth {
     bubbles: Bubbles,
     pour: Pour,
     struck: Struck,
+    stove: StoveSound,
     events: EventQueue,
     chance: Random,
     is_lid_on: bool,
@@ -72,6 +74,7 @@ impl Synth {
             bubbles: Bubbles::new(rate),
             pour: Pour::new(stream(100)),
             struck: Struck::new(pan, stream(101), rate),
+            stove: StoveSound::new(stream(103), rate),
             events: EventQueue::new(),
             chance: stream(102),
             is_lid_on: false,
@@ -95,6 +98,7 @@ impl Synth {
         }
         self.is_lid_on = snapshot.lid;
         self.struck.cover(snapshot.covered);
+        self.stove.set(snapshot.stove, snapshot.stove_w);
         for event in events.iter().filter_map(Event::within_ranges) {
             self.events.push(self.now + (event.at_s * self.rate) as u64, event);
         }
@@ -132,8 +136,10 @@ impl Synth {
         let [inside, outside] = self.struck.next();
         let within = self.steam_and_bubbles().map(|x| x + inside);
         let pan = self.lid.pass(within, self.is_lid_on);
+        let [left, right] = self.stove.next();
+        let all = [pan[0] + outside + left, pan[1] + outside + right];
         let fade = self.fade;
-        self.limiter.pass(pan.map(|x| x + outside)).map(|x| x * fade)
+        self.limiter.pass(all).map(|x| x * fade)
     }
 
     fn steam_and_bubbles(&mut self) -> [f32; 2] {
@@ -151,6 +157,7 @@ impl Synth {
         self.bubbles.clear_out();
         self.pour.go_on(self.control_every as f32 / self.rate, &mut self.bubbles);
         self.struck.settle();
+        self.stove.control();
     }
 
     fn begin(&mut self, event: &Event) {

@@ -1,6 +1,6 @@
 //! What is heard, in words and as a level, for those who do not hear it. Both come from the state that the synthesiser gets.
 
-use saute_sound::{SILENCE_DB, Snapshot, Steam};
+use saute_sound::{SILENCE_DB, Snapshot, Steam, Stove};
 use saute_words::language::Language;
 
 /// What goes on, by its sound.
@@ -28,6 +28,8 @@ pub enum Caption {
     Drip,
     /// The wet cloth hisses.
     Cloth,
+    /// The flame of the stove, and nothing else.
+    Flame,
 }
 
 /// Level below which nothing counts as heard [dBFS] (chosen: a tenth of a milligram of steam a second).
@@ -44,7 +46,7 @@ const FULL_DB: f32 = -12.0;
 pub fn caption(snapshot: &Snapshot) -> Caption {
     let level = |place: &Steam| snapshot.level_of(*place);
     let loudest = Steam::ALL.into_iter().max_by(|a, b| level(a).total_cmp(&level(b)));
-    let Some(place) = loudest.filter(|place| level(place) > HEARD_DB) else { return Caption::Quiet };
+    let Some(place) = loudest.filter(|place| level(place) > HEARD_DB) else { return without_steam(snapshot) };
     let flow = snapshot.steam[place as usize];
     match place {
         Steam::Floor => sizzle(flow),
@@ -55,6 +57,12 @@ pub fn caption(snapshot: &Snapshot) -> Caption {
         Steam::Drip => Caption::Drip,
         Steam::Cloth => Caption::Cloth,
     }
+}
+
+/// What is heard while there is no steam. The hum of a coil is left out: it tells nothing about the pan.
+fn without_steam(snapshot: &Snapshot) -> Caption {
+    let is_flame = snapshot.stove == Stove::Flame && snapshot.level_of_stove() > HEARD_DB;
+    if is_flame { Caption::Flame } else { Caption::Quiet }
 }
 
 fn sizzle(flow: f32) -> Caption {
@@ -87,7 +95,7 @@ impl Caption {
     /// The caption in words; `is_lidded` adds that the lid dims it.
     pub fn words(self, is_lidded: bool, l: Language) -> String {
         let words = l.text(self.key());
-        if is_lidded && self != Self::Quiet {
+        if is_lidded && !matches!(self, Self::Quiet | Self::Flame) {
             return l.fill("heard.under_lid", &[("sound", &words)]);
         }
         words.to_owned()
@@ -106,6 +114,7 @@ impl Caption {
             Self::Butter => "heard.butter",
             Self::Drip => "heard.drip",
             Self::Cloth => "heard.cloth",
+            Self::Flame => "heard.flame",
         }
     }
 }

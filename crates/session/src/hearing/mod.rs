@@ -8,8 +8,9 @@ mod happenings;
 pub mod shown;
 mod steam_heard;
 
+use saute_kitchen::pan::heater::Heater;
 use saute_kitchen::{Kitchen, TICKS_PER_S, celsius};
-use saute_sound::{Event, Metal, Plate, SEED, Snapshot, Steam, Synth};
+use saute_sound::{Event, Metal, Plate, SEED, Snapshot, Steam, Stove, Synth};
 
 use self::happenings::Happenings;
 use self::steam_heard::SteamHeard;
@@ -61,6 +62,8 @@ impl Ear {
             oil_c: floor_c,
             lid: kitchen.pan_state().lid.is_some(),
             covered: steam_heard::covered(kitchen) as f32,
+            stove: stove(kitchen),
+            stove_w: kitchen.hob_drawn_w() as f32,
         }
     }
 }
@@ -105,6 +108,15 @@ impl Sound {
             self.synth.render(&mut self.samples);
         }
         &self.samples
+    }
+}
+
+/// How the stove is heard.
+fn stove(kitchen: &Kitchen) -> Stove {
+    match kitchen.hob().heater() {
+        Some(Heater::Flame(_)) => Stove::Flame,
+        Some(Heater::Coil(_)) => Stove::Coil,
+        Some(Heater::Element(_) | Heater::Plate(_)) | None => Stove::Silent,
     }
 }
 

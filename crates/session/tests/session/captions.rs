@@ -1,7 +1,7 @@
 //! Promise: who does not hear the pan reads the same: a caption and a level, from the state that the synthesiser gets.
 
 use saute_session::hearing::caption::{Caption, caption, meter, nearer};
-use saute_sound::{Snapshot, Steam};
+use saute_sound::{Snapshot, Steam, Stove};
 use saute_words::language::Language;
 
 /// A hot pan with steam from a place [g/s].
@@ -13,6 +13,9 @@ fn hot(place: Steam, g_s: f32) -> Snapshot {
 #[test]
 fn each_sound_has_its_caption() {
     let cases = [
+        (Snapshot { stove: Stove::Flame, stove_w: 1500.0, ..Snapshot::default() }, Caption::Flame),
+        (Snapshot { stove: Stove::Flame, stove_w: 1500.0, ..hot(Steam::Floor, 0.02) }, Caption::Soft),
+        (Snapshot { stove: Stove::Coil, stove_w: 2000.0, ..Snapshot::default() }, Caption::Quiet),
         (Snapshot::default(), Caption::Quiet),
         (hot(Steam::Floor, 1e-5), Caption::Quiet),
         (hot(Steam::Floor, 0.005), Caption::Crackle),

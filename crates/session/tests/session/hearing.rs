@@ -7,7 +7,7 @@ mod ear;
 use saute_kitchen::{Command, Kitchen, Library, TICK_S};
 use saute_recipe::{Cook, Recipe};
 use saute_session::hearing::{Ear, Sound, plate};
-use saute_sound::{EventKind, Metal, Snapshot, Steam};
+use saute_sound::{EventKind, Metal, Snapshot, Steam, Stove};
 
 /// A thin steak, fried on both sides, then butter and a lid.
 const COOK: &str = r#"
@@ -201,4 +201,29 @@ fn turned_time_begins_anew() {
     let (heard, events) = ear.hear(&cook.kitchen);
     assert!(events.is_empty() && heard.steam.iter().all(|flow| *flow == 0.0), "a leap forward: {events:?}");
     assert_eq!(ear.hear(&start).1, []);
+}
+
+/// A gas burner and an induction hob are heard while they heat; a pan on an iron plate is silent until something boils.
+#[test]
+fn the_stove_is_heard_while_it_heats() {
+    let library = Library::embedded().expect("the library is sound");
+    for (kind, stove) in
+        [("gas", Stove::Flame), ("induction", Stove::Coil), ("iron-plate", Stove::Silent), ("radiant", Stove::Silent)]
+    {
+        let text = format!("[hob]\nkind = \"{kind}\"\n[[step]]\nat_s = 5\nend = true\n");
+        let recipe = Recipe::parse(&text, "stove.toml", &library).expect("parses");
+        let mut kitchen = recipe.kitchen(&library).expect("a kitchen");
+        let mut sound = Sound::new(&kitchen, 48_000);
+        let mut ear = Ear::new(&kitchen);
+        let mut heard = |kitchen: &mut Kitchen| {
+            kitchen.step();
+            sound.follow(kitchen).iter().any(|frame| *frame != [0.0; 2])
+        };
+        assert!(!heard(&mut kitchen), "{kind}: off");
+        let most = *kitchen.hob().settings_w().last().expect("settings");
+        kitchen.apply(&Command::Hob(most)).expect("turned on");
+        heard(&mut kitchen);
+        assert_eq!(heard(&mut kitchen), stove != Stove::Silent, "{kind}: on");
+        assert_eq!(ear.hear(&kitchen).0.stove, stove, "{kind}");
+    }
 }

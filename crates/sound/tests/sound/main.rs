@@ -4,4 +4,5 @@ mod ear;
 mod played;
 mod signals;
 mod steam;
+mod stove;
 mod struck;
