@@ -37,8 +37,9 @@ pub struct Snapshot {
     pub lid: bool,
     /// Share of the floor under food or liquid, which damps the metal [-].
     pub covered: f32,
-    /// How the stove heats, and the power that it draws [W].
+    /// How the stove heats.
     pub stove: Stove,
+    /// Power that the stove draws [W].
     pub stove_w: f32,
 }
 

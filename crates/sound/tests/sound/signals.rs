@@ -1,6 +1,6 @@
 //! What is true of every signal: the same bits, no clicks, no overload, silence when paused.
 
-use saute_sound::{CEILING, Event, EventKind, Snapshot, Steam, Synth, TICK_S};
+use saute_sound::{CEILING, Event, EventKind, Snapshot, Steam, Stove, Synth, TICK_S};
 
 use crate::ear::{bends, quantile};
 use crate::steam::{PAN, RATE, hot};
@@ -88,7 +88,11 @@ fn values_out_of_range_break_nothing() {
         let steam = [odd; Steam::ALL.len()];
         let event = Event { kind: EventKind::Clank, strength: odd, at_s: odd, side: odd };
         let drop = Event { kind: EventKind::Drop, strength: 0.5, at_s: 0.0, side: odd };
-        synth.feed(&Snapshot { steam, floor_c: odd, oil_c: odd, lid: false, covered: odd }, &[event, drop]);
+        let (stove, stove_w) = (Stove::Flame, odd);
+        synth.feed(
+            &Snapshot { steam, floor_c: odd, oil_c: odd, lid: false, covered: odd, stove, stove_w },
+            &[event, drop],
+        );
         synth.render(&mut frames);
         assert!(frames.iter().flatten().all(|x| x.is_finite() && x.abs() <= CEILING), "{odd}");
     }
