@@ -5,6 +5,7 @@ use super::host_act::HostAct;
 use super::setting::Setting;
 use super::traits::Traits;
 use saute_session::export::Export;
+use saute_session::hearing::example::Example;
 use saute_session::permits::Permit;
 
 /// Cards, files, pictures, devices and settings.
@@ -36,6 +37,8 @@ pub enum AppAct {
     Host(HostAct),
     /// Changes a remembered setting.
     Set(Setting),
+    /// Plays what a cue means.
+    Hear(Example),
     /// Shows a notice over the scene.
     Say(String),
     /// Opens a card in place of the one that is open.
@@ -69,6 +72,7 @@ impl AppAct {
             Self::ShareResult => Traits::needing(&[Permit::Pictures]),
             Self::Host(act) => act.traits(),
             Self::Set(setting) => Traits::needing(setting.needs()),
+            Self::Hear(_) => Traits::needing(&[Permit::Sound]),
             Self::Say(_) => Traits::needing(&[Permit::Eye]),
             Self::Open(card) => Traits::needing(card.needs()),
             // What is open can always be closed.

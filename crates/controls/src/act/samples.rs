@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use saute_picture::view::View;
 use saute_plan::forecast::Question;
+use saute_plan::schedule::senses::Hiss;
 use saute_scene::light::room_light::RoomLight;
 use saute_scene::light::white_balance::WhiteBalance;
 
@@ -20,6 +21,7 @@ use crate::settings::theme::Theme;
 use saute_session::at_home::entered::Cooked;
 use saute_session::at_home::open_log::Columns;
 use saute_session::export::Export;
+use saute_session::hearing::example::Example;
 use saute_words::language::Language;
 
 /// Samples with the pattern that each of them represents. What has no sample does not compile.
@@ -201,6 +203,7 @@ fn app() -> Vec<AppAct> {
         AppAct::ShareResult => AppAct::ShareResult,
         AppAct::Host(_) => AppAct::Host(HostAct::TimeLapse),
         AppAct::Set(_) => AppAct::Set(Setting::Coach(true)),
+        AppAct::Hear(_) => AppAct::Hear(Example::of_hiss(Hiss::Loud)),
         AppAct::Say(_) => AppAct::Say("so it is".into()),
         AppAct::Open(_) => AppAct::Open(Card::Help),
         AppAct::Shut(_) => AppAct::Shut(Card::Help),

@@ -4,6 +4,7 @@
 //! the tick: flows and happenings are differences between two looks.
 
 pub mod caption;
+pub mod example;
 mod happenings;
 pub mod shown;
 mod steam_heard;

@@ -145,6 +145,7 @@ impl SauteApp {
             AppAct::ReadRig => self.sights.mirror.forget_rig(),
             AppAct::ShareResult => self.share_result(),
             AppAct::Set(setting) => self.set(setting),
+            AppAct::Hear(example) => self.play_example(example, ctx),
             AppAct::Say(text) => self.desk.notice.say(text),
             AppAct::Open(card) => self.open_card(card),
             AppAct::Shut(card) => self.shut_card(card),

@@ -43,7 +43,7 @@ impl SauteApp {
         self.follow_fit(&ctx);
         self.keep_cook(false);
         self.show(ui);
-        self.sound(ctx.input(|i| i.time));
+        self.sound(&ctx);
         self.inputs.tab_end.look(&ctx);
         self.publish_frame();
         self.show_mirror(&ctx);

@@ -1,5 +1,7 @@
 //! The sound of the cook: what is heard is sent to the listener that plays it, once a picture.
 
+use egui::Context;
+use saute_session::hearing::example::Example;
 use saute_session::hearing::plate;
 use saute_session::hearing::shown::Hearing;
 use saute_session::permits::Permit;
@@ -15,6 +17,8 @@ pub(crate) struct Sounds {
     listener: Option<Box<dyn Listener>>,
     /// What is heard of the kitchen.
     hearing: Hearing,
+    /// What a cue means, while it is played, and since when [s].
+    example: Option<(Example, f64)>,
 }
 
 impl SauteApp {
@@ -28,11 +32,32 @@ impl SauteApp {
         self.permits().allow(&[Permit::Sound]).then_some(self.sounds.hearing.shown())
     }
 
+    /// Plays what a cue means, in place of the cook.
+    pub(crate) fn play_example(&mut self, example: Example, ctx: &Context) {
+        self.sounds.example = Some((example, ctx.input(|i| i.time)));
+        ctx.request_repaint();
+    }
+
+    /// What is played of an example now, if there is one.
+    fn example_now(&mut self, ctx: &Context) -> Option<Snapshot> {
+        let (example, begun) = self.sounds.example?;
+        let snapshot = example.at(ctx.input(|i| i.time) - begun);
+        match snapshot {
+            Some(_) => ctx.request_repaint(),
+            None => self.sounds.example = None,
+        }
+        snapshot
+    }
+
     /// Sends what is heard now to the listener.
-    pub(crate) fn sound(&mut self, now: f64) {
+    pub(crate) fn sound(&mut self, ctx: &Context) {
         let may_sound = self.permits().allow(&[Permit::Sound]);
-        let is_paused = !may_sound || !self.settings.sound || self.session.time_stands() || self.time_waits();
-        let (snapshot, events) = self.sounds.hearing.hear(&self.session.kitchen, self.session.generation, now);
+        let example = self.example_now(ctx);
+        let is_still = example.is_none() && (self.session.time_stands() || self.time_waits());
+        let is_paused = !may_sound || !self.settings.sound || is_still;
+        let now = ctx.input(|i| i.time);
+        let (heard, events) = self.sounds.hearing.hear(&self.session.kitchen, self.session.generation, now);
+        let snapshot = example.unwrap_or(heard);
         if !is_paused && let Some(speaker) = self.host.speaker() {
             match speaker {
                 Ok(listener) => self.let_listen(listener),

@@ -247,7 +247,7 @@ fn goal(state: &InsideState, ui: &mut Ui, acts: &mut Acts) {
             acts.push(Act::App(AppAct::Set(Setting::Goal(if share { shown } else { state.settings.celsius(shown) }))));
         }
     });
-    coached(state, ui);
+    coached(state, ui, acts);
 }
 
 /// The goal that the cook is judged by.
@@ -274,7 +274,7 @@ fn goals(settings: &Settings, scale: &Scale, ui: &mut Ui, acts: &mut Acts) {
 }
 
 /// What a coach states of the cook: what to perceive next, and what happens.
-fn coached(state: &InsideState, ui: &mut Ui) {
+fn coached(state: &InsideState, ui: &mut Ui, acts: &mut Acts) {
     // Always the same height, so that what is below stays where it is.
     let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), COACH_HEIGHT), egui::Sense::hover());
     let mut child = ui.new_child(egui::UiBuilder::new().max_rect(rect));
@@ -284,5 +284,5 @@ fn coached(state: &InsideState, ui: &mut Ui) {
         let words = state.settings.language.text("plan.leads");
         child.add(egui::Label::new(RichText::new(words).size(13.0)).truncate()).on_hover_text(words);
     }
-    coach::show(state, state.coaching, &mut child, false);
+    coach::show(state, state.coaching, &mut child, acts, false);
 }

@@ -7,6 +7,7 @@ use egui::{Key, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use saute_controls::settings::Settings;
+use saute_session::hearing::caption::Caption;
 use saute_sound::{Event, EventKind, Steam, Told};
 use saute_window::SauteApp;
 use saute_window::listener::Listener;
@@ -152,4 +153,33 @@ fn a_loss_is_said_once(harness: &mut Harness<'static, SauteApp>, witness: &Witne
     let words = "No sound: no sound card. Everything else works.";
     assert_eq!(harness.state().said().iter().filter(|said| *said == words).count(), 1);
     assert!(!harness.state().session().paused, "the cook goes on");
+}
+
+/// "Next to hear" plays what it means, also while time stands; with the sound off it is not offered.
+#[test]
+fn a_cue_to_hear_is_played() {
+    let mut harness = window(vec2(1280.0, 720.0));
+    let witness = Witness::of(&mut harness);
+    harness.state_mut().session_mut().command(&saute_kitchen::Command::Hob(1400.0)).expect("hob");
+    for _ in 0..30 {
+        if harness.query_by_label("Hear it").is_some() {
+            break;
+        }
+        cook(&mut harness, 5.0);
+        steps(&mut harness, 4);
+    }
+    save(&mut harness, "sound-cue");
+    press(&mut harness, Key::Space);
+    assert!(witness.told().is_paused);
+    harness.get_by_label("Hear it").click();
+    steps(&mut harness, 3);
+    let told = witness.told();
+    assert!(!told.is_paused, "also while time stands");
+    assert_eq!(saute_session::hearing::caption::caption(&told.snapshot), Caption::Lively);
+    // Three seconds of the window's own clock.
+    steps(&mut harness, 3 * 60 + 20);
+    assert!(witness.told().is_paused, "it ends");
+    harness.get_by_role_and_label(Role::Switch, "Sound").click();
+    steps(&mut harness, 3);
+    assert!(harness.query_by_label("Hear it").is_none());
 }

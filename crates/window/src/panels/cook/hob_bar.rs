@@ -33,7 +33,7 @@ pub fn show(state: &CookState, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
     if narrow {
         ui.spacing_mut().interact_size.y = theme::TOUCH;
         (ui.spacing_mut().item_spacing, ui.spacing_mut().button_padding.x) = (egui::vec2(6.0, 6.0), 9.0);
-        coach::show(state, state.coaching, ui, true);
+        coach::show(state, state.coaching, ui, acts, true);
         ui.horizontal_wrapped(|ui| hands(state, ui, acts));
         ui.horizontal_wrapped(|ui| {
             hob_slider::show(state, ui, acts);

@@ -3,21 +3,27 @@
 use egui::{Label, RichText, Ui};
 use saute_kitchen::advice::coaching::Coaching;
 
+use super::hear;
 use crate::ui::theme;
+use saute_controls::act::Acts;
 use saute_controls::context::PanelContext;
+use saute_session::hearing::example::Example;
 use saute_words::coach_words;
 
 /// Height of two lines of the sentence [points].
 const TWO_LINES: f32 = 29.0;
 
 /// Shows both where the coach is on; on a narrow window the cue alone.
-pub fn show(state: &PanelContext, coaching: Option<&Coaching>, ui: &mut Ui, cue_alone: bool) {
+pub fn show(state: &PanelContext, coaching: Option<&Coaching>, ui: &mut Ui, acts: &mut Acts, cue_alone: bool) {
     let Some(coaching) = coaching.filter(|_| state.reads_out()) else { return };
     let palette = theme::of(ui);
     let happening = coach_words::happening(coaching, state.settings.speech());
     if let Some(cue) = coach_words::cue(coaching, state.settings.speech()) {
-        let words = Label::new(RichText::new(cue).size(13.0).strong()).truncate();
-        ui.add(words).on_hover_text(cue);
+        ui.horizontal(|ui| {
+            hear::button(state, coaching.cue.and_then(Example::of_cue), ui, acts);
+            let words = Label::new(RichText::new(cue).size(13.0).strong()).truncate();
+            ui.add(words).on_hover_text(cue);
+        });
     }
     if !cue_alone {
         let words = Label::new(RichText::new(&happening).size(12.5).color(palette.quiet));

@@ -5,14 +5,17 @@ use egui::{RichText, Ui, vec2};
 use saute_plan::goal::Outcome;
 use saute_plan::schedule::Deed as Task;
 use saute_plan::schedule::follow::{Followed, LATE_S, Left};
+use saute_plan::schedule::senses::Sense;
 use saute_plan::schedule::voice::Keeping;
 
+use crate::panels::learn::hear;
 use crate::ui::bell::{self, Bell};
 use crate::ui::{fingers, theme};
 use saute_controls::act::{Act, Acts, AppAct, Card, LearnAct, TimeAct};
 use saute_controls::context::PanelContext;
 use saute_controls::now::now_words::{Deed, NowWords};
 use saute_controls::plan::PlanAct;
+use saute_session::hearing::example::Example;
 use saute_session::plan::live::{Guidance, Live, READY_S};
 use saute_words::clock::clock;
 use saute_words::language::Language;
@@ -195,6 +198,17 @@ impl<'a> Guide<'a> {
         Some(cue_words::sense(&sense, state.settings.speech()))
     }
 
+    /// The sound of the step that comes next, where its cue is one to hear.
+    fn hiss(&self, state: &PanelContext) -> Option<Example> {
+        let sense = |followed: &Followed| self.live.plan().sense(&followed.step, &state.session.library);
+        self.guidance.next.iter().filter(|followed| followed.left != Left::Hob).find_map(|followed| {
+            match sense(followed)? {
+                Sense::Face { hiss, .. } => Some(Example::of_hiss(hiss)),
+                _ => None,
+            }
+        })
+    }
+
     fn left(&self, state: &PanelContext) -> Option<Keeping> {
         Some(self.live.keeping(state.session)).filter(|keeping| *keeping != Keeping::Kept)
     }
@@ -205,6 +219,9 @@ impl<'a> Guide<'a> {
         let leave = palette.button(l.text("plan.leave"), false).min_size(size);
         if ui.add(leave).on_hover_text(l.text("plan.leave_hint")).clicked() {
             acts.push(Act::Learn(LearnAct::Plan(PlanAct::Leave)));
+        }
+        if !self.is_over() && self.left(state).is_none() {
+            hear::button(state, self.hiss(state), ui, acts);
         }
         if has_word || self.is_over() {
             return;
