@@ -216,7 +216,7 @@ fn tidy(percent: f64) -> f64 {
 
 fn goal(state: &InsideState, ui: &mut Ui, acts: &mut Acts) {
     let Some(scale) = state.scale() else {
-        return coached(state, ui);
+        return coached(state, ui, acts);
     };
     let l = state.settings.language;
     // Japanese names are wide: the last of them may need a second line.
