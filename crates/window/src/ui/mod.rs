@@ -6,6 +6,7 @@ pub mod display;
 pub mod fingers;
 pub(crate) mod japanese_font;
 pub mod layout;
+pub mod loudspeaker;
 pub mod palette;
 pub(crate) mod picking;
 pub mod scene_view;
