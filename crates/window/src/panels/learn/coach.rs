@@ -1,10 +1,10 @@
 //! The coach's sentences below the advice: what happens and why, and the next cue.
 
-use egui::{Label, RichText, Ui};
+use egui::{Align, Label, Layout, RichText, Ui, vec2};
 use saute_kitchen::advice::coaching::Coaching;
 
 use super::hear;
-use crate::ui::theme;
+use crate::ui::{fingers, theme};
 use saute_controls::act::Acts;
 use saute_controls::context::PanelContext;
 use saute_session::hearing::example::Example;
@@ -19,7 +19,8 @@ pub fn show(state: &PanelContext, coaching: Option<&Coaching>, ui: &mut Ui, acts
     let palette = theme::of(ui);
     let happening = coach_words::happening(coaching, state.settings.speech());
     if let Some(cue) = coach_words::cue(coaching, state.settings.speech()) {
-        ui.horizontal(|ui| {
+        let size = vec2(ui.available_width(), fingers::height(ui, hear::HEIGHT));
+        ui.allocate_ui_with_layout(size, Layout::left_to_right(Align::Center), |ui| {
             hear::button(state, coaching.cue.and_then(Example::of_cue), ui, acts);
             let words = Label::new(RichText::new(cue).size(13.0).strong()).truncate();
             ui.add(words).on_hover_text(cue);

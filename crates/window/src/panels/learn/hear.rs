@@ -10,9 +10,10 @@ use saute_session::permits::Permit;
 use crate::ui::loudspeaker::Loudspeaker;
 use crate::ui::{fingers, theme};
 
-/// Size of the button [points]: a line's height, so that the words beside it and below keep their room.
+/// Height of the button [points]: a line's, so that the words beside it and below keep their room.
+pub const HEIGHT: f32 = 16.0;
+/// Its width [points].
 const WIDTH: f32 = 24.0;
-const HEIGHT: f32 = 16.0;
 /// Size of its drawing over that of the switch on top [-].
 const SCALE: f32 = 0.8;
 
