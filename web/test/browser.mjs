@@ -32,6 +32,17 @@ export const STUCK_MS = 1_200_000;
 const COARSE = { deviceScaleFactor: 0.25 };
 export const SHARP = { deviceScaleFactor: process.env.SAUTE_CAMPAIGN ? 1 : 0.5 };
 
+/** Wait before each picture [ms] (chosen: twenty a second). A page that waits leaves the cores to others, and software draws no more than that
+ * of many pages anyway. */
+const BETWEEN_PICTURES_MS = 33;
+
+/** Lets a page draw fewer pictures. */
+function drawLess(between_ms) {
+  const draw = window.requestAnimationFrame.bind(window);
+  window.requestAnimationFrame = (then) => setTimeout(() => draw(then), between_ms);
+  window.cancelAnimationFrame = clearTimeout;
+}
+
 /** Opens an address in a fresh profile and notes what happens there. */
 export async function watch(browser, address, { prepare = async () => {}, ...options } = {}) {
   const usual = { viewport: { width: 1280, height: 720 }, locale: "en-GB", ...COARSE };
@@ -50,6 +61,7 @@ export async function watch(browser, address, { prepare = async () => {}, ...opt
     const note = (event) => window.noteViolation(`${event.effectiveDirective} ${event.blockedURI}`);
     document.addEventListener("securitypolicyviolation", note);
   });
+  await page.addInitScript(drawLess, BETWEEN_PICTURES_MS);
   const network = await context.newCDPSession(page);
   await network.send("Network.enable");
   network.on("Network.dataReceived", ({ encodedDataLength }) => (seen.sent += encodedDataLength));
