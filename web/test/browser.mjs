@@ -39,8 +39,16 @@ const BETWEEN_PICTURES_MS = 33;
 /** Lets a page draw fewer pictures. */
 function drawLess(between_ms) {
   const draw = window.requestAnimationFrame.bind(window);
-  window.requestAnimationFrame = (then) => setTimeout(() => draw(then), between_ms);
-  window.cancelAnimationFrame = clearTimeout;
+  const cancel = window.cancelAnimationFrame.bind(window);
+  const drawn = new Map();
+  window.requestAnimationFrame = (then) => {
+    const asked = setTimeout(() => drawn.set(asked, draw(then)), between_ms);
+    return asked;
+  };
+  window.cancelAnimationFrame = (asked) => {
+    clearTimeout(asked);
+    if (drawn.has(asked)) cancel(drawn.get(asked));
+  };
 }
 
 /** Opens an address in a fresh profile and notes what happens there. */

@@ -56,8 +56,24 @@ pub(super) fn zone_s(word: &str) -> Option<f64> {
     let number = |text: &str| text.parse::<u32>().ok();
     let (hours, minutes) = match digits.len() {
         2 => (number(&digits)?, 0),
-        4 => (number(&digits[..2])?, number(&digits[2..])?),
+        4 => {
+            let (hours, minutes) = digits.split_at_checked(2)?;
+            (number(hours)?, number(minutes)?)
+        }
         _ => return None,
     };
     (hours <= 14 && minutes < 60).then_some(sign * (3600.0 * f64::from(hours) + 60.0 * f64::from(minutes)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn zones_have_two_or_four_digits() {
+        assert_eq!(["Z", "+02", "-0730", "+05:30"].map(zone_s), [0.0, 7200.0, -27_000.0, 19_800.0].map(Some));
+        for none in ["+1ÿ1", "+ÿÿ", "+2500", "+0160", "02:00", "+1"] {
+            assert_eq!(zone_s(none), None, "{none}");
+        }
+    }
 }
