@@ -21,7 +21,7 @@ async function interactive(page) {
 
 for (const [backend, args] of [["webgl2", WEBGL2], ["webgpu", WEBGPU]]) {
   const browser = await launch(args);
-  const { page } = await watch(browser, `${host.address}?backend=${backend}`, SHARP);
+  const { page } = await watch(browser, `${host.address}?backend=${backend}`, { everyPicture: true, ...SHARP });
   await reaches(page, "cooking");
   const ready = await interactive(page);
   await page.mouse.click(640, 560);

@@ -32,7 +32,7 @@ const told = (page, words) => page.evaluate((words) => document.body.textContent
 
 /** A first visit whose hand is so late [s], up to its result. */
 async function visitor(late) {
-  const { page, seen, close } = await watch(there.browser, there.host.address);
+  const { page, seen, close } = await watch(there.browser, there.host.address, { everyPicture: true });
   await reaches(page, "cooking");
   await until(page, "the first frames", (now) => now.frames > 2);
   await page.screenshot({ path: join(PICTURES, `first-visit-${late}-s.png`) });

@@ -42,7 +42,11 @@ function drawLess(between_ms) {
   const cancel = window.cancelAnimationFrame.bind(window);
   const drawn = new Map();
   window.requestAnimationFrame = (then) => {
-    const asked = setTimeout(() => drawn.set(asked, draw(then)), between_ms);
+    const drawNow = (at) => {
+      drawn.delete(asked);
+      then(at);
+    };
+    const asked = setTimeout(() => drawn.set(asked, draw(drawNow)), between_ms);
     return asked;
   };
   window.cancelAnimationFrame = (asked) => {
@@ -52,7 +56,7 @@ function drawLess(between_ms) {
 }
 
 /** Opens an address in a fresh profile and notes what happens there. */
-export async function watch(browser, address, { prepare = async () => {}, ...options } = {}) {
+export async function watch(browser, address, { prepare = async () => {}, everyPicture = Boolean(process.env.SAUTE_CAMPAIGN), ...options } = {}) {
   const usual = { viewport: { width: 1280, height: 720 }, locale: "en-GB", ...COARSE };
   const context = await browser.newContext({ ...usual, ...options });
   // `scripts/durations.toml` has a ceiling for them.
@@ -69,7 +73,7 @@ export async function watch(browser, address, { prepare = async () => {}, ...opt
     const note = (event) => window.noteViolation(`${event.effectiveDirective} ${event.blockedURI}`);
     document.addEventListener("securitypolicyviolation", note);
   });
-  await page.addInitScript(drawLess, BETWEEN_PICTURES_MS);
+  if (!everyPicture) await page.addInitScript(drawLess, BETWEEN_PICTURES_MS);
   const network = await context.newCDPSession(page);
   await network.send("Network.enable");
   network.on("Network.dataReceived", ({ encodedDataLength }) => (seen.sent += encodedDataLength));

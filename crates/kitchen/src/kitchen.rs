@@ -247,6 +247,20 @@ impl Kitchen {
         self.add_with(library, order, &mut Models::default())
     }
 
+    /// Checks that pieces that are ordered fit beside those that are there, without building one.
+    ///
+    /// # Errors
+    ///
+    /// If they do not fit, or if a food has no piece of that size.
+    pub fn check_room(&self, library: &Library, orders: &[PieceOrder]) -> Result<(), SetupError> {
+        let mut load = Load::of(self.pieces.iter().map(|piece| &*piece.model));
+        for order in orders {
+            let food = library.foods.get(&order.kind).ok_or_else(|| no_such_food(library, &order.kind))?;
+            load.add(&order.id, &order.spec(), food, 1)?;
+        }
+        Ok(())
+    }
+
     /// Builds the model of a piece into known models, where [`Self::add_with`] finds it.
     ///
     /// # Errors

@@ -180,7 +180,7 @@ impl<H: Hands> Session<H> {
 
     /// As [`Self::begin_with`], in the kitchen of a library.
     fn begin_in(&mut self, library: Arc<Library>, recipe: Arc<Recipe>, plays: bool) -> Result<(), ReplayError> {
-        let mut models = self.take_built();
+        let mut models = self.take_built(&recipe.foods);
         let kitchen = recipe.kitchen_with(&library, &mut models)?;
         self.put_by();
         self.library = library;

@@ -77,6 +77,19 @@ impl Models {
         }
     }
 
+    /// Returns true if the model of a piece that is ordered is known.
+    pub fn knows(&self, order: &PieceOrder, library: &Library) -> bool {
+        self.known_food(&FoodKey::ordered(order, library)).is_some()
+    }
+
+    /// Returns those models that pieces that are ordered need.
+    #[must_use]
+    pub fn needed_by(&self, orders: &[PieceOrder], library: &Library) -> Self {
+        let keys: Vec<FoodKey> = orders.iter().map(|order| FoodKey::ordered(order, library)).collect();
+        let foods = self.foods.iter().filter(|food| keys.contains(&food.key)).cloned().collect();
+        Self { kitchens: Vec::new(), foods }
+    }
+
     /// Adds other models that are known.
     pub fn adopt(&mut self, other: Self) {
         for food in other.foods {

@@ -78,6 +78,9 @@ fn sizzle(flow: f32) -> Caption {
 /// Returns how loud a kitchen is, from 0 for silence to 1 [-]: its level in decibels over the range of a meter.
 pub fn meter(snapshot: &Snapshot) -> f32 {
     let least = HEARD_DB.max(SILENCE_DB);
+    let is_coil = snapshot.stove == Stove::Coil;
+    // As in the caption, the hum of a coil is left out.
+    let snapshot = Snapshot { stove_w: if is_coil { 0.0 } else { snapshot.stove_w }, ..*snapshot };
     ((snapshot.level() - least) / (FULL_DB - least)).clamp(0.0, 1.0)
 }
 

@@ -74,20 +74,25 @@ impl<H: Hands> Session<H> {
     }
 
     fn builds_first(&mut self, recipe: &Recipe, library: &Arc<Library>, orders: Vec<PieceOrder>) -> bool {
-        let is_built = |building: &Building| building.is_ended() && building.orders == orders;
-        if self.building.as_ref().is_some_and(is_built) || building_s(library, &orders).is_ok_and(|s| s < AT_ONCE_S) {
+        if let Some(building) = self.building.as_ref().filter(|building| building.orders == orders) {
+            return !building.is_ended();
+        }
+        let models = self.timeline.models().needed_by(&orders, library);
+        let unknown: Vec<PieceOrder> = orders.iter().filter(|order| !models.knows(order, library)).cloned().collect();
+        if building_s(library, &unknown).is_ok_and(|s| s < AT_ONCE_S) {
             return false;
         }
-        let begun = recipe.empty_kitchen(library).map(|bare| Building {
+        let begun = recipe.empty_kitchen(library);
+        // What is wrong, and what does not fit, is told by the cook that cannot begin.
+        let bare = begun.ok().filter(|bare| bare.check_room(library, &orders).is_ok());
+        self.building = bare.map(|bare| Building {
             bare,
             library: Arc::clone(library),
             orders,
             built: 0,
-            models: Models::default(),
+            models,
             told_in: TOLD_IN,
         });
-        // What is wrong is told by the cook that cannot begin.
-        self.building = begun.ok();
         self.building.is_some()
     }
 
@@ -113,9 +118,13 @@ impl<H: Hands> Session<H> {
         self.building = None;
     }
 
-    /// The models that were built, for the cook that begins or goes on with them.
-    pub(crate) fn take_built(&mut self) -> Models {
-        self.building.take().map(|building| building.models).unwrap_or_default()
+    /// The models of foods that are set out or added, as far as they are known: those that were built for them, and those of this cook.
+    pub(crate) fn take_built(&mut self, orders: &[PieceOrder]) -> Models {
+        let mut models = self.timeline.models().needed_by(orders, &self.library);
+        if let Some(building) = self.building.take_if(|building| building.is_ended()) {
+            models.adopt(building.models);
+        }
+        models
     }
 }
 

@@ -21,9 +21,11 @@ impl<H: Hands> Session<H> {
     /// If they cannot be built.
     pub fn add(&mut self, choice: &SteakChoice, count: usize) -> Result<String, SetupError> {
         let group = self.free_name(&base_name(&self.library, &choice.kind));
-        let built = self.take_built();
+        let orders = orders(&self.library, choice, &group, count);
+        self.kitchen.check_room(&self.library, &orders)?;
+        let built = self.take_built(&orders);
         self.timeline.models().adopt(built);
-        orders(&self.library, choice, &group, count).into_iter().try_for_each(|order| self.add_one(order))?;
+        orders.into_iter().try_for_each(|order| self.add_one(order))?;
         Ok(group)
     }
 

@@ -19,7 +19,7 @@ use saute_controls::input::tool_hand::TurnerPose;
 impl SauteApp {
     /// Carries out an act. Only this function lets acts change the window; the matches are exhaustive, one line per act.
     pub fn act(&mut self, act: Act, ctx: &egui::Context) {
-        if self.refuses(&act) || self.is_hidden(&act) || self.puts_off(&act) {
+        if self.refuses(&act) || self.is_hidden(&act) || self.takes_back_later(&act) || self.puts_off(&act) {
             return;
         }
         match act {

@@ -28,8 +28,8 @@ pub(crate) struct Pace {
     tossed_s: Option<f64>,
     /// What waits until the instant is reached to which time is turned.
     pub(crate) waiting: Vec<Waiting>,
-    /// What is done as soon as its foods are built.
-    pub(crate) later: Option<Later>,
+    /// What is done as soon as its foods are built, and in which beginning of a cook it was asked for.
+    pub(crate) later: Option<(Later, u64)>,
     /// Real time where a hand is needed.
     pub(crate) easing: Easing,
     /// True if time was stopped because nobody sees the window.

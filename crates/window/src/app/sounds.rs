@@ -57,7 +57,8 @@ impl SauteApp {
         let is_paused = !may_sound || !self.settings.sound || is_still;
         let now = ctx.input(|i| i.time);
         let (heard, events) = self.sounds.hearing.hear(&self.session.kitchen, self.session.generation, now);
-        let snapshot = example.unwrap_or(heard);
+        // Of the cook nothing is heard meanwhile.
+        let (snapshot, events) = example.map_or((heard, events), |example| (example, Vec::new()));
         if !is_paused && let Some(speaker) = self.host.speaker() {
             match speaker {
                 Ok(listener) => self.let_listen(listener),

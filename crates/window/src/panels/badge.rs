@@ -8,7 +8,7 @@ use crate::panels::host_panels;
 use crate::panels::legend;
 use crate::ui::layout::{GAP, Layout};
 use crate::ui::theme;
-use saute_controls::act::Acts;
+use saute_controls::act::{Act, Acts, AppAct};
 use saute_controls::context::PanelContext;
 use saute_controls::spoken::notice::Said;
 use saute_words::clock::clock;
@@ -18,6 +18,8 @@ const RIBBON: f32 = 66.0;
 /// Height of the legend with its space, and of the line about simplified rules [points].
 const LEGEND: f32 = 70.0;
 const RULES: f32 = 26.0;
+/// Name of the message about food that is being set out: it has a button.
+const BUILDING: &str = "building";
 /// How far below the other messages a notice is alone in a wide window [points].
 const NOTICE: f32 = 40.0;
 
@@ -35,7 +37,7 @@ pub fn show(
     let held: Vec<(&str, String)> = [
         ("behind", behind(state)),
         ("waiting", waits(state, waiting)),
-        ("building", state.session.building().map(|[built, all]| building(state, built, all))),
+        (BUILDING, state.session.building().map(|[built, all]| building(state, built, all))),
     ]
     .into_iter()
     .filter_map(|(name, text)| Some((name, text?)))
@@ -43,7 +45,13 @@ pub fn show(
     // Each begins where the one before it ends, however many lines that has.
     let mut drop = 12.0 + clear_of(state, layout);
     for (name, text) in &held {
-        drop += GAP + message(ui, layout, (name, drop), false, text, |_| {});
+        let stops = *name == BUILDING;
+        let stop = |ui: &mut Ui| {
+            if stops && ui.button(state.settings.language.text("waiting.stop")).clicked() {
+                acts.push(Act::App(AppAct::Close));
+            }
+        };
+        drop += GAP + message(ui, layout, (name, drop), stops, text, stop);
     }
     if let Some(said) = notice {
         // A click on its button must reach it; through all others it reaches the scene.

@@ -2,9 +2,10 @@
 
 use egui::Key;
 use egui_kittest::{Harness, kittest::Queryable};
-use saute_controls::act::{Act, CookAct};
+use saute_controls::act::{Act, CookAct, TimeAct};
 use saute_kitchen::Command;
 use saute_picture::View;
+use saute_session::kept::link::fragment;
 use saute_window::{SauteApp, Start};
 use saute_words::language::Language;
 
@@ -244,31 +245,101 @@ fn the_hob_says_why_it_gives_no_power() {
     save(&mut hot, "limit");
 }
 
-/// The window goes on while many pieces are built, says how far it is, and lets go of them on Esc.
-#[test]
-fn many_pieces_are_set_out_over_frames_which_can_be_stopped() {
+/// A window with shrimps chosen.
+fn with_shrimps() -> Harness<'static, SauteApp> {
     let mut harness = window(WIDE);
     press(&mut harness, Key::N);
     harness.get_by_label("Shrimp").click();
     steps(&mut harness, 2);
-    let ask = |harness: &mut Harness<'static, SauteApp>| {
-        let context = harness.ctx.clone();
-        harness.state_mut().act(Act::Cook(CookAct::SetOut(60)), &context);
-        steps(harness, 2);
-        harness.get_by_label_contains("Setting out the food: 0 of 60");
-    };
-    ask(&mut harness);
-    press(&mut harness, Key::Escape);
-    steps(&mut harness, 3);
-    assert!(harness.query_by_label_contains("Setting out the food").is_none());
-    assert_eq!(harness.state().session().kitchen.pieces().len(), 1, "the cook before goes on");
-    ask(&mut harness);
-    for _ in 0..200 {
-        if harness.query_by_label_contains("Setting out the food").is_none() {
-            break;
+    harness
+}
+
+fn ask(harness: &mut Harness<'static, SauteApp>, act: Act) {
+    let context = harness.ctx.clone();
+    harness.state_mut().act(act, &context);
+    steps(harness, 2);
+}
+
+fn builds(harness: &Harness<'static, SauteApp>) -> bool {
+    harness.query_by_label_contains("Setting out the food").is_some()
+}
+
+/// Lets all foods be built.
+fn build(harness: &mut Harness<'static, SauteApp>) {
+    for _ in 0..300 {
+        if !builds(harness) {
+            return;
         }
-        assert_eq!(harness.state().session().kitchen.pieces().len(), 1);
         harness.step();
     }
-    assert_eq!(harness.state().session().kitchen.pieces().len(), 60);
+}
+
+fn pieces(harness: &Harness<'static, SauteApp>) -> usize {
+    harness.state().session().kitchen.pieces().len()
+}
+
+/// The window goes on while many pieces are built, says how far it is, and lets go of them on Esc or by a button.
+#[test]
+fn many_pieces_are_set_out_over_frames_which_can_be_stopped() {
+    let mut harness = with_shrimps();
+    let set_out = Act::Cook(CookAct::SetOut(60));
+    for stop in [true, false] {
+        ask(&mut harness, set_out.clone());
+        harness.get_by_label_contains("Setting out the food: 0 of 60");
+        // Whoever is impatient does not begin it again.
+        steps(&mut harness, 3);
+        ask(&mut harness, set_out.clone());
+        assert!(harness.query_by_label_contains("Setting out the food: 0 of 60").is_none());
+        if stop {
+            press(&mut harness, Key::Escape);
+        } else {
+            harness.get_by_label("Stop").click();
+        }
+        steps(&mut harness, 3);
+        assert!(!builds(&harness) && pieces(&harness) == 1, "the cook before goes on");
+    }
+    ask(&mut harness, set_out);
+    // What is chosen meanwhile is for the next time.
+    harness.get_by_label("Carrot coin").click();
+    build(&mut harness);
+    assert_eq!(pieces(&harness), 60);
+    assert!(harness.state().session().kitchen.pieces().iter().all(|piece| piece.kind == "shrimp"));
+    // All are known now.
+    ask(&mut harness, Act::Cook(CookAct::Restart));
+    assert!(!builds(&harness) && pieces(&harness) == 60);
+}
+
+/// Food that is added waits too; Undo takes it back, and what does not fit is refused before any of it is built.
+#[test]
+fn many_pieces_are_added_over_frames_and_taken_back() {
+    let mut harness = with_shrimps();
+    ask(&mut harness, Act::Cook(CookAct::Add(60)));
+    assert!(builds(&harness));
+    ask(&mut harness, Act::Time(TimeAct::Undo));
+    assert!(!builds(&harness) && pieces(&harness) == 1);
+    ask(&mut harness, Act::Cook(CookAct::Add(60)));
+    build(&mut harness);
+    assert_eq!(pieces(&harness), 61);
+    ask(&mut harness, Act::Cook(CookAct::Add(60)));
+    assert!(!builds(&harness) && pieces(&harness) == 61);
+}
+
+/// A recipe and a link with many pieces are opened over frames.
+#[test]
+fn recipes_and_links_with_many_pieces_are_opened_over_frames() {
+    let mut harness = window(WIDE);
+    let recipe =
+        "title = \"Many\"\n[[food]]\nid = \"x\"\nkind = \"shrimp\"\ncount = 60\n[[step]]\nat_s = 9\nend = true\n";
+    harness.state_mut().open_recipe(recipe, "many.toml");
+    steps(&mut harness, 2);
+    assert!(builds(&harness) && pieces(&harness) == 1);
+    build(&mut harness);
+    assert_eq!(pieces(&harness), 60);
+    let link = fragment(&harness.state().session().whole_recording());
+    let mut harness = window(WIDE);
+    harness.state_mut().open_link(&link);
+    steps(&mut harness, 2);
+    assert!(builds(&harness) && pieces(&harness) == 1);
+    build(&mut harness);
+    assert_eq!(pieces(&harness), 60);
 }

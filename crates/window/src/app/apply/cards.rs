@@ -22,12 +22,13 @@ impl SauteApp {
         self.desk.card = (self.desk.card != Some(card)).then_some(card);
     }
 
-    /// Lets go of food that is being set out; else closes the cards and ends the placing of probes; where nothing is open, ways side by side are one again.
+    /// Closes the cards and ends the placing of probes; where nothing is open, food that is being set out is let go of, else ways side by
+    /// side are one again.
     pub(super) fn close_all(&mut self) {
-        if self.stops_building() {
+        let is_something_open = self.desk.card.is_some() || self.sights.scene.placing || self.photo_is_open();
+        if !is_something_open && self.stops_building() {
             return;
         }
-        let is_something_open = self.desk.card.is_some() || self.sights.scene.placing || self.photo_is_open();
         self.sights.ways.on &= is_something_open;
         self.sights.scene.placing = false;
         if let Some(card) = self.desk.card {

@@ -5,8 +5,8 @@ use saute_plan::forecast::Question;
 
 use crate::app::SauteApp;
 use crate::app::keeps::later::Later;
-use saute_controls::act::{Act, CookAct};
 use saute_kitchen::piece::memory::MOST_PIECES;
+use saute_session::SteakChoice;
 
 /// Height of a toss by key [m] (chosen: over the rim, within reach).
 const TOSS_M: f64 = 0.12;
@@ -87,16 +87,22 @@ impl SauteApp {
 
     /// Sets out so many of the chosen food as soon as they are built.
     pub(super) fn set_out_by_hand(&mut self, count: usize) {
-        let is_to_build = self.session.builds_choice_first(&self.settings.choice, count);
-        if !self.waits_for_food(is_to_build, || Later::Act(Act::Cook(CookAct::SetOut(count)))) {
-            self.set_out(count);
+        let choice = self.settings.choice.clone();
+        let is_to_build = self.session.builds_choice_first(&choice, count);
+        if !self.waits_for_food(is_to_build, || Later::SetOut(choice.clone(), count)) {
+            self.set_out_chosen(choice, count);
         }
     }
 
     /// Restarts with so many of the chosen food, and the chosen pan.
     pub(crate) fn set_out(&mut self, count: usize) {
+        self.set_out_chosen(self.settings.choice.clone(), count);
+    }
+
+    /// Restarts with so many of a choice.
+    pub(crate) fn set_out_chosen(&mut self, choice: SteakChoice, count: usize) {
         self.leads.learn.begin_cook();
-        match self.session.set_out(&self.settings.choice, count) {
+        match self.session.set_out(&choice, count) {
             Ok(()) => {
                 self.sights.motions.clear();
                 self.say_new_beginning();
@@ -112,7 +118,7 @@ impl SauteApp {
         }
     }
 
-    /// Adds food to the kitchen, outside of the pan.
+    /// Adds food to the kitchen, outside of the pan, as soon as it is built.
     pub(super) fn add(&mut self, count: usize) {
         let (here, l) = (self.session.kitchen.pieces().len(), self.settings.language);
         if here + count > MOST_PIECES {
@@ -120,11 +126,17 @@ impl SauteApp {
             self.desk.notice.say(l.fill("pantry.full", &[("most", &MOST_PIECES), ("room", &room)]));
             return;
         }
-        let is_to_build = self.session.builds_added_first(&self.settings.choice, count);
-        if self.waits_for_food(is_to_build, || Later::Act(Act::Cook(CookAct::Add(count)))) {
-            return;
+        let choice = self.settings.choice.clone();
+        let is_to_build = self.session.builds_added_first(&choice, count);
+        if !self.waits_for_food(is_to_build, || Later::Add(choice.clone(), count)) {
+            self.add_chosen(&choice, count);
         }
-        match self.session.add(&self.settings.choice, count) {
+    }
+
+    /// Adds so many of a choice.
+    pub(crate) fn add_chosen(&mut self, choice: &SteakChoice, count: usize) {
+        let l = self.settings.language;
+        match self.session.add(choice, count) {
             Ok(group) => {
                 let first = self.session.members(&group).into_iter().next();
                 self.session.select(first);
@@ -143,12 +155,12 @@ impl SauteApp {
         }
     }
 
-    pub(super) fn restart(&mut self) {
+    pub(crate) fn restart(&mut self) {
         if self.leads.guided.is_some() {
             return self.lesson_again();
         }
         let is_to_build = self.session.builds_again_first();
-        if self.waits_for_food(is_to_build, || Later::Act(Act::Cook(CookAct::Restart))) {
+        if self.waits_for_food(is_to_build, || Later::Restart) {
             return;
         }
         self.leads.learn.begin_cook();

@@ -1,6 +1,7 @@
 //! The cook that goes on is kept, so that a window that is closed, or killed, can go on with it.
 
 use crate::app::SauteApp;
+use crate::app::keeps::later::Later;
 use saute_recipe::Recording;
 use saute_recipe::session::limits;
 use saute_session::kept::autosave::{Autosave, CookStore};
@@ -29,6 +30,11 @@ impl SauteApp {
     pub(crate) fn decide_on_offer(&mut self, goes_on: bool) {
         let Some(offered) = self.keeps.autosave.offered.take() else { return };
         if !goes_on {
+            return;
+        }
+        let is_to_build = self.session.builds_recorded_first(&offered).unwrap_or(false);
+        if self.waits_for_food(is_to_build, || Later::Offer) {
+            self.keeps.autosave.offered = Some(offered);
             return;
         }
         if let Err(error) = self.session.resume(offered) {

@@ -4,7 +4,7 @@ use egui::{Align, Label, Layout, RichText, Ui, vec2};
 use saute_kitchen::advice::coaching::Coaching;
 
 use super::hear;
-use crate::ui::{fingers, theme};
+use crate::ui::theme;
 use saute_controls::act::Acts;
 use saute_controls::context::PanelContext;
 use saute_session::hearing::example::Example;
@@ -19,12 +19,16 @@ pub fn show(state: &PanelContext, coaching: Option<&Coaching>, ui: &mut Ui, acts
     let palette = theme::of(ui);
     let happening = coach_words::happening(coaching, state.settings.speech());
     if let Some(cue) = coach_words::cue(coaching, state.settings.speech()) {
-        let size = vec2(ui.available_width(), fingers::height(ui, hear::HEIGHT));
-        ui.allocate_ui_with_layout(size, Layout::left_to_right(Align::Center), |ui| {
-            hear::button(state, coaching.cue.and_then(Example::of_cue), ui, acts);
-            let words = Label::new(RichText::new(cue).size(13.0).strong()).truncate();
-            ui.add(words).on_hover_text(cue);
-        });
+        let example = coaching.cue.and_then(Example::of_cue);
+        ui.allocate_ui_with_layout(
+            vec2(ui.available_width(), hear::HEIGHT),
+            Layout::left_to_right(Align::Center),
+            |ui| {
+                hear::button(state, example, ui, acts);
+                let words = Label::new(RichText::new(cue).size(13.0).strong()).truncate();
+                ui.add(words).on_hover_text(cue);
+            },
+        );
     }
     if !cue_alone {
         let words = Label::new(RichText::new(&happening).size(12.5).color(palette.quiet));
