@@ -42,6 +42,7 @@ mod pour;
 mod random;
 mod snapshot;
 mod stove;
+mod stove_sound;
 mod struck;
 mod synth;
 

@@ -12,7 +12,7 @@ use crate::limiter::Limiter;
 use crate::pour::Pour;
 use crate::random::Random;
 use crate::snapshot::{Snapshot, Steam};
-use crate::stove::StoveSound;
+use crate::stove_sound::StoveSound;
 use crate::struck::Struck;
 use crate::struck::plate::Plate;
 

@@ -1,6 +1,7 @@
 //! What outlasts a frame: links, the cook that is kept, and acts that wait.
 
 mod autosave;
+mod building;
 pub(crate) mod later;
 mod link;
 mod waiting;
