@@ -252,7 +252,7 @@ impl Kitchen {
     /// # Errors
     ///
     /// If they do not fit, or if a food has no piece of that size.
-    pub fn check_room(&self, library: &Library, orders: &[PieceOrder]) -> Result<(), SetupError> {
+    pub fn check_all_fit(&self, library: &Library, orders: &[PieceOrder]) -> Result<(), SetupError> {
         let mut load = Load::of(self.pieces.iter().map(|piece| &*piece.model));
         for order in orders {
             let food = library.foods.get(&order.kind).ok_or_else(|| no_such_food(library, &order.kind))?;

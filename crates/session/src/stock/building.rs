@@ -84,7 +84,7 @@ impl<H: Hands> Session<H> {
         }
         let begun = recipe.empty_kitchen(library);
         // What is wrong, and what does not fit, is told by the cook that cannot begin.
-        let bare = begun.ok().filter(|bare| bare.check_room(library, &orders).is_ok());
+        let bare = begun.ok().filter(|bare| bare.check_all_fit(library, &orders).is_ok());
         self.building = bare.map(|bare| Building {
             bare,
             library: Arc::clone(library),

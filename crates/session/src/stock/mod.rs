@@ -22,7 +22,7 @@ impl<H: Hands> Session<H> {
     pub fn add(&mut self, choice: &SteakChoice, count: usize) -> Result<String, SetupError> {
         let group = self.free_name(&base_name(&self.library, &choice.kind));
         let orders = orders(&self.library, choice, &group, count);
-        self.kitchen.check_room(&self.library, &orders)?;
+        self.kitchen.check_all_fit(&self.library, &orders)?;
         let built = self.take_built(&orders);
         self.timeline.models().adopt(built);
         orders.into_iter().try_for_each(|order| self.add_one(order))?;
