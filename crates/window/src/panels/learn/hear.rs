@@ -25,7 +25,7 @@ pub fn button(state: &PanelContext, example: Option<Example>, ui: &mut Ui, acts:
     let (rect, _) = ui.allocate_exact_size(vec2(WIDTH, HEIGHT), Sense::hover());
     // A finger reaches it from around.
     let reach = 0.5 * (fingers::height(ui, HEIGHT) - HEIGHT);
-    let response = ui.interact(rect.expand(reach), ui.id().with("hear"), Sense::click());
+    let response = ui.interact(rect.expand(reach), ui.scope_id().with("hear"), Sense::click());
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, l.text("heard.play")));
     let is_reached = response.hovered() || response.has_focus();
     let drawn = Loudspeaker { ink: if is_reached { palette.text } else { palette.accent }, scale: SCALE, on: true };
