@@ -286,6 +286,7 @@ fn many_pieces_are_set_out_over_frames_which_can_be_stopped() {
     for stop in [true, false] {
         ask(&mut harness, set_out.clone());
         harness.get_by_label_contains("Setting out the food: 0 of 60");
+        save(&mut harness, "building");
         // Whoever is impatient does not begin it again.
         steps(&mut harness, 3);
         ask(&mut harness, set_out.clone());
