@@ -195,7 +195,8 @@ mod tests {
         assert!(!session.builds_choice_first(&choice, MANY), "they are built");
         session.set_out(&choice, MANY).expect("sets out");
         assert_eq!(session.kitchen.pieces().len(), MANY);
-        assert!(session.builds_choice_first(&choice, MANY), "they are let go of then");
+        assert!(session.building.is_none(), "nothing is left behind");
+        assert!(!session.builds_choice_first(&choice, MANY), "this cook knows them");
     }
 
     #[test]
@@ -206,9 +207,10 @@ mod tests {
         assert!(!session.builds_added_first(&choice, MANY));
         session.add(&choice, MANY).expect("adds");
         let recording = session.recording().clone();
-        assert!(session.builds_recorded_first(&recording).expect("the food is known"));
-        assert!(session.builds_again_first());
-        session.stop_building();
-        assert_eq!(session.build_more(Duration::ZERO), None);
+        assert!(!session.builds_again_first(), "this cook knows them");
+        let (mut other, _) = self::session();
+        assert!(other.builds_recorded_first(&recording).expect("the food is known"));
+        other.stop_building();
+        assert_eq!(other.build_more(Duration::ZERO), None);
     }
 }
