@@ -278,7 +278,7 @@ impl Kitchen {
         if order.temperature < kelvin(0.0) && !food.may_be_ice(order.rules) {
             return Err(SetupError::NoIce(order.kind.clone()));
         }
-        Load::of(self.pieces.iter().map(|piece| &*piece.model)).add(&order.id, &order.spec(), food, 1)?;
+        self.check_all_fit(library, std::slice::from_ref(order))?;
         let food = FoodKey::ordered(order, library);
         let parts = models.food(&food, &self.fixed, library)?;
         let piece = Piece::new((order, food.data_hash), self.next_key, parts, &self.fixed.room);

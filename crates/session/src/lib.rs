@@ -34,7 +34,7 @@ use std::sync::Arc;
 
 use saute_kitchen::{Command, Kitchen, Library, PieceOrder};
 use saute_recipe::probe::Probes;
-use saute_recipe::session::{Deed, ReplayError};
+use saute_recipe::session::ReplayError;
 use saute_recipe::{Recipe, Recorder, Recording, Runner};
 use saute_study::class::Lesson;
 
@@ -266,8 +266,10 @@ impl<H: Hands> Session<H> {
         if self.plays {
             return self.play(Recipe::clone(&self.recipe));
         }
-        let orders: Vec<PieceOrder> = self.recording.entries().iter().filter_map(|e| added(&e.deed)).cloned().collect();
+        let orders: Vec<PieceOrder> = stock::added_to(&self.recording).cloned().collect();
+        let known = self.timeline.models().needed_by(&orders, &self.library);
         self.begin_with(Arc::clone(&self.recipe), false)?;
+        self.timeline.models().adopt(known);
         orders.into_iter().try_for_each(|order| self.add_one(order))?;
         self.end_of_beginning();
         Ok(())
@@ -332,14 +334,6 @@ impl<H: Hands> Session<H> {
     /// What happened, from the beginning to the instant that is shown.
     pub fn recording(&self) -> &Recording {
         &self.recording
-    }
-}
-
-/// Food that was added.
-pub(crate) fn added(deed: &Deed) -> Option<&PieceOrder> {
-    match deed {
-        Deed::Add(order) => Some(order),
-        _ => None,
     }
 }
 

@@ -7,12 +7,11 @@ use saute_kitchen::bytes::Models;
 use saute_kitchen::kitchen::SetupError;
 use saute_kitchen::piece::building_time::building_s;
 use saute_kitchen::{Kitchen, Library, PieceOrder};
-use saute_recipe::session::ReplayError;
+use saute_recipe::session::Deed;
 use saute_recipe::{Recipe, Recording};
 use web_time::{Duration, Instant};
 
 use crate::Session;
-use crate::added;
 use crate::choice::{SteakChoice, as_recipe, orders};
 use crate::hands::Hands;
 
@@ -57,20 +56,18 @@ impl<H: Hands> Session<H> {
     /// Returns true if foods must be built before this cook is begun again.
     pub fn builds_again_first(&mut self) -> bool {
         let (recipe, home) = (Arc::clone(&self.recipe), Arc::clone(&self.home));
-        let orders = with_added(&recipe, &self.recording);
+        // A recipe that plays begins again without what was added.
+        let orders = if self.plays { recipe.foods.clone() } else { with_added(&recipe, &self.recording) };
         self.builds_first(&recipe, &home, orders)
     }
 
-    /// Returns true if foods must be built before a recorded cook is resumed.
-    ///
-    /// # Errors
-    ///
-    /// If the library has not what it began with.
-    pub fn builds_recorded_first(&mut self, recording: &Recording) -> Result<bool, ReplayError> {
-        let library = self.library_of(recording)?;
-        let recipe = recording.beginning().recipe(&library)?;
+    /// Returns true if foods must be built before a recorded cook is resumed. What the library lacks of it is told by the cook that cannot
+    /// begin.
+    pub fn builds_recorded_first(&mut self, recording: &Recording) -> bool {
+        let Ok(library) = self.library_of(recording) else { return false };
+        let Ok(recipe) = recording.beginning().recipe(&library) else { return false };
         let orders = with_added(&recipe, recording);
-        Ok(self.builds_first(&recipe, &library, orders))
+        self.builds_first(&recipe, &library, orders)
     }
 
     fn builds_first(&mut self, recipe: &Recipe, library: &Arc<Library>, orders: Vec<PieceOrder>) -> bool {
@@ -155,8 +152,15 @@ impl Building {
 
 /// The foods of a recipe, and those that were added to its cook.
 fn with_added(recipe: &Recipe, recording: &Recording) -> Vec<PieceOrder> {
-    let added = recording.entries().iter().filter_map(|entry| added(&entry.deed));
-    recipe.foods.iter().chain(added).cloned().collect()
+    recipe.foods.iter().chain(added_to(recording)).cloned().collect()
+}
+
+/// The foods that were added to a cook.
+pub(crate) fn added_to(recording: &Recording) -> impl Iterator<Item = &PieceOrder> {
+    recording.entries().iter().filter_map(|entry| match &entry.deed {
+        Deed::Add(order) => Some(order),
+        _ => None,
+    })
 }
 
 #[cfg(test)]
@@ -209,7 +213,7 @@ mod tests {
         let recording = session.recording().clone();
         assert!(!session.builds_again_first(), "this cook knows them");
         let (mut other, _) = self::session();
-        assert!(other.builds_recorded_first(&recording).expect("the food is known"));
+        assert!(other.builds_recorded_first(&recording));
         other.stop_building();
         assert_eq!(other.build_more(Duration::ZERO), None);
     }

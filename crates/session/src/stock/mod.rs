@@ -2,7 +2,7 @@
 
 mod building;
 
-pub(super) use building::Building;
+pub(super) use building::{Building, added_to};
 
 use saute_kitchen::kitchen::SetupError;
 use saute_kitchen::{Command, PieceOrder};

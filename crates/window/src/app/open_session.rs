@@ -16,7 +16,7 @@ impl SauteApp {
             Ok(opened) => opened,
             Err(error) => return self.say_trouble(&error),
         };
-        let is_to_build = self.session.builds_recorded_first(&recording).unwrap_or(false);
+        let is_to_build = self.session.builds_recorded_first(&recording);
         if self.waits_for_food(is_to_build, || Later::Session(name.to_owned(), bytes.to_vec())) {
             return;
         }

@@ -88,7 +88,7 @@ fn the_view_of_doneness_is_labelled_without_panels_and_on_a_phone() {
 }
 
 #[test]
-fn every_food_is_set_out_with_its_own_name_and_size() {
+fn every_food_is_set_out_with_its_own_name_and_size_and_many_over_frames() {
     let mut harness = window(WIDE);
     press(&mut harness, Key::N);
     let library = harness.state().session().library.clone();
@@ -108,6 +108,9 @@ fn every_food_is_set_out_with_its_own_name_and_size() {
         assert!(harness.state().session().steak().expect("a piece").in_pan(), "{id}");
         save(&mut harness, &format!("food-{id}"));
     }
+    many_are_set_out_over_frames_which_can_be_stopped(&mut harness);
+    many_are_added_over_frames_and_taken_back(&mut harness);
+    recipes_and_links_with_many_are_opened_over_frames(&mut harness);
 }
 
 #[test]
@@ -245,15 +248,6 @@ fn the_hob_says_why_it_gives_no_power() {
     save(&mut hot, "limit");
 }
 
-/// A window with shrimps chosen.
-fn with_shrimps() -> Harness<'static, SauteApp> {
-    let mut harness = window(WIDE);
-    press(&mut harness, Key::N);
-    harness.get_by_label("Shrimp").click();
-    steps(&mut harness, 2);
-    harness
-}
-
 fn ask(harness: &mut Harness<'static, SauteApp>, act: Act) {
     let context = harness.ctx.clone();
     harness.state_mut().act(act, &context);
@@ -278,69 +272,75 @@ fn pieces(harness: &Harness<'static, SauteApp>) -> usize {
     harness.state().session().kitchen.pieces().len()
 }
 
+/// A cook with one shrimp, which knows no other food.
+fn one_shrimp(harness: &mut Harness<'static, SauteApp>) {
+    harness.get_by_label("Shrimp").click();
+    steps(harness, 2);
+    ask(harness, Act::Cook(CookAct::SetOut(1)));
+    assert_eq!(pieces(harness), 1);
+}
+
 /// The window goes on while many pieces are built, says how far it is, and lets go of them on Esc or by a button.
-#[test]
-fn many_pieces_are_set_out_over_frames_which_can_be_stopped() {
-    let mut harness = with_shrimps();
+fn many_are_set_out_over_frames_which_can_be_stopped(harness: &mut Harness<'static, SauteApp>) {
+    harness.get_by_label("Shrimp").click();
+    steps(harness, 2);
     let set_out = Act::Cook(CookAct::SetOut(60));
     for stop in [true, false] {
-        ask(&mut harness, set_out.clone());
+        ask(harness, set_out.clone());
         harness.get_by_label_contains("Setting out the food: 0 of 60");
-        save(&mut harness, "building");
+        save(harness, "building");
         // Whoever is impatient does not begin it again.
-        steps(&mut harness, 3);
-        ask(&mut harness, set_out.clone());
+        steps(harness, 3);
+        ask(harness, set_out.clone());
         assert!(harness.query_by_label_contains("Setting out the food: 0 of 60").is_none());
         if stop {
-            press(&mut harness, Key::Escape);
+            press(harness, Key::Escape);
         } else {
             harness.get_by_label("Stop").click();
         }
-        steps(&mut harness, 3);
-        assert!(!builds(&harness) && pieces(&harness) == 1, "the cook before goes on");
+        steps(harness, 3);
+        assert!(!builds(harness) && pieces(harness) == 1, "the cook before goes on");
     }
-    ask(&mut harness, set_out);
+    ask(harness, set_out);
     // What is chosen meanwhile is for the next time.
     harness.get_by_label("Carrot coin").click();
-    build(&mut harness);
-    assert_eq!(pieces(&harness), 60);
+    build(harness);
+    assert_eq!(pieces(harness), 60);
     assert!(harness.state().session().kitchen.pieces().iter().all(|piece| piece.kind == "shrimp"));
     // All are known now.
-    ask(&mut harness, Act::Cook(CookAct::Restart));
-    assert!(!builds(&harness) && pieces(&harness) == 60);
+    ask(harness, Act::Cook(CookAct::Restart));
+    assert!(!builds(harness) && pieces(harness) == 60);
 }
 
 /// Food that is added waits too; Undo takes it back, and what does not fit is refused before any of it is built.
-#[test]
-fn many_pieces_are_added_over_frames_and_taken_back() {
-    let mut harness = with_shrimps();
-    ask(&mut harness, Act::Cook(CookAct::Add(60)));
-    assert!(builds(&harness));
-    ask(&mut harness, Act::Time(TimeAct::Undo));
-    assert!(!builds(&harness) && pieces(&harness) == 1);
-    ask(&mut harness, Act::Cook(CookAct::Add(60)));
-    build(&mut harness);
-    assert_eq!(pieces(&harness), 61);
-    ask(&mut harness, Act::Cook(CookAct::Add(60)));
-    assert!(!builds(&harness) && pieces(&harness) == 61);
+fn many_are_added_over_frames_and_taken_back(harness: &mut Harness<'static, SauteApp>) {
+    one_shrimp(harness);
+    ask(harness, Act::Cook(CookAct::Add(60)));
+    assert!(builds(harness));
+    ask(harness, Act::Time(TimeAct::Undo));
+    assert!(!builds(harness) && pieces(harness) == 1);
+    ask(harness, Act::Cook(CookAct::Add(60)));
+    build(harness);
+    assert_eq!(pieces(harness), 61);
+    ask(harness, Act::Cook(CookAct::Add(60)));
+    assert!(!builds(harness) && pieces(harness) == 61);
 }
 
 /// A recipe and a link with many pieces are opened over frames.
-#[test]
-fn recipes_and_links_with_many_pieces_are_opened_over_frames() {
-    let mut harness = window(WIDE);
+fn recipes_and_links_with_many_are_opened_over_frames(harness: &mut Harness<'static, SauteApp>) {
+    one_shrimp(harness);
     let recipe =
         "title = \"Many\"\n[[food]]\nid = \"x\"\nkind = \"shrimp\"\ncount = 60\n[[step]]\nat_s = 9\nend = true\n";
     harness.state_mut().open_recipe(recipe, "many.toml");
-    steps(&mut harness, 2);
-    assert!(builds(&harness) && pieces(&harness) == 1);
-    build(&mut harness);
-    assert_eq!(pieces(&harness), 60);
+    steps(harness, 2);
+    assert!(builds(harness) && pieces(harness) == 1);
+    build(harness);
+    assert_eq!(pieces(harness), 60);
     let link = fragment(&harness.state().session().whole_recording());
-    let mut harness = window(WIDE);
+    one_shrimp(harness);
     harness.state_mut().open_link(&link);
-    steps(&mut harness, 2);
-    assert!(builds(&harness) && pieces(&harness) == 1);
-    build(&mut harness);
-    assert_eq!(pieces(&harness), 60);
+    steps(harness, 2);
+    assert!(builds(harness) && pieces(harness) == 1);
+    build(harness);
+    assert_eq!(pieces(harness), 60);
 }

@@ -64,7 +64,8 @@ fn the_cook_is_heard_switched_and_read() {
     let witness = Witness::of(&mut harness);
     assert!(!witness.told().is_paused && witness.told().volume == 0.5, "{:?}", witness.told());
     harness.state_mut().session_mut().command(&saute_kitchen::Command::Hob(1400.0)).expect("hob");
-    cook(&mut harness, 90.0);
+    a_cue_to_hear_is_played(&mut harness, &witness);
+    cook(&mut harness, 30.0);
     hands_are_heard_at_once(&mut harness, &witness);
     it_is_read(&mut harness, &witness);
     it_is_silent_while_time_stands(&mut harness, &witness);
@@ -156,30 +157,28 @@ fn a_loss_is_said_once(harness: &mut Harness<'static, SauteApp>, witness: &Witne
 }
 
 /// "Next to hear" plays what it means, also while time stands; with the sound off it is not offered.
-#[test]
-fn a_cue_to_hear_is_played() {
-    let mut harness = window(vec2(1280.0, 720.0));
-    let witness = Witness::of(&mut harness);
-    harness.state_mut().session_mut().command(&saute_kitchen::Command::Hob(1400.0)).expect("hob");
+fn a_cue_to_hear_is_played(harness: &mut Harness<'static, SauteApp>, witness: &Witness) {
     for _ in 0..30 {
         if harness.query_by_label("Hear it").is_some() {
             break;
         }
-        cook(&mut harness, 5.0);
-        steps(&mut harness, 4);
+        cook(harness, 5.0);
+        steps(harness, 4);
     }
-    save(&mut harness, "sound-cue");
-    press(&mut harness, Key::Space);
+    save(harness, "sound-cue");
+    press(harness, Key::Space);
     assert!(witness.told().is_paused);
     harness.get_by_label("Hear it").click();
-    steps(&mut harness, 3);
+    steps(harness, 3);
     let told = witness.told();
     assert!(!told.is_paused, "also while time stands");
     assert_eq!(saute_session::hearing::caption::caption(&told.snapshot), Caption::Lively);
     // Three seconds of the window's own clock.
-    steps(&mut harness, 3 * 60 + 20);
+    steps(harness, 3 * 60 + 20);
     assert!(witness.told().is_paused, "it ends");
     harness.get_by_role_and_label(Role::Switch, "Sound").click();
-    steps(&mut harness, 3);
+    steps(harness, 3);
     assert!(harness.query_by_label("Hear it").is_none());
+    harness.get_by_role_and_label(Role::Switch, "Sound").click();
+    press(harness, Key::Space);
 }

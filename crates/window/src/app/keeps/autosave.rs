@@ -32,7 +32,7 @@ impl SauteApp {
         if !goes_on {
             return;
         }
-        let is_to_build = self.session.builds_recorded_first(&offered).unwrap_or(false);
+        let is_to_build = self.session.builds_recorded_first(&offered);
         if self.waits_for_food(is_to_build, || Later::Offer) {
             self.keeps.autosave.offered = Some(offered);
             return;

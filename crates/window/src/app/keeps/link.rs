@@ -34,7 +34,7 @@ impl SauteApp {
     }
 
     fn open_linked(&mut self, recording: Recording, fragment: &str) {
-        let is_to_build = self.session.builds_recorded_first(&recording).unwrap_or(false);
+        let is_to_build = self.session.builds_recorded_first(&recording);
         if self.waits_for_food(is_to_build, || Later::Link(fragment.to_owned())) {
             return;
         }

@@ -181,7 +181,8 @@ impl<'a> Guide<'a> {
     /// How the plan was left, else what there is to see at the step, or what was promised.
     fn cue(&self, has_word: bool, state: &PanelContext, ui: &mut Ui) {
         let (l, palette) = (state.settings.language, theme::of(ui));
-        let senses = || self.guidance.next.iter().filter_map(|f| self.sense(state, f)).collect::<Vec<_>>().join(" ");
+        let sense = |followed| Some(cue_words::sense(&self.sense(state, followed)?, state.settings.speech()));
+        let senses = || self.guidance.next.iter().filter_map(sense).collect::<Vec<_>>().join(" ");
         let (words, ink) = match (self.is_over(), self.left(state)) {
             (true, _) => (self.line(&self.live.plan().promised, "plan.was_promised", state), palette.quiet),
             (false, Some(left)) => (left_words(left, l), palette.accent),
@@ -191,21 +192,17 @@ impl<'a> Guide<'a> {
         ui.add(egui::Label::new(RichText::new(words).size(12.5).color(ink)).wrap());
     }
 
-    fn sense(&self, state: &PanelContext, followed: &Followed) -> Option<String> {
+    fn sense(&self, state: &PanelContext, followed: &Followed) -> Option<Sense> {
         // Of food that is out there is nothing to feel.
         let followed = Some(followed).filter(|followed| followed.left != Left::Hob)?;
-        let sense = self.live.plan().sense(&followed.step, &state.session.library)?;
-        Some(cue_words::sense(&sense, state.settings.speech()))
+        self.live.plan().sense(&followed.step, &state.session.library)
     }
 
     /// The sound of the step that comes next, where its cue is one to hear.
     fn hiss(&self, state: &PanelContext) -> Option<Example> {
-        let sense = |followed: &Followed| self.live.plan().sense(&followed.step, &state.session.library);
-        self.guidance.next.iter().filter(|followed| followed.left != Left::Hob).find_map(|followed| {
-            match sense(followed)? {
-                Sense::Face { hiss, .. } => Some(Example::of_hiss(hiss)),
-                _ => None,
-            }
+        self.guidance.next.iter().find_map(|followed| match self.sense(state, followed)? {
+            Sense::Face { hiss, .. } => Some(Example::of_hiss(hiss)),
+            _ => None,
         })
     }
 
