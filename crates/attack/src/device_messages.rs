@@ -21,6 +21,9 @@ use crate::text;
 const SPOKEN: usize = 1 + 64;
 /// Messages that a hostile device sends in one input [-].
 const MOST_SPOKEN: usize = 8;
+/// Rounds in which a driver has sent all its stops [-], and their length [s] (chosen: more and longer than the driver's own).
+const STOPS: usize = 4;
+const BETWEEN_STOPS_S: f64 = 5e-3;
 
 static DEVICE: LazyLock<Geometry> = LazyLock::new(|| {
     let mut devices = library::devices().expect("the shipped devices are sound");
@@ -103,6 +106,9 @@ fn hostile_device(said: Vec<(u8, [u8; 64])>) {
         let sample = driver.exchange(&HapticCommand::default(), 1e-3);
         assert!(sample.pose.position.is_finite() && sample.total_force_n.is_finite(), "{sample:?}");
     }
+    // What is still due is sent by the driver's clock: at its end it would wait for a real one.
+    driver.stop();
+    (0..STOPS).for_each(|_| drop(driver.exchange(&HapticCommand::default(), BETWEEN_STOPS_S)));
 }
 
 /// What a phone sends: the head of a request, or a message.

@@ -98,7 +98,7 @@ pub struct FoodSolver {
     films: Films,
     hot: Vec<u32>,
     /// The state after the last tick, without a non-finite value.
-    sound: Option<FoodState>,
+    pub(crate) sound: Option<FoodState>,
     /// Heat gained by each patch from its contact in the last tick [J].
     pub contact_heat: Vec<f64>,
     /// Number of steps in the last tick [-].

@@ -62,7 +62,7 @@ pub struct FoodState {
 }
 
 impl FoodState {
-    /// Returns the raw state at a uniform temperature [K].
+    /// Returns the raw state at a uniform temperature [K], with moist faces.
     pub fn raw(model: &FoodModel, temperature: f64) -> Self {
         let n = model.shape.mesh.node_count();
         let zeros = || vec![0.0; n];
@@ -87,6 +87,7 @@ impl FoodState {
             ticks: 0,
             healthy: true,
         };
+        raw.wet_faces(model);
         for i in 0..n {
             raw.enthalpy[i] = model.properties.enthalpy(&model.masses(&raw, i), temperature).0;
         }

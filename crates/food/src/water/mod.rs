@@ -9,10 +9,12 @@
 pub mod air_film;
 pub mod fat;
 pub(crate) mod films;
+mod flash;
 pub mod ice;
 pub mod juice;
 mod juice_flow;
 mod juice_way;
+mod raw_film;
 pub mod sorption;
 mod squeezed;
 mod transport;

@@ -140,8 +140,9 @@ impl Layers {
         let edges = self.between.shape[edges.clone()].iter().zip(&mut self.between.conductance[edges]);
         for (i, ((column, above), (shape, g))) in self.columns.iter_mut().zip(&mut self.above).zip(edges).enumerate() {
             let below = if block == 0 { 0.0 } else { above[TOGETHER - 1] };
-            let k: [f64; TOGETHER + 1] = from_fn(|layer| layers[layer][i]);
-            let conducts = |at: usize| shape[at] * 2.0 * k[at] * k[at + 1] / (k[at] + k[at + 1]);
+            let k: Lanes = from_fn(|layer| layers[layer][i]);
+            let next: Lanes = from_fn(|layer| layers[layer + 1][i]);
+            let conducts = |at: usize| shape[at] * 2.0 * k[at] * next[at] / (k[at] + next[at]);
             let all: Lanes = from_fn(conducts);
             *g = from_fn(|at| if shape[at] > 0.0 { all[at] } else { 0.0 });
             column.sum = from_fn(|at| if at == 0 { below } else { g[at - 1] });
@@ -193,14 +194,17 @@ impl Layers {
 
     /// Takes the temperatures of a block; the sums of its nodes begin with the flows between its layers.
     fn take(&mut self, block: usize, temperature: &[f64]) {
+        let n = self.nodes;
         let layers = self.block_of(temperature, block);
-        let conductances = &self.between.conductance[block * self.nodes..][..self.nodes];
-        let columns = self.columns.iter_mut().zip(&mut self.above).zip(conductances);
+        let conductances = &self.between.conductance[block * n..][..n];
+        let columns = self.columns[..n].iter_mut().zip(&mut self.above[..n]).zip(conductances);
         for (i, ((column, above), g)) in columns.enumerate() {
             let below = if block == 0 { 0.0 } else { above[TOGETHER - 1] };
-            let t: [f64; TOGETHER + 1] = from_fn(|layer| layers[layer][i]);
-            let flow: Lanes = from_fn(|at| g[at] * (t[at + 1] - t[at]));
-            column.value = from_fn(|at| t[at]);
+            // Two arrays of their own: a shifted one would be read before it is written whole.
+            let t: Lanes = from_fn(|layer| layers[layer][i]);
+            let next: Lanes = from_fn(|layer| layers[layer + 1][i]);
+            let flow: Lanes = from_fn(|at| g[at] * (next[at] - t[at]));
+            column.value = t;
             column.sum = from_fn(|at| 0.0 - if at == 0 { below } else { flow[at - 1] });
             *above = flow;
         }
@@ -230,14 +234,36 @@ impl Layers {
 
     /// Writes the sums of a block to a field, each with what comes from the layer above.
     fn put(&self, block: usize, field: &mut [f64]) {
-        let layers = field.chunks_mut(self.nodes).skip(block * TOGETHER).take(TOGETHER);
-        for (lane, layer) in layers.enumerate() {
-            for ((to, column), above) in layer.iter_mut().zip(&self.columns).zip(&self.above) {
-                *to = column.sum[lane] + above[lane];
+        let n = self.nodes;
+        let mut rest = &mut field[block * TOGETHER * n..];
+        let mut lane = 0;
+        // The last block has fewer layers.
+        for (count, put) in
+            [(8, Self::put_layers::<8> as PutLayers), (4, Self::put_layers::<4>), (1, Self::put_layers::<1>)]
+        {
+            while lane + count <= TOGETHER && rest.len() >= count * n {
+                let (layers, left) = rest.split_at_mut(count * n);
+                put(self, lane, layers);
+                (lane, rest) = (lane + count, left);
+            }
+        }
+    }
+
+    /// Writes the sums of `COUNT` layers from a lane on, column by column.
+    fn put_layers<const COUNT: usize>(&self, lane: usize, field: &mut [f64]) {
+        let mut layers = field.chunks_exact_mut(self.nodes);
+        let mut layers: [&mut [f64]; COUNT] = from_fn(|_| layers.next().unwrap_or_default());
+        for (i, (column, above)) in self.columns.iter().zip(&self.above).enumerate() {
+            let (sum, above) = (&column.sum[lane..lane + COUNT], &above[lane..lane + COUNT]);
+            for ((layer, sum), above) in layers.iter_mut().zip(sum).zip(above) {
+                layer[i] = sum + above;
             }
         }
     }
 }
+
+/// Writes some layers of a field from a lane on.
+type PutLayers = fn(&Layers, usize, &mut [f64]);
 
 #[cfg(test)]
 mod tests {

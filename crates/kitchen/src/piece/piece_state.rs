@@ -387,7 +387,7 @@ impl Piece {
     }
 
     /// Contact of the whole lower face, without oil.
-    fn face_contact(&self, near: &[NearPatch], pan: &PanModel, room: &Room) -> FaceContact {
+    pub(crate) fn face_contact(&self, near: &[NearPatch], pan: &PanModel, room: &Room) -> FaceContact {
         let area: f64 = near.iter().map(|n| self.patch_area(n.patch as usize)).sum();
         let [length, width, _] = self.model.size();
         FaceContact {

@@ -246,7 +246,10 @@ impl Kitchen {
         let air = self.air_round(fixed, &self.pieces[index]);
         let force = self.world.pressing(self.pieces[index].key);
         let piece = &mut self.pieces[index];
-        let exchange = piece.advance(air, force, lapse.s());
+        let mut exchange = piece.advance(air, force, lapse.s());
+        if piece.in_pan() {
+            piece.flash_below(&fixed.pan, &fixed.room, lapse.s(), &mut exchange);
+        }
         let exchanges = piece.in_pan() && piece.state.healthy;
         let condensed = if exchanges { self.exchange_with_media(fixed, index, lapse) } else { Runoff::default() };
         let piece = &mut self.pieces[index];

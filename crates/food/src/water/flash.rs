@@ -1,0 +1,42 @@
+//! Juice on a face that flashes to steam on a hot surface.
+
+use crate::advance::{Exchange, FoodSolver};
+use crate::model::FoodModel;
+use crate::state::FoodState;
+use crate::water::air_film::HOTTEST_WET;
+use crate::water::vapour::latent_heat;
+
+impl FoodSolver {
+    /// Turns free juice on the face of a patch into steam with at most `heat` [J] from its contact, between two ticks. Adds what boiled off
+    /// to `exchange` and the heat that it took to the patch's contact.
+    ///
+    /// m = Q / (L + h(T_b) − h(T)): the juice leaves at the boiling point, the flesh keeps its temperature. Ice does not flash.
+    pub fn flash(
+        &mut self,
+        model: &FoodModel,
+        state: &mut FoodState,
+        patch: usize,
+        heat: f64,
+        exchange: &mut Exchange,
+    ) {
+        let node = model.shape.patches[patch].node as usize;
+        let (t, juice) = (state.temperature[node], state.juice[node]);
+        if !state.healthy || juice <= 0.0 || t < crate::ZERO_C {
+            return;
+        }
+        let cold = model.properties.water_enthalpy(t);
+        let steam = model.properties.water_enthalpy(HOTTEST_WET) + latent_heat(HOTTEST_WET);
+        let mass = (heat / (steam - cold)).min(juice);
+        // The other side books this juice and its heat: they stay gone if the next tick is undone.
+        for state in self.sound.iter_mut().chain([&mut *state]) {
+            state.enthalpy[node] -= mass * cold;
+            state.water[node] -= mass;
+            state.rising[node] *= 1.0 - mass / juice;
+            state.juice[node] -= mass;
+            state.evaporated += mass;
+        }
+        exchange.evaporated += mass;
+        exchange.evaporation += mass * steam;
+        self.contact_heat[patch] += mass * (steam - cold);
+    }
+}
