@@ -108,7 +108,9 @@ fn hostile_device(said: Vec<(u8, [u8; 64])>) {
     }
     // What is still due is sent by the driver's clock: at its end it would wait for a real one.
     driver.stop();
-    (0..STOPS).for_each(|_| drop(driver.exchange(&HapticCommand::default(), BETWEEN_STOPS_S)));
+    for _ in 0..STOPS {
+        driver.exchange(&HapticCommand::default(), BETWEEN_STOPS_S);
+    }
 }
 
 /// What a phone sends: the head of a request, or a message.

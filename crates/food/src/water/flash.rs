@@ -21,12 +21,12 @@ impl FoodSolver {
     ) {
         let node = model.shape.patches[patch].node as usize;
         let (t, juice) = (state.temperature[node], state.juice[node]);
-        if !state.healthy || juice <= 0.0 || t < crate::ZERO_C {
+        if !state.healthy || juice <= 0.0 || mass <= 0.0 || t < crate::ZERO_C {
             return;
         }
         let cold = model.properties.water_enthalpy(t);
         let steam = model.properties.water_enthalpy(HOTTEST_WET) + latent_heat(HOTTEST_WET);
-        let mass = (heat / (steam - cold)).min(juice);
+        let mass = mass.min(juice);
         // The other side books this juice and its heat: they stay gone if the next tick is undone.
         for state in self.sound.iter_mut().chain([&mut *state]) {
             state.enthalpy[node] -= mass * cold;

@@ -6,17 +6,6 @@ use serde::{Deserialize, Serialize};
 use crate::data::room::ClothData;
 use crate::{celsius, kelvin};
 
-impl ClothData {
-    /// Heat flux from metal at `base` [K] into a wet soft face that lies on it, by the boiling curve [W/m²].
-    pub fn boiling_flux(&self, base: f64) -> f64 {
-        let c = celsius(base);
-        let xs = &self.base_c;
-        let upper = xs.partition_point(|&x| x < c).clamp(1, xs.len() - 1);
-        let share = ((c - xs[upper - 1]) / (xs[upper] - xs[upper - 1])).clamp(0.0, 1.0);
-        1e3 * (self.flux_kw_m2[upper - 1] + share * (self.flux_kw_m2[upper] - self.flux_kw_m2[upper - 1]))
-    }
-}
-
 /// A cloth with its remaining water.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct Cloth {
@@ -37,12 +26,17 @@ impl Cloth {
         Self { water: data.water_g * 1e-3, temperature: room, remaining_s: for_s }
     }
 
-    /// Heat flux from a base at `base` [K] into the cloth, over the whole base [W/m²].
+    /// Heat flux from a base at `base` [K] into the wet cloth by the boiling curve [W/m²].
     pub fn flux(&self, data: &ClothData, base: f64) -> f64 {
         if self.water <= 0.0 || base <= self.temperature {
             return 0.0;
         }
-        data.boiling_flux(base) * data.contact_share
+        let c = celsius(base);
+        let xs = &data.base_c;
+        let upper = xs.partition_point(|&x| x < c).clamp(1, xs.len() - 1);
+        let share = ((c - xs[upper - 1]) / (xs[upper] - xs[upper - 1])).clamp(0.0, 1.0);
+        let flux = data.flux_kw_m2[upper - 1] + share * (data.flux_kw_m2[upper] - data.flux_kw_m2[upper - 1]);
+        1e3 * flux * data.contact_share
     }
 
     /// Absorbs heat [J], which warms the water and evaporates the rest, or only evaporates if `boiling`. Returns the mass

@@ -1,8 +1,10 @@
 //! Juice on a face that meets the hot pan flashes to steam: the loud first second of a contact.
 //!
-//! Before a face has settled, its film of juice lies on the metal itself and boils by the boiling curve of a wet soft face. What the face
-//! gives later reaches the pan through the gap that its steam keeps open ([`contact`](super::contact)).
+//! While a face settles, more and more of its film of juice comes to lie on the metal: of a patch the share l = δ₀/δ by which it rests on the
+//! pan ([`contact`](super::contact)). What lies there boils at the rate r = h (T − T_b)/(L f), with the largest film f. The rest waits. Juice
+//! that comes to a face that has settled reaches the pan through the gap that its steam keeps open.
 
+use saute_food::water::latent_heat;
 use saute_food::{Exchange, Rules};
 
 use crate::data::room::Room;
@@ -10,24 +12,32 @@ use crate::kelvin;
 use crate::pan::pan_model::PanModel;
 use crate::piece::piece_state::Piece;
 
-/// Time from the start of a contact in which juice lies on the metal [s] (chosen: of the order in which a face settles).
-const FLASHES_FOR_S: f64 = 2.0;
+/// Conductance from metal to a film of juice that boils on it [W/(m²·K)] (chosen: the middle of nucleate boiling, 5–10 kW/(m²·K); under
+/// food that lies with its weight it does not fall on hotter metal).
+const BOILS_W_M2K: f64 = 7500.0;
+/// Time constants of settling after which a face has settled [-] (chosen: a hundredth of the film is left).
+const SETTLES: f64 = 5.0;
 
 impl Piece {
-    /// Boils off juice on the patches near the pan after a tick of `dt` [s], if their contact is new; adds it to `exchange`.
+    /// Boils off juice on the patches near the pan after a tick of `dt` [s], while the face settles; adds it to `exchange`.
     pub(crate) fn flash_below(&mut self, pan: &PanModel, room: &Room, dt: f64, exchange: &mut Exchange) {
-        if self.on_pan.since > FLASHES_FOR_S || self.model.rules() != Rules::Full {
+        let contact = &room.contact;
+        if self.on_pan.since > SETTLES * contact.settling_s || self.model.rules() != Rules::Full {
             return;
         }
         let near = core::mem::take(&mut self.on_pan.near.patches);
-        let mean = self.face_contact(&near, pan, room).mean_gap(&room.contact);
+        let mean = self.face_contact(&near, pan, room).mean_gap(contact);
         let carried = pan.ridges.map_or(1.0, |ridges| ridges.share());
+        let film = self.model.kinetics().water_holding.film_kg_m2;
         for n in &near {
-            let (patch, metal) = (n.patch as usize, self.touch(n.patch).temperature());
-            if metal > kelvin(100.0) {
-                let lies = carried * (1.0 - self.lifted_share(n, mean, room));
-                let heat = room.cloth.boiling_flux(metal) * lies * self.patch_area(patch) * dt;
-                self.solver.flash(&self.model, &mut self.state, patch, heat, exchange);
+            let (patch, node) = (n.patch as usize, self.node_of(n.patch));
+            let excess = self.touch(n.patch).temperature() - kelvin(100.0);
+            if excess > 0.0 {
+                let lies = carried * (1e-3 * contact.gap_mm / self.gap_below(n, mean)).min(1.0);
+                let waits = (1.0 - lies) * film * self.patch_area(patch);
+                let rate = BOILS_W_M2K * excess / (latent_heat(kelvin(100.0)) * film);
+                let gone = (self.state.juice[node] - waits).max(0.0) * (1.0 - 1.0 / (1.0 + rate * dt));
+                self.solver.flash(&self.model, &mut self.state, patch, gone, exchange);
             }
         }
         self.on_pan.near.patches = near;
