@@ -7,16 +7,16 @@ use crate::water::air_film::HOTTEST_WET;
 use crate::water::vapour::latent_heat;
 
 impl FoodSolver {
-    /// Turns free juice on the face of a patch into steam with at most `heat` [J] from its contact, between two ticks. Adds what boiled off
-    /// to `exchange` and the heat that it took to the patch's contact.
+    /// Turns free juice on the face of a patch into steam [kg], at most what is there, between two ticks. Adds it to `exchange`, and the heat
+    /// that it took to the patch's contact: Q = m (L + h(T_b) − h(T)).
     ///
-    /// m = Q / (L + h(T_b) − h(T)): the juice leaves at the boiling point, the flesh keeps its temperature. Ice does not flash.
+    /// The juice leaves at the boiling point, the flesh keeps its temperature. Ice does not flash.
     pub fn flash(
         &mut self,
         model: &FoodModel,
         state: &mut FoodState,
         patch: usize,
-        heat: f64,
+        mass: f64,
         exchange: &mut Exchange,
     ) {
         let node = model.shape.patches[patch].node as usize;
