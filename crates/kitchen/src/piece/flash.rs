@@ -1,7 +1,7 @@
 //! Juice on a face that meets the hot pan flashes to steam: the loud first second of a contact.
 //!
 //! While a face settles, more and more of its film of juice comes to lie on the metal: of a patch the share l = δ₀/δ by which it rests on the
-//! pan ([`contact`](super::contact)). What lies there boils at the rate r = e^(−t/τ) h (T − T_b)/(L f), with the largest film f and the time
+//! pan ([`contact`](super::contact)), less where heat has made the flesh firm. What lies there boils at the rate r = e^(−t/τ) h (T − T_b)/(L f), with the largest film f and the time
 //! of settling τ. The rest waits. A face that has settled rides on its steam: its juice reaches the pan through the gap.
 
 use saute_food::water::latent_heat;
@@ -34,7 +34,7 @@ impl Piece {
             let (patch, node) = (n.patch as usize, self.node_of(n.patch));
             let excess = self.touch(n.patch).temperature() - kelvin(100.0);
             if excess > 0.0 {
-                let lies = carried * (1e-3 * contact.gap_mm / self.gap_below(n, mean)).min(1.0);
+                let lies = carried * self.conforms(node) * (1e-3 * contact.gap_mm / self.gap_below(n, mean)).min(1.0);
                 let waits = (1.0 - lies) * film * self.patch_area(patch);
                 let rate = libm::exp(-settled) * BOILS_W_M2K * excess / (latent_heat(kelvin(100.0)) * film);
                 // A dry crust soaks its juice up.
@@ -45,5 +45,12 @@ impl Piece {
         }
         self.on_pan.near.patches = near;
         self.vapour_flow = exchange.evaporated.max(0.0) / dt;
+    }
+
+    /// Share of the metal that the flesh of a node touches, relative to raw flesh [-]: under the same weight the area of real contact falls
+    /// as the modulus rises (Greenwood and Williamson 1966 `[@greenwood-williamson-1966]`).
+    fn conforms(&self, node: usize) -> f64 {
+        let raw = self.model.kinetics().texture.raw_kpa;
+        (raw / self.model.node_modulus_kpa(&self.state, node)).min(1.0)
     }
 }
