@@ -6,9 +6,12 @@ use crate::model::FoodModel;
 use crate::paper_2013::Rules;
 use crate::state::FoodState;
 
+/// Film on a raw face, relative to the largest that stays on it [-] (chosen: 40 g/m² on meat, moist without beads; filter papers take 21 to
+/// 133 g/m² off pork, Torres Filho 2017 [@torres-filho-2017]).
+const RAW_FILM: f64 = 0.8;
+
 impl FoodState {
-    /// Lays the largest film of free juice on the faces of raw food, with water from the whole piece: its mass stays. Of meat it is 50 g/m²;
-    /// filter papers take 21 to 133 g/m² off pork (Torres Filho 2017 `[@torres-filho-2017]`).
+    /// Lays a film of free juice on the faces of raw food, with water from the whole piece: its mass stays.
     ///
     /// A piece by the rules of 2013 has none.
     pub(crate) fn wet_faces(&mut self, model: &FoodModel) {
@@ -17,7 +20,7 @@ impl FoodState {
         }
         let largest = model.kinetics.water_holding.film_kg_m2;
         let water: f64 = self.water.iter().sum();
-        let films = || model.water.outlets.iter().map(|&(node, area)| (node as usize, largest * area));
+        let films = || model.water.outlets.iter().map(|&(node, area)| (node as usize, RAW_FILM * largest * area));
         let flesh = 1.0 - films().map(|(_, film)| film).sum::<f64>() / water;
         self.water.iter_mut().for_each(|water| *water *= flesh);
         for (node, film) in films() {

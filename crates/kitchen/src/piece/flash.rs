@@ -36,8 +36,7 @@ impl Piece {
             if excess > 0.0 {
                 let lies = carried * self.conforms(node) * (1e-3 * contact.gap_mm / self.gap_below(n, mean)).min(1.0);
                 let waits = (1.0 - lies) * film * self.patch_area(patch);
-                let rate = libm::exp(-settled) * BOILS_W_M2K * excess / (latent_heat(kelvin(100.0)) * film);
-                // A dry crust soaks its juice up.
+                let rate = BOILS_W_M2K * excess / (latent_heat(kelvin(100.0)) * film);
                 let gone =
                     self.wetness(node) * (self.state.juice[node] - waits).max(0.0) * (1.0 - 1.0 / (1.0 + rate * dt));
                 self.solver.flash(&self.model, &mut self.state, patch, gone, exchange);
