@@ -1,8 +1,8 @@
 //! Juice on a face that meets the hot pan flashes to steam: the loud first second of a contact.
 //!
 //! While a face settles, more and more of its film of juice comes to lie on the metal: of a patch the share l = δ₀/δ by which it rests on the
-//! pan ([`contact`](super::contact)), less where heat has made the flesh firm. What lies there boils at the rate r = e^(−t/τ) h (T − T_b)/(L f), with the largest film f and the time
-//! of settling τ. The rest waits. A face that has settled rides on its steam: its juice reaches the pan through the gap.
+//! pan ([`contact`](super::contact)), less where heat has made the flesh firm. What lies there boils at the rate r = h (T − T_b)/(L f), with
+//! the largest film f. The rest waits. A face that has settled rides on its steam: its juice reaches the pan through the gap.
 
 use saute_food::water::latent_heat;
 use saute_food::{Exchange, Rules};
@@ -15,7 +15,7 @@ use crate::piece::piece_state::Piece;
 /// Conductance from metal to a film of juice that boils on it [W/(m²·K)] (chosen: the middle of nucleate boiling, 5–10 kW/(m²·K); under
 /// food that lies with its weight it does not fall on hotter metal).
 const BOILS_W_M2K: f64 = 7500.0;
-/// Time constants of settling after which a face has settled [-] (chosen: less than a hundredth of the rate is left).
+/// Time constants of settling after which a face has settled [-] (chosen: less than a hundredth of the way is left).
 const SETTLES: f64 = 5.0;
 
 impl Piece {
@@ -37,6 +37,7 @@ impl Piece {
                 let lies = carried * self.conforms(node) * (1e-3 * contact.gap_mm / self.gap_below(n, mean)).min(1.0);
                 let waits = (1.0 - lies) * film * self.patch_area(patch);
                 let rate = BOILS_W_M2K * excess / (latent_heat(kelvin(100.0)) * film);
+                // A dry crust soaks its juice up.
                 let gone =
                     self.wetness(node) * (self.state.juice[node] - waits).max(0.0) * (1.0 - 1.0 / (1.0 + rate * dt));
                 self.solver.flash(&self.model, &mut self.state, patch, gone, exchange);
