@@ -79,7 +79,7 @@ impl FoodModel {
             Properties::new(components, &description.lean, &description.fat_melting, description.freezing.as_ref());
         let tissue = NodeTissue::new(description, &properties, &shape, seed);
         tissue.part_sheaths(&mut shape.mesh);
-        Ok(Self {
+        let mut model = Self {
             water: WaterTransport::new(description, kinetics, rules, &shape)?,
             response: HeatResponse::new(description, kinetics)?,
             shape,
@@ -89,7 +89,9 @@ impl FoodModel {
             seed,
             description: description.clone(),
             kinetics: kinetics.clone(),
-        })
+        };
+        model.wet_faces();
+        Ok(model)
     }
 
     /// Present masses of water, lean solids and fat of a node [kg].
@@ -156,7 +158,7 @@ impl FoodModel {
         self.shape.closed_below
     }
 
-    /// Raw water of each node [kg].
+    /// Raw water of the flesh of each node [kg].
     #[inline]
     pub fn initial_water(&self) -> &[f64] {
         &self.tissue.initial_water
@@ -174,7 +176,7 @@ impl FoodModel {
         &self.tissue.initial_fat
     }
 
-    /// Raw mass [kg].
+    /// Raw mass, with the film of juice on its faces [kg].
     pub fn raw_mass(&self) -> f64 {
         self.tissue.raw_mass
     }

@@ -87,8 +87,11 @@ impl FoodState {
             ticks: 0,
             healthy: true,
         };
-        raw.wet_faces(model);
         for i in 0..n {
+            let film = model.tissue.raw_film[i];
+            raw.water[i] += film;
+            raw.juice[i] = film;
+            raw.rising[i] = model.rising_film(i) * film;
             raw.enthalpy[i] = model.properties.enthalpy(&model.masses(&raw, i), temperature).0;
         }
         raw

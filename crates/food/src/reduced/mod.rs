@@ -73,7 +73,9 @@ impl Reduction {
         let mut shape = RestShape::new(body, fine.rules);
         let mut tissue = fine.tissue.clone();
         let volumes = fine.shape.mesh.volumes();
-        for field in [&mut tissue.initial_water, &mut tissue.lean_solids, &mut tissue.initial_fat] {
+        let masses =
+            [&mut tissue.initial_water, &mut tissue.lean_solids, &mut tissue.initial_fat, &mut tissue.raw_film];
+        for field in masses {
             *field = columns.sums(field);
         }
         for field in [&mut tissue.adipose, &mut tissue.second] {

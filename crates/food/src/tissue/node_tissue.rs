@@ -28,7 +28,9 @@ pub(crate) struct NodeTissue {
     pub(crate) lean_solids: Vec<f64>,
     /// Raw fat of each node [kg].
     pub(crate) initial_fat: Vec<f64>,
-    /// Raw mass of the piece [kg].
+    /// Film of juice on the faces of the raw piece, beside the flesh's own water [kg].
+    pub(crate) raw_film: Vec<f64>,
+    /// Raw mass of the piece, with its film [kg].
     pub(crate) raw_mass: f64,
     /// Raw share of adipose tissue of each node [-].
     pub(crate) adipose: Vec<f64>,
@@ -56,6 +58,7 @@ impl NodeTissue {
             initial_water: Vec::new(),
             lean_solids: Vec::new(),
             initial_fat: Vec::new(),
+            raw_film: Vec::new(),
             raw_mass: 0.0,
             raw_conductivity: properties.conductivity(&[lean.water, lean.lean_solids(), lean.fat], ZERO_C + 20.0),
             adipose,

@@ -57,12 +57,13 @@ impl FoodModel {
         runoff
     }
 
-    /// Film of juice on the face of each node, relative to the largest film [-]; 0 at nodes without an outlet.
+    /// Film of juice on the face of each node beyond that of raw food, relative to the largest film [-]; 0 at nodes without an outlet.
     pub fn juice_films(&self, state: &FoodState) -> Vec<f64> {
         let mut films = vec![0.0; state.juice.len()];
         for &(node, area) in &self.water.outlets {
-            let most = self.kinetics.water_holding.film_kg_m2 * area;
-            films[node as usize] = (state.juice[node as usize] / most).clamp(0.0, 1.0);
+            let (node, raw) = (node as usize, self.raw_film_left(state.peak[node as usize]));
+            let film = state.juice[node] / (self.kinetics.water_holding.film_kg_m2 * area);
+            films[node] = ((film - raw) / (1.0 - raw)).clamp(0.0, 1.0);
         }
         films
     }

@@ -2,38 +2,37 @@
 
 use saute_heat::Layout;
 
+use crate::ZERO_C;
 use crate::model::FoodModel;
 use crate::paper_2013::Rules;
-use crate::state::FoodState;
 
 /// Film on a raw face, relative to the largest that stays on it [-] (chosen: 40 g/m² on meat, moist without beads; filter papers take 21 to
 /// 133 g/m² off pork, Torres Filho 2017 [@torres-filho-2017]).
 const RAW_FILM: f64 = 0.8;
 
-impl FoodState {
-    /// Lays a film of free juice on the faces of raw food, with water from the whole piece: its mass stays.
-    ///
-    /// A piece by the rules of 2013 has none.
-    pub(crate) fn wet_faces(&mut self, model: &FoodModel) {
-        if model.rules == Rules::Paper2013 {
-            return;
-        }
-        let largest = model.kinetics.water_holding.film_kg_m2;
-        let water: f64 = self.water.iter().sum();
-        let films = || model.water.outlets.iter().map(|&(node, area)| (node as usize, RAW_FILM * largest * area));
-        let flesh = 1.0 - films().map(|(_, film)| film).sum::<f64>() / water;
-        self.water.iter_mut().for_each(|water| *water *= flesh);
-        for (node, film) in films() {
-            self.water[node] += film;
-            self.juice[node] += film;
-            self.rising[node] += model.rising_film(node) * film;
-        }
-    }
-}
+/// Peak temperatures between which a face stops being raw [K] (chosen: flesh clouds from 47 °C on and has set at 65 °C).
+const SETS: [f64; 2] = [ZERO_C + 47.0, ZERO_C + 65.0];
 
 impl FoodModel {
+    /// Adds the film of juice on the faces to the raw piece, beside the water of its flesh: 40 g/m². A piece by the rules of 2013 has none.
+    pub(crate) fn wet_faces(&mut self) {
+        let mut film = vec![0.0; self.shape.mesh.node_count()];
+        if self.rules == Rules::Full {
+            let most = self.kinetics.water_holding.film_kg_m2;
+            self.water.outlets.iter().for_each(|&(node, area)| film[node as usize] = RAW_FILM * most * area);
+        }
+        self.tissue.raw_mass += film.iter().sum::<f64>();
+        self.tissue.raw_film = film;
+    }
+
+    /// Film that belongs to a face of raw food, relative to the largest, by its peak temperature [K] [-]: none to one that has set.
+    pub(crate) fn raw_film_left(&self, peak: f64) -> f64 {
+        let set = ((peak - SETS[0]) / (SETS[1] - SETS[0])).clamp(0.0, 1.0);
+        if self.rules == Rules::Full { RAW_FILM * (1.0 - set) } else { 0.0 }
+    }
+
     /// Share of the film on a node's face that counts as rising juice [-]: it stays on the face that it is on.
-    fn rising_film(&self, node: usize) -> f64 {
+    pub(crate) fn rising_film(&self, node: usize) -> f64 {
         match self.shape.mesh.layout() {
             Layout::Upright(mesh) if node >= mesh.nodes_per_level() => 1.0,
             Layout::Upright(_) => 0.0,

@@ -4,7 +4,7 @@ use saute_food::ZERO_C;
 
 use crate::run::{Run, kitchen_air, lean};
 
-/// There is no film on raw meat and none on a face that has boiled dry. Contraction of the hot flesh drives juice through the
+/// There is no film on raw meat beyond its own, and none on a face that has boiled dry. Contraction of the hot flesh drives juice through the
 /// cold level: it beads on the upper face.
 #[test]
 fn juice_stands_on_wet_faces_alone_and_beads_on_the_cold_one() {
@@ -25,4 +25,23 @@ fn juice_stands_on_wet_faces_alone_and_beads_on_the_cold_one() {
     let dry = (0..films.len()).filter(|&node| run.state.water[node] < 0.3 * lean().initial_water()[node]);
     let dry: Vec<f64> = dry.map(|node| films[node]).collect();
     assert!(dry.len() > 20 && dry.iter().all(|film| *film == 0.0), "{}", dry.len());
+}
+
+/// Raw faces are moist: the film is a part of the piece's mass beside its flesh, its juice lies on the faces alone, and does not run off.
+#[test]
+fn a_raw_piece_has_a_film_on_its_faces_and_its_own_mass() {
+    let (model, state) = (lean(), saute_food::FoodState::raw(lean(), ZERO_C + 5.0));
+    assert!((state.mass(model) / model.raw_mass() - 1.0).abs() < 1e-12);
+    let [length, width, _] = model.size();
+    let film: f64 = state.juice.iter().sum();
+    // Two faces of an oval, 40 g/m².
+    let oval = 2.0 * 0.04 * length * width;
+    assert!((0.8 * oval..oval).contains(&film), "{film} kg on two faces within {length} x {width} m");
+    for (node, juice) in state.juice.iter().enumerate() {
+        let height = model.mesh().position(node)[2];
+        assert!(*juice == 0.0 || !(1e-3..0.024).contains(&height), "{juice} kg at {height} m");
+    }
+    let mut run = Run::new(model, 5.0);
+    run.fry(60.0, 5.0, 0.0, kitchen_air());
+    assert_eq!(run.state.dripped, 0.0);
 }

@@ -227,3 +227,31 @@ fn the_stove_is_heard_while_it_heats() {
         assert_eq!(ear.hear(&kitchen).0.stove, stove, "{kind}");
     }
 }
+
+/// Wet meat on hot fat: the loudest sizzle is the first, and the louder the hotter the pan is. The bounds are chosen: no level is published.
+#[test]
+fn wet_meat_bursts_on_hot_fat_and_the_louder_the_hotter() {
+    let library = Library::embedded().expect("the library is sound");
+    let first = [160, 190, 220].map(|pan_c| {
+        let text = format!(
+            "[pan]\nkind = \"carbon-steel-26\"\ninitial_c = {pan_c}\n[[food]]\nid = \"steak\"\nkind = \"beef-lean\"\nmesh = \"2013\"\n\
+             [[step]]\nhob_w = 1200\n[[step]]\nat_s = 2\nput = \"steak\"\n[[step]]\nat_s = 63\nend = true\n"
+        );
+        let mut cook = Cook::new(Recipe::parse(&text, "put.toml", &library).expect("parses"), &library).expect("builds");
+        let mut sound = Sound::new(&cook.kitchen, 48_000);
+        let mut samples = Vec::new();
+        while cook.stopped().is_none() {
+            cook.advance().expect("cooks");
+            samples.extend_from_slice(sound.follow(&cook.kitchen));
+        }
+        let heard = ear::weighted(&ear::mono(&samples), 48e3);
+        let between = |from_s: usize, to_s: usize| ear::level(&heard[from_s * 48_000..to_s * 48_000]);
+        let (burst, later) = (between(2, 3), between(42, 62));
+        // A fast meter's time constant is an eighth of a second.
+        let fast = heard[2 * 48_000..5 * 48_000].chunks(6000).map(ear::level).fold(f64::MIN, f64::max);
+        println!("{pan_c} °C: {burst:.1} dB(A) in the first second, {fast:.1} at most, {later:.1} after 40 to 60 s");
+        assert!(burst >= later + 6.0 && fast >= later + 10.0, "{pan_c} °C: {burst} {fast} {later}");
+        burst
+    });
+    assert!(first.is_sorted() && first[0] < first[2], "{first:?}");
+}
