@@ -59,11 +59,12 @@ impl FoodModel {
 
     /// Film of juice on the face of each node beyond that of raw food, relative to the largest film [-]; 0 at nodes without an outlet.
     pub fn juice_films(&self, state: &FoodState) -> Vec<f64> {
+        let most = self.kinetics.water_holding.film_kg_m2;
         let mut films = vec![0.0; state.juice.len()];
         for &(node, area) in &self.water.outlets {
             let (node, raw) = (node as usize, self.raw_film_left(state.peak[node as usize]));
-            let film = state.juice[node] / (self.kinetics.water_holding.film_kg_m2 * area);
-            films[node] = ((film - raw) / (1.0 - raw)).clamp(0.0, 1.0);
+            let beyond = state.juice[node] - raw * most * area;
+            films[node] = (beyond / ((1.0 - raw) * most * area)).clamp(0.0, 1.0);
         }
         films
     }

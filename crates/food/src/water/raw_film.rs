@@ -10,6 +10,8 @@ use crate::paper_2013::Rules;
 /// 133 g/m² off pork, Torres Filho 2017 [@torres-filho-2017]).
 const RAW_FILM: f64 = 0.8;
 
+/// Film on a skin all round, over that on level faces [-] (chosen: from its sides it runs down).
+const ON_A_SKIN: f64 = 0.5;
 /// Peak temperatures between which a face stops being raw [K] (chosen: flesh clouds from 47 °C on and has set at 65 °C).
 const SETS: [f64; 2] = [ZERO_C + 47.0, ZERO_C + 65.0];
 
@@ -18,8 +20,8 @@ impl FoodModel {
     pub(crate) fn wet_faces(&mut self) {
         let mut film = vec![0.0; self.shape.mesh.node_count()];
         if self.rules == Rules::Full {
-            let most = self.kinetics.water_holding.film_kg_m2;
-            self.water.outlets.iter().for_each(|&(node, area)| film[node as usize] = RAW_FILM * most * area);
+            let (most, share) = (self.kinetics.water_holding.film_kg_m2, self.raw_film_left(0.0));
+            self.water.outlets.iter().for_each(|&(node, area)| film[node as usize] = share * most * area);
         }
         self.tissue.raw_mass += film.iter().sum::<f64>();
         self.tissue.raw_film = film;
@@ -28,7 +30,8 @@ impl FoodModel {
     /// Film that belongs to a face of raw food, relative to the largest, by its peak temperature [K] [-]: none to one that has set.
     pub(crate) fn raw_film_left(&self, peak: f64) -> f64 {
         let set = ((peak - SETS[0]) / (SETS[1] - SETS[0])).clamp(0.0, 1.0);
-        if self.rules == Rules::Full { RAW_FILM * (1.0 - set) } else { 0.0 }
+        let level = if let Layout::Upright(_) = self.shape.mesh.layout() { 1.0 } else { ON_A_SKIN };
+        if self.rules == Rules::Full { level * RAW_FILM * (1.0 - set) } else { 0.0 }
     }
 
     /// Share of the film on a node's face that counts as rising juice [-]: it stays on the face that it is on.

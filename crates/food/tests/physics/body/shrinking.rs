@@ -1,13 +1,20 @@
 //! Promise: a piece shrinks by the volume that it loses, in the directions of free muscle; it bends against gravity.
 
-use saute_food::{FoodState, ZERO_C};
+use saute_food::{FoodModel, FoodState, ZERO_C};
 
 use crate::run::{FLIPPED, Run, UP, kitchen_air, lean, model, swept_mesh};
+
+/// A raw piece without the film of juice on its faces, which is outside the flesh.
+fn dabbed(model: &FoodModel, celsius: f64) -> FoodState {
+    let mut state = FoodState::raw(model, ZERO_C + celsius);
+    state.water.copy_from_slice(model.initial_water());
+    state
+}
 
 /// A uniformly cooked piece with the given shares of myosin, collagen, actin and myoglobin changed and of the raw water left.
 fn uniform(changed: [f64; 4], water: f64) -> (f64, f64, f64) {
     let steak = lean();
-    let mut state = FoodState::raw(steak, ZERO_C + 60.0);
+    let mut state = dabbed(steak, 60.0);
     for (name, share) in ["myosin", "collagen", "actin", "myoglobin"].iter().zip(changed) {
         let place = steak.kinetics().names().into_iter().position(|own| own == *name).expect("change");
         state.changed[place].fill(share);
@@ -119,7 +126,7 @@ fn shrimp_curl_as_they_cook() {
 #[test]
 fn the_side_bulges_where_it_contracts_less_than_the_faces() {
     let steak = lean();
-    let mut state = FoodState::raw(steak, ZERO_C + 5.0);
+    let mut state = dabbed(steak, 5.0);
     steak.shrink(&mut state);
     assert!(steak.edge_shifts(&state).iter().all(|shift| *shift == 0.0));
     let levels = swept_mesh(steak).levels.len();
