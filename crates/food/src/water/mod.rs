@@ -7,9 +7,9 @@
 //! a residual moisture.
 
 pub mod air_film;
+mod early_steam;
 pub mod fat;
 pub(crate) mod films;
-mod flash;
 pub mod ice;
 pub mod juice;
 mod juice_flow;

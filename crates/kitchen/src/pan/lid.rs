@@ -58,6 +58,9 @@ pub struct Lid {
     air_capacity: f64,
     /// Heat capacity of the lid [J/K].
     capacity: f64,
+    /// Flow of vapour from the pan's own water under it in the last tick [kg/s]; not stored.
+    #[serde(skip)]
+    pub boiled: f64,
 }
 
 /// Output of a lid in one tick.
@@ -88,6 +91,7 @@ impl Lid {
             capacity: room.lid.areal_capacity_j_m2k * core::f64::consts::PI * rim * rim,
             volume,
             air_capacity,
+            boiled: 0.0,
         }
     }
 

@@ -364,6 +364,7 @@ impl PanModel {
         total.other += heat;
         self.release(state, vapour, total);
         if let Some(lid) = &mut state.lid {
+            lid.boiled = vapour.mass / dt;
             let settled = lid.settle(load.room, dt);
             total.air += settled.to_room;
             total.vapour.mass += settled.escaped.mass;

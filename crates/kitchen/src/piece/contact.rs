@@ -74,12 +74,16 @@ impl FaceContact {
         let dry = gap.vapour_conductivity_w_mk / thickness;
         let wet = if patch.wetness > 0.0 { self.wet(gap, thickness, patch.pan) } else { 0.0 };
         let rest = patch.wetness * wet + (1.0 - patch.wetness) * dry;
-        // A lifted patch rests on no asperities.
-        let lying = (1e-3 * gap.gap_mm / thickness).min(1.0);
-        let moist = patch.wetness + (1.0 - patch.wetness) * gap.crust_asperities;
-        let asperities = gap.asperity_w_m2k * moist * self.pressed(gap) * lying * lying;
-        let whole = asperities + oiled * gap.oil_conductivity_w_mk / thickness + (1.0 - oiled) * rest;
+        let whole = self.touching(gap, patch) + oiled * gap.oil_conductivity_w_mk / thickness + (1.0 - oiled) * rest;
         self.coating.map_or(whole, |coating| 1.0 / (1.0 / whole + 1.0 / coating))
+    }
+
+    /// Conductance of the places at which a patch touches the metal, its asperities [W/(m²·K)].
+    pub fn touching(&self, gap: &ContactGap, patch: &PatchGap) -> f64 {
+        // A lifted patch rests on no asperities.
+        let lying = (1e-3 * gap.gap_mm / patch.thickness.max(1e-3 * gap.least_gap_mm)).min(1.0);
+        let moist = patch.wetness + (1.0 - patch.wetness) * gap.crust_asperities;
+        gap.asperity_w_m2k * moist * self.pressed(gap) * lying * lying
     }
 
     /// Conductance of a gap that a wet face fills with steam and, beyond the layer of steam, with juice [W/(m²·K)].

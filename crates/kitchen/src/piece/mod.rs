@@ -6,7 +6,7 @@ pub mod carry_over;
 pub mod contact;
 mod contact_2013;
 pub mod contact_gap;
-mod flash;
+mod early_steam;
 pub(crate) mod food_contact;
 pub mod layout;
 pub(crate) mod medium;

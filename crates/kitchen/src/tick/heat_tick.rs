@@ -248,7 +248,7 @@ impl Kitchen {
         let piece = &mut self.pieces[index];
         let mut exchange = piece.advance(air, force, lapse.s());
         if piece.in_pan() {
-            piece.flash_below(&fixed.pan, &fixed.room, lapse.s(), &mut exchange);
+            piece.steam_below(&fixed.pan, &fixed.room, lapse.s(), &mut exchange);
         }
         let exchanges = piece.in_pan() && piece.state.healthy;
         let condensed = if exchanges { self.exchange_with_media(fixed, index, lapse) } else { Runoff::default() };

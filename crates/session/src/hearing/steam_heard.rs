@@ -45,9 +45,9 @@ impl SteamHeard {
         flows[Steam::Water as usize] = drowned * food;
         flows[Steam::Oil as usize] = in_oil * food;
         flows[Steam::Floor as usize] = (1.0 - drowned - in_oil) * food;
-        // Under a lid what escapes counts as the puddle's, that of foods included.
-        let lidded = if kitchen.pan_state().lid.is_some() { food } else { 0.0 };
-        self.add_puddle(kitchen, (puddle - lidded).max(0.0), &mut flows);
+        // Under a lid all that boils is heard, also what condenses on it.
+        let boiled = kitchen.pan_state().lid.map_or(puddle, |lid| lid.boiled.max(0.0));
+        self.add_puddle(kitchen, boiled, &mut flows);
         flows[Steam::Cloth as usize] = cloth;
         flows
     }
