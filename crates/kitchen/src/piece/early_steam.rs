@@ -79,7 +79,8 @@ impl Piece {
         let node = self.node_of(n.patch);
         let gap = PatchGap { thickness, pan: 0.0, wetness: self.wetness(node) };
         let colder = ((kelvin(100.0) - self.state.temperature[node]) / NEARLY_K).clamp(0.0, 1.0);
-        let heat = BECOMES_STEAM * colder * gap.wetness * face.touching(contact, &gap) * heat;
+        let share = BECOMES_STEAM * colder * gap.wetness * self.conforms(node);
+        let heat = share * face.touching(contact, &gap) * heat;
         if heat > 0.0 {
             self.solver.boil_where_it_touches(&self.model, &mut self.state, n.patch as usize, heat, exchange);
         }
