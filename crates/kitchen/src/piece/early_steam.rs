@@ -23,8 +23,9 @@ const BOILS_W_M2K: f64 = 7500.0;
 /// Time constants of settling after which a face has settled [-] (chosen: less than a hundredth of the way is left).
 const SETTLES: f64 = 5.0;
 
-/// Share of the heat through the places that touch that makes steam, while the flesh behind them is cold [-] (chosen: half).
-const BECOMES_STEAM: f64 = 0.5;
+/// Share of the heat through the places that touch that makes steam, while the flesh behind them is cold [-] (chosen: a quarter; the
+/// rest warms it).
+const BECOMES_STEAM: f64 = 0.25;
 /// Below the boiling point the node itself begins to boil [K] (chosen).
 const NEARLY_K: f64 = 10.0;
 
@@ -79,8 +80,7 @@ impl Piece {
         let node = self.node_of(n.patch);
         let gap = PatchGap { thickness, pan: 0.0, wetness: self.wetness(node) };
         let colder = ((kelvin(100.0) - self.state.temperature[node]) / NEARLY_K).clamp(0.0, 1.0);
-        let share = BECOMES_STEAM * colder * gap.wetness * self.conforms(node);
-        let heat = share * face.touching(contact, &gap) * heat;
+        let heat = BECOMES_STEAM * colder * gap.wetness * face.touching(contact, &gap) * heat;
         if heat > 0.0 {
             self.solver.boil_where_it_touches(&self.model, &mut self.state, n.patch as usize, heat, exchange);
         }
