@@ -6,9 +6,9 @@ use crate::ZERO_C;
 use crate::model::FoodModel;
 use crate::paper_2013::Rules;
 
-/// Film on a raw face, relative to the largest that stays on it [-] (chosen: 35 g/m² on meat, moist without beads; filter papers take 21 to
+/// Film on a raw face, relative to the largest that stays on it [-] (chosen: 36 g/m² on meat, moist without beads; filter papers take 21 to
 /// 133 g/m² off pork, Torres Filho 2017 [@torres-filho-2017]).
-const RAW_FILM: f64 = 0.7;
+const RAW_FILM: f64 = 0.72;
 
 /// Film on a skin all round, over that on level faces [-] (chosen: from its sides it runs down).
 const ON_A_SKIN: f64 = 0.5;
@@ -16,7 +16,7 @@ const ON_A_SKIN: f64 = 0.5;
 const SETS: [f64; 2] = [ZERO_C + 47.0, ZERO_C + 65.0];
 
 impl FoodModel {
-    /// Adds the film of juice on the faces to the raw piece, beside the water of its flesh: 35 g/m². A piece by the rules of 2013 has none.
+    /// Adds the film of juice on the faces to the raw piece, beside the water of its flesh: 36 g/m². A piece by the rules of 2013 has none.
     pub(crate) fn wet_faces(&mut self) {
         let mut film = vec![0.0; self.shape.mesh.node_count()];
         if self.rules == Rules::Full {

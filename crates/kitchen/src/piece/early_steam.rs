@@ -17,15 +17,15 @@ use crate::piece::contact::{FaceContact, PatchGap};
 use crate::piece::contact_gap::ContactGap;
 use crate::piece::piece_state::Piece;
 
-/// Conductance from metal to a film of juice that boils on it [W/(m²·K)] (chosen: the middle of nucleate boiling, 5–10 kW/(m²·K); under
+/// Conductance from metal to a film of juice that boils on it [W/(m²·K)] (chosen: the upper end of nucleate boiling, 5–10 kW/(m²·K); under
 /// food that lies with its weight it does not fall on hotter metal).
-const BOILS_W_M2K: f64 = 7500.0;
+const BOILS_W_M2K: f64 = 10_000.0;
 /// Time constants of settling after which a face has settled [-] (chosen: less than a hundredth of the way is left).
 const SETTLES: f64 = 5.0;
 
-/// Share of the heat through the places that touch that makes steam, while the flesh behind them is cold [-] (chosen: a quarter; the
+/// Share of the heat through the places that touch that makes steam, while the flesh behind them is cold [-] (chosen: a fifth; the
 /// rest warms it).
-const BECOMES_STEAM: f64 = 0.25;
+const BECOMES_STEAM: f64 = 0.2;
 /// Below the boiling point the node itself begins to boil [K] (chosen).
 const NEARLY_K: f64 = 10.0;
 
