@@ -95,6 +95,7 @@ impl<'a> SavedPiece<'a> {
             pose: self.pose,
             core_peak: self.core_peak,
             vapour_flow: self.vapour_flow,
+            early_steam: 0.0,
             heat_taken: self.heat_taken,
             resting_on: self.resting_on,
             on_pan: self.on_pan.into_owned(),

@@ -33,9 +33,11 @@ impl Piece {
     /// Boils off juice and water of the patches near the pan after a tick of `dt` [s], which do not boil as a whole yet; adds it to `exchange`.
     pub(crate) fn steam_below(&mut self, pan: &PanModel, room: &Room, dt: f64, exchange: &mut Exchange) {
         let contact = &room.contact;
+        self.early_steam = 0.0;
         if self.model.rules() != Rules::Full {
             return;
         }
+        let before = exchange.evaporated;
         let settled = self.on_pan.since / contact.settling_s;
         let near = core::mem::take(&mut self.on_pan.near.patches);
         let face = self.face_contact(&near, pan, room);
@@ -53,6 +55,7 @@ impl Piece {
             }
         }
         self.on_pan.near.patches = near;
+        self.early_steam = (exchange.evaporated - before) / dt;
         self.vapour_flow = exchange.evaporated.max(0.0) / dt;
     }
 

@@ -97,6 +97,9 @@ pub struct Piece {
     pub core_peak: (f64, f64),
     /// Vapour flow in the last tick [kg/s].
     pub vapour_flow: f64,
+    /// Part of the last tick's vapour that came from below before its lower face boiled [kg/s]: heard also where as much condenses above;
+    /// not stored.
+    pub early_steam: f64,
     /// Heat that it took from the pan and from liquids in it so far [J].
     pub heat_taken: f64,
     /// Surface on which it was put to rest.
@@ -129,6 +132,7 @@ impl Piece {
             place: Place::Waiting,
             pose: Pose::default(),
             vapour_flow: 0.0,
+            early_steam: 0.0,
             heat_taken: 0.0,
             resting_on: RestOn::Board,
             on_pan: PanContact::none(),

@@ -61,7 +61,7 @@ impl SteamHeard {
             let before = self.heat_taken.insert(piece.key, piece.heat_taken).unwrap_or(piece.heat_taken);
             if piece.in_pan() {
                 let most = (piece.heat_taken - before).max(0.0) / latent / since_s;
-                sum += piece.vapour_flow.clamp(0.0, most);
+                sum += piece.vapour_flow.max(piece.early_steam).clamp(0.0, most);
             }
         }
         sum
