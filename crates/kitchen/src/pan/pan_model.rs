@@ -319,6 +319,7 @@ impl PanModel {
         let scratch = &mut solver.liquids;
         total.other += self.liquids.run(liquids, scratch, load.gravity, &self.capacity, temperature, dt);
         scratch.boiled = 0.0;
+        state.lid.iter_mut().for_each(|lid| lid.boiled = 0.0);
         scratch.steam.clear();
         scratch.steam.extend_from_slice(load.steam);
         solver.capacity.clear();
@@ -364,7 +365,7 @@ impl PanModel {
         total.other += heat;
         self.release(state, vapour, total);
         if let Some(lid) = &mut state.lid {
-            lid.boiled = vapour.mass / dt;
+            lid.boiled /= dt;
             let settled = lid.settle(load.room, dt);
             total.air += settled.to_room;
             total.vapour.mass += settled.escaped.mass;
@@ -382,7 +383,10 @@ impl PanModel {
     /// Adds vapour from the pan's water to the room or to the air under the lid.
     fn release(&self, state: &mut PanState, vapour: Vapour, total: &mut PanExchange) {
         match &mut state.lid {
-            Some(lid) => lid.take_vapour(vapour),
+            Some(lid) => {
+                lid.take_vapour(vapour);
+                lid.boiled += vapour.mass;
+            }
             None => {
                 total.vapour.mass += vapour.mass;
                 total.vapour.enthalpy += vapour.enthalpy;
