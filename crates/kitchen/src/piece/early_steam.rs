@@ -23,9 +23,9 @@ const BOILS_W_M2K: f64 = 10_000.0;
 /// Time constants of settling after which a face has settled [-] (chosen: less than a hundredth of the way is left).
 const SETTLES: f64 = 5.0;
 
-/// Share of the heat through the places that touch that makes steam, while the flesh behind them is cold [-] (chosen: a
-/// seventh; the rest warms it).
-const BECOMES_STEAM: f64 = 0.15;
+/// Share of the heat through the places that touch that makes steam, while the flesh behind them is cold [-] (chosen: an
+/// eighth; the rest warms it).
+const BECOMES_STEAM: f64 = 0.125;
 /// Below the boiling point the node itself begins to boil [K] (chosen).
 const NEARLY_K: f64 = 10.0;
 
