@@ -47,7 +47,7 @@ pub const TURNS_S: f64 = 180.0;
 pub const NEARLY_K: f64 = 2.0;
 /// Setting of the hob that browns food in a hot pan [W], and the one that lets its core warm on (chosen: the lowest of 400 to 700 W
 /// with which steaks of 15 mm get a crust, and one at which steaks of 35 mm do not char; a test of the goals follows them).
-pub const FRYING_W: f64 = 600.0;
+pub const FRYING_W: f64 = 650.0;
 /// See [`FRYING_W`] [W].
 pub const GENTLE_W: f64 = 400.0;
 /// Temperature of the hottest place of the pan from which it has the heat to fry on with less power [°C] (chosen: 20 K

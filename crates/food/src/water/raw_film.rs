@@ -7,7 +7,7 @@ use crate::model::FoodModel;
 use crate::paper_2013::Rules;
 
 /// Film on a raw face, relative to the largest that stays on it [-] (chosen: 36 g/m² on meat, moist without beads; filter papers take 21 to
-/// 133 g/m² off pork, Torres Filho 2017 [@torres-filho-2017]).
+/// 133 g/m² off pork, Torres Filho 2017 `[@torres-filho-2017]`).
 const RAW_FILM: f64 = 0.72;
 
 /// Film on a skin all round, over that on level faces [-] (chosen: from its sides it runs down).
