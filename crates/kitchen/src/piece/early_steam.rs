@@ -45,13 +45,20 @@ impl Piece {
         let carried = pan.ridges.map_or(1.0, |ridges| ridges.share());
         for n in &near {
             let excess = self.touch(n.patch).temperature() - kelvin(100.0);
-            if excess > 0.0 {
+            let colder = kelvin(100.0) - self.state.temperature[self.node_of(n.patch)];
+            if excess > 0.0 && (settled < SETTLES || colder > 0.0) {
                 let heat = excess * carried * self.patch_area(n.patch as usize) * dt;
                 let gap = self.gap_below(n, mean);
                 if settled < SETTLES {
                     self.flash(n, (1e-3 * contact.gap_mm / gap).min(1.0), heat, exchange);
                 }
-                self.boil_where_it_touches(n, &face, gap, (heat, contact), exchange);
+                self.boil_where_it_touches(
+                    n,
+                    &face,
+                    gap,
+                    (heat * (colder / NEARLY_K).clamp(0.0, 1.0), contact),
+                    exchange,
+                );
             }
         }
         self.on_pan.near.patches = near;
@@ -71,7 +78,7 @@ impl Piece {
         self.solver.flash(&self.model, &mut self.state, patch, lying * boiling / (1.0 + boiling), exchange);
     }
 
-    /// Boils water off where a patch touches the metal, as far as its node is colder than boiling water.
+    /// Boils water off where a patch touches the metal; `heat` [J] is as above, for as far as its node is colder than boiling water.
     fn boil_where_it_touches(
         &mut self,
         n: &NearPatch,
@@ -82,8 +89,7 @@ impl Piece {
     ) {
         let node = self.node_of(n.patch);
         let gap = PatchGap { thickness, pan: 0.0, wetness: self.wetness(node) };
-        let colder = ((kelvin(100.0) - self.state.temperature[node]) / NEARLY_K).clamp(0.0, 1.0);
-        let heat = BECOMES_STEAM * colder * gap.wetness * face.touching(contact, &gap) * heat;
+        let heat = BECOMES_STEAM * gap.wetness * face.touching(contact, &gap) * heat;
         if heat > 0.0 {
             self.solver.boil_where_it_touches(&self.model, &mut self.state, n.patch as usize, heat, exchange);
         }
