@@ -63,7 +63,9 @@ pub fn controls(update: &TreeUpdate) -> Vec<Control> {
         let Some(node) = nodes.get(&id) else { continue };
         let is_over = is_over || node.role() == Role::Dialog;
         waiting.extend(node.children().iter().rev().map(|child| (*child, is_over)));
-        found.extend(control(id, node).map(|control| Control { is_over, ..control }));
+        found.extend(
+            control(id, node, |other| nodes.get(&other).copied()).map(|control| Control { is_over, ..control }),
+        );
     }
     found
 }
@@ -106,13 +108,16 @@ impl Identity {
     }
 }
 
-fn control(id: NodeId, node: &Node) -> Option<Control> {
+/// The control of a node, if it is one with a name: its own, or that of the node that labels it.
+fn control<'a>(id: NodeId, node: &'a Node, other: impl Fn(NodeId) -> Option<&'a Node>) -> Option<Control> {
     let kind = kind(node)?;
     let range = (kind == ControlKind::Slider).then(|| range(node)).flatten();
     // What has no range is only read.
     let kind = if kind == ControlKind::Slider && range.is_none() { ControlKind::Label } else { kind };
     let named =
         node.label().or_else(|| node.value().filter(|_| matches!(kind, ControlKind::Label | ControlKind::Heading)));
+    let label = |id: &NodeId| other(*id).and_then(|node| node.label().or_else(|| node.value()));
+    let named = named.or_else(|| node.labelled_by().iter().find_map(label));
     let name = named.map(str::trim).filter(|name| !name.is_empty())?.to_owned();
     let on = node.toggled().map(|toggled| toggled == Toggled::True);
     let on = on.or_else(|| node.is_selected()).or((kind == ControlKind::Radio).then_some(false));
@@ -157,7 +162,7 @@ mod tests {
     #[test]
     fn a_control_is_found_again_when_the_panels_have_numbered_anew() {
         let list = |controls: &[(u64, Role, &str)]| -> Vec<Control> {
-            controls.iter().filter_map(|(id, role, name)| control(NodeId(*id), &node(*role, name))).collect()
+            controls.iter().filter_map(|(id, role, name)| control(NodeId(*id), &node(*role, name), |_| None)).collect()
         };
         let before = list(&[(1, Role::Label, "Save"), (2, Role::Button, "Save"), (3, Role::Button, "Save")]);
         let found = |now: &[(u64, Role, &str)], id| Some(Identity::of(id, &before)?.find(&list(now))?.id.clone());
@@ -173,6 +178,16 @@ mod tests {
         assert_eq!(found(&partly, "3").as_deref(), Some("3"), "what keeps its number is itself");
         assert_eq!(found(&partly, "2").as_deref(), Some("3"), "a number that another one has is not it");
         assert_eq!(found(&[(2, Role::Button, "Recent")], "2"), None, "it is gone");
+    }
+
+    /// Promise: a field has the name of the text beside it, where it has none of its own.
+    #[test]
+    fn a_field_is_named_by_what_labels_it() {
+        let (mut field, label) = (Node::new(Role::TextInput), node(Role::Label, "How many?"));
+        assert_eq!(control(NodeId(1), &field, |_| Some(&label)), None, "nothing labels it");
+        field.push_labelled_by(NodeId(2));
+        let named = control(NodeId(1), &field, |id| (id == NodeId(2)).then_some(&label)).expect("a control");
+        assert_eq!((named.name.as_str(), named.kind), ("How many?", ControlKind::Text));
     }
 
     /// Promise: under an open card nothing is on, and what is on the card stays as it is.
