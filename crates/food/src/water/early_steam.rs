@@ -27,11 +27,10 @@ impl FoodSolver {
         if !state.healthy || juice <= 0.0 || mass <= 0.0 || t < crate::ZERO_C {
             return;
         }
-        let cold = model.properties.water_enthalpy(t);
-        let steam = model.properties.water_enthalpy(HOTTEST_WET) + latent_heat(HOTTEST_WET);
+        let (cold, steam) = (model.properties.water_enthalpy(t), steam_enthalpy(model));
         let mass = mass.min(juice);
         // The other side books this juice and its heat: they stay gone if the next tick is undone.
-        for state in self.sound.iter_mut().chain([&mut *state]) {
+        for state in self.sound.iter_mut().chain([state]) {
             state.enthalpy[node] -= mass * cold;
             state.water[node] -= mass;
             state.rising[node] *= 1.0 - mass / juice;
@@ -59,7 +58,7 @@ impl FoodSolver {
         if !state.healthy || t < crate::ZERO_C {
             return;
         }
-        let steam = model.properties.water_enthalpy(HOTTEST_WET) + latent_heat(HOTTEST_WET);
+        let steam = steam_enthalpy(model);
         let rise = steam - model.properties.water_enthalpy(t);
         let mass = (heat / rise).min(MOST_AT_ONCE * state.water[node]);
         for state in self.sound.iter_mut().chain([state]) {
@@ -71,4 +70,9 @@ impl FoodSolver {
         exchange.evaporated += mass;
         exchange.evaporation += mass * steam;
     }
+}
+
+/// Enthalpy of steam at the boiling point, above liquid water at 0 °C [J/kg].
+fn steam_enthalpy(model: &FoodModel) -> f64 {
+    model.properties.water_enthalpy(HOTTEST_WET) + latent_heat(HOTTEST_WET)
 }

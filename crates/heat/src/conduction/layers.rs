@@ -238,9 +238,11 @@ impl Layers {
         let mut rest = &mut field[block * TOGETHER * n..];
         let mut lane = 0;
         // The last block has fewer layers.
-        for (count, put) in
-            [(8, Self::put_layers::<8> as PutLayers), (4, Self::put_layers::<4>), (1, Self::put_layers::<1>)]
-        {
+        for (count, put) in [
+            (TOGETHER, Self::put_layers::<TOGETHER> as PutLayers),
+            (4, Self::put_layers::<4>),
+            (1, Self::put_layers::<1>),
+        ] {
             while lane + count <= TOGETHER && rest.len() >= count * n {
                 let (layers, left) = rest.split_at_mut(count * n);
                 put(self, lane, layers);

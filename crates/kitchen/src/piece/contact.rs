@@ -53,6 +53,11 @@ pub fn wetness(held: f64) -> f64 {
     ((held - WETS[0]) / (WETS[1] - WETS[0])).clamp(0.0, 1.0)
 }
 
+/// Returns the share by which a patch at a gap [m] rests on the pan, l = min(1, δ₀/δ) [-].
+pub fn lying(gap: &ContactGap, thickness: f64) -> f64 {
+    (1e-3 * gap.gap_mm / thickness.max(1e-3 * gap.least_gap_mm)).min(1.0)
+}
+
 impl FaceContact {
     /// Mean gap of the face [m]: the face settles; pressure narrows the gap.
     ///
@@ -74,15 +79,17 @@ impl FaceContact {
         let dry = gap.vapour_conductivity_w_mk / thickness;
         let wet = if patch.wetness > 0.0 { self.wet(gap, thickness, patch.pan) } else { 0.0 };
         let rest = patch.wetness * wet + (1.0 - patch.wetness) * dry;
-        let whole = self.touching(gap, patch) + oiled * gap.oil_conductivity_w_mk / thickness + (1.0 - oiled) * rest;
+        let whole = self.touching(gap, thickness, patch.wetness)
+            + oiled * gap.oil_conductivity_w_mk / thickness
+            + (1.0 - oiled) * rest;
         self.coating.map_or(whole, |coating| 1.0 / (1.0 / whole + 1.0 / coating))
     }
 
-    /// Conductance of the places at which a patch touches the metal, its asperities [W/(m²·K)].
-    pub fn touching(&self, gap: &ContactGap, patch: &PatchGap) -> f64 {
+    /// Conductance of the places at which a patch of a wet share touches the metal across a mean gap [m], its asperities [W/(m²·K)].
+    pub fn touching(&self, gap: &ContactGap, thickness: f64, wetness: f64) -> f64 {
         // A lifted patch rests on no asperities.
-        let lying = (1e-3 * gap.gap_mm / patch.thickness.max(1e-3 * gap.least_gap_mm)).min(1.0);
-        let moist = patch.wetness + (1.0 - patch.wetness) * gap.crust_asperities;
+        let lying = lying(gap, thickness);
+        let moist = wetness + (1.0 - wetness) * gap.crust_asperities;
         gap.asperity_w_m2k * moist * self.pressed(gap) * lying * lying
     }
 

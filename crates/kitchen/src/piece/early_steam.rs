@@ -13,7 +13,7 @@ use crate::data::room::Room;
 use crate::kelvin;
 use crate::pan::near_pan::NearPatch;
 use crate::pan::pan_model::PanModel;
-use crate::piece::contact::{FaceContact, PatchGap};
+use crate::piece::contact::{FaceContact, lying};
 use crate::piece::contact_gap::ContactGap;
 use crate::piece::piece_state::Piece;
 
@@ -22,11 +22,10 @@ use crate::piece::piece_state::Piece;
 const BOILS_W_M2K: f64 = 10_000.0;
 /// Time constants of settling after which a face has settled [-] (chosen: less than a hundredth of the way is left).
 const SETTLES: f64 = 5.0;
-
 /// Share of the heat through the places that touch that makes steam, while the flesh behind them is cold [-] (chosen: an
 /// eighth; the rest warms it).
 const BECOMES_STEAM: f64 = 0.125;
-/// Below the boiling point the node itself begins to boil [K] (chosen).
+/// So far below the boiling point that share begins to fall [K] (chosen: it ends without a step where the node itself boils).
 const NEARLY_K: f64 = 10.0;
 
 impl Piece {
@@ -37,33 +36,35 @@ impl Piece {
         if self.model.rules() != Rules::Full {
             return;
         }
-        let before = exchange.evaporated;
-        let settled = self.on_pan.since / contact.settling_s;
+        let settles = self.on_pan.since < SETTLES * contact.settling_s;
         let near = core::mem::take(&mut self.on_pan.near.patches);
-        let face = self.face_contact(&near, pan, room);
-        let mean = face.mean_gap(contact);
-        let carried = pan.ridges.map_or(1.0, |ridges| ridges.share());
-        for n in &near {
-            let excess = self.touch(n.patch).temperature() - kelvin(100.0);
-            let colder = kelvin(100.0) - self.state.temperature[self.node_of(n.patch)];
-            if excess > 0.0 && (settled < SETTLES || colder > 0.0) {
-                let heat = excess * carried * self.patch_area(n.patch as usize) * dt;
-                let gap = self.gap_below(n, mean);
-                if settled < SETTLES {
-                    self.flash(n, (1e-3 * contact.gap_mm / gap).min(1.0), heat, exchange);
+        let is_early = |piece: &Self, n: &NearPatch| settles || piece.colder_than_boiling(n) > 0.0;
+        // The gap of a face that has settled and boils as a whole is not asked for.
+        if near.iter().any(|n| is_early(self, n)) {
+            let before = exchange.evaporated;
+            let face = self.face_contact(&near, pan, room);
+            let mean = face.mean_gap(contact);
+            let carried = pan.ridges.map_or(1.0, |ridges| ridges.share());
+            for n in &near {
+                let excess = self.touch(n.patch).temperature() - kelvin(100.0);
+                if excess > 0.0 && is_early(self, n) {
+                    let heat = excess * carried * self.patch_area(n.patch as usize) * dt;
+                    let gap = self.gap_below(n, mean);
+                    if settles {
+                        self.flash(n, lying(contact, gap), heat, exchange);
+                    }
+                    self.boil_where_it_touches(n, &face, gap, (heat, contact), exchange);
                 }
-                self.boil_where_it_touches(
-                    n,
-                    &face,
-                    gap,
-                    (heat * (colder / NEARLY_K).clamp(0.0, 1.0), contact),
-                    exchange,
-                );
             }
+            self.early_steam = (exchange.evaporated - before) / dt;
+            self.vapour_flow = exchange.evaporated.max(0.0) / dt;
         }
         self.on_pan.near.patches = near;
-        self.early_steam = (exchange.evaporated - before) / dt;
-        self.vapour_flow = exchange.evaporated.max(0.0) / dt;
+    }
+
+    /// How much the node of a patch is colder than boiling water [K]; not above 0 where it is not.
+    fn colder_than_boiling(&self, n: &NearPatch) -> f64 {
+        kelvin(100.0) - self.state.temperature[self.node_of(n.patch)]
     }
 
     /// Boils off what lies on the metal of the film below a patch: `lies` is the share by which the patch rests on the pan [-], `heat` what a
@@ -78,7 +79,7 @@ impl Piece {
         self.solver.flash(&self.model, &mut self.state, patch, lying * boiling / (1.0 + boiling), exchange);
     }
 
-    /// Boils water off where a patch touches the metal; `heat` [J] is as above, for as far as its node is colder than boiling water.
+    /// Boils water off where a patch touches the metal, as far as its node is colder than boiling water; `heat` [J] is as above.
     fn boil_where_it_touches(
         &mut self,
         n: &NearPatch,
@@ -87,9 +88,9 @@ impl Piece {
         (heat, contact): (f64, &ContactGap),
         exchange: &mut Exchange,
     ) {
-        let node = self.node_of(n.patch);
-        let gap = PatchGap { thickness, pan: 0.0, wetness: self.wetness(node) };
-        let heat = BECOMES_STEAM * gap.wetness * face.touching(contact, &gap) * heat;
+        let heat = heat * (self.colder_than_boiling(n) / NEARLY_K).clamp(0.0, 1.0);
+        let wetness = self.wetness(self.node_of(n.patch));
+        let heat = BECOMES_STEAM * wetness * face.touching(contact, thickness, wetness) * heat;
         if heat > 0.0 {
             self.solver.boil_where_it_touches(&self.model, &mut self.state, n.patch as usize, heat, exchange);
         }
