@@ -38,28 +38,24 @@ impl Piece {
         }
         let settles = self.on_pan.since < SETTLES * contact.settling_s;
         let near = core::mem::take(&mut self.on_pan.near.patches);
-        let is_early = |piece: &Self, n: &NearPatch| settles || piece.colder_than_boiling(n) > 0.0;
-        // The gap of a face that has settled and boils as a whole is not asked for.
-        if near.iter().any(|n| is_early(self, n)) {
-            let before = exchange.evaporated;
-            let face = self.face_contact(&near, pan, room);
-            let mean = face.mean_gap(contact);
-            let carried = pan.ridges.map_or(1.0, |ridges| ridges.share());
-            for n in &near {
-                let excess = self.touch(n.patch).temperature() - kelvin(100.0);
-                if excess > 0.0 && is_early(self, n) {
-                    let heat = excess * carried * self.patch_area(n.patch as usize) * dt;
-                    let gap = self.gap_below(n, mean);
-                    if settles {
-                        self.flash(n, lying(contact, gap), heat, exchange);
-                    }
-                    self.boil_where_it_touches(n, &face, gap, (heat, contact), exchange);
+        let before = exchange.evaporated;
+        let face = self.face_contact(&near, pan, room);
+        let mean = face.mean_gap(contact);
+        let carried = pan.ridges.map_or(1.0, |ridges| ridges.share());
+        for n in &near {
+            let excess = self.touch(n.patch).temperature() - kelvin(100.0);
+            if excess > 0.0 && (settles || self.colder_than_boiling(n) > 0.0) {
+                let heat = excess * carried * self.patch_area(n.patch as usize) * dt;
+                let gap = self.gap_below(n, mean);
+                if settles {
+                    self.flash(n, lying(contact, gap), heat, exchange);
                 }
+                self.boil_where_it_touches(n, &face, gap, (heat, contact), exchange);
             }
-            self.early_steam = (exchange.evaporated - before) / dt;
-            self.vapour_flow = exchange.evaporated.max(0.0) / dt;
         }
         self.on_pan.near.patches = near;
+        self.early_steam = (exchange.evaporated - before) / dt;
+        self.vapour_flow = exchange.evaporated.max(0.0) / dt;
     }
 
     /// How much the node of a patch is colder than boiling water [K]; not above 0 where it is not.
