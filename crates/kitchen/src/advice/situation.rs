@@ -345,7 +345,7 @@ mod tests {
         assert_eq!(at(275.0, 1100.0), Advice::TooHot { hottest_c: 275.0, smokes: true, to_w: 500.0 });
         assert!(!at(275.0, 500.0).is_due() && !at(240.0, 400.0).is_due());
         assert_eq!(at(200.0, 500.0), Advice::TooHot { hottest_c: 200.0, smokes: true, to_w: 300.0 });
-        assert_eq!(at(330.0, 1100.0), Advice::TooHot { hottest_c: 330.0, smokes: true, to_w: FRYING_W });
+        assert_eq!(at(390.0, 1100.0), Advice::TooHot { hottest_c: 390.0, smokes: true, to_w: FRYING_W });
     }
 
     #[test]
