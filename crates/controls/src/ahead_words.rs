@@ -17,7 +17,7 @@ pub fn are_shown(state: &PanelContext) -> bool {
 
 /// The class in which the core ends, in the cook's words; none where no scale covers it.
 pub fn class(state: &PanelContext, outlook: &Outlook) -> Option<String> {
-    let (piece, scale) = (state.session.steak()?, state.scale()?);
+    let (piece, scale) = (state.session.shown_piece()?, state.scale()?);
     let class = outlook.class(&scale, at_core(piece, &scale))?;
     Some(doneness_words::class(&scale, &scale.class[class].name, state.settings.language).to_owned())
 }

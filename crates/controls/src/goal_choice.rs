@@ -34,6 +34,6 @@ pub fn named_goal<'a>(session: &'a Session, settings: &Settings) -> Option<&'a G
 
 /// Returns the goals that fit the food that the panels show.
 pub fn goals_for(session: &Session) -> Vec<&GoalDescription> {
-    let Some(piece) = session.steak() else { return Vec::new() };
+    let Some(piece) = session.shown_piece() else { return Vec::new() };
     session.library.goals_for(piece.model.description()).map(AsRef::as_ref).collect()
 }

@@ -11,7 +11,7 @@ use saute_words::language::Language;
 /// What the person chooses before putting the food in.
 #[derive(Clone, Debug, PartialEq, serde::Deserialize, serde::Serialize)]
 #[serde(default)]
-pub struct SteakChoice {
+pub struct FoodChoice {
     /// Id of the food.
     pub kind: String,
     /// Its dimensions: those of its form [mm].
@@ -27,14 +27,14 @@ pub struct SteakChoice {
     pub preheat_c: f64,
 }
 
-impl SteakChoice {
+impl FoodChoice {
     /// The chosen hob; that of the kitchen at home where none is chosen, or it is not there any more.
     pub fn hob<'a>(&self, library: &'a Library) -> &'a HobDescription {
         self.hob.as_ref().and_then(|id| library.hobs.get(id)).unwrap_or(&library.hob)
     }
 }
 
-impl Default for SteakChoice {
+impl Default for FoodChoice {
     fn default() -> Self {
         Self {
             kind: FIRST_FOOD.into(),
@@ -61,7 +61,7 @@ pub(super) fn base_name(library: &Library, kind: &str) -> String {
 }
 
 /// The recipe that sets out a choice and does nothing with it.
-pub(super) fn as_recipe(library: &Library, choice: &SteakChoice, count: usize) -> Result<Recipe, InputError> {
+pub(super) fn as_recipe(library: &Library, choice: &FoodChoice, count: usize) -> Result<Recipe, InputError> {
     let food = SetOutFood {
         id: base_name(library, &choice.kind),
         kind: choice.kind.clone(),
@@ -80,7 +80,7 @@ pub(super) fn as_recipe(library: &Library, choice: &SteakChoice, count: usize) -
 const SET_OUT: &str = "set-out.toml";
 
 /// The chosen dimensions, or the food's own where they do not belong to its form [mm].
-fn size_of(library: &Library, choice: &SteakChoice) -> Vec<f64> {
+fn size_of(library: &Library, choice: &FoodChoice) -> Vec<f64> {
     let fits = |f: &FoodDescription| f.form.extent(&choice.size_mm).is_some();
     match library.foods.get(&choice.kind) {
         Some(food) if !fits(food) => food.size.default_mm.clone(),
@@ -89,7 +89,7 @@ fn size_of(library: &Library, choice: &SteakChoice) -> Vec<f64> {
 }
 
 /// Orders of pieces under one name; each has its own seed, so that no two are the same.
-pub(super) fn orders(library: &Library, choice: &SteakChoice, group: &str, count: usize) -> Vec<PieceOrder> {
+pub(super) fn orders(library: &Library, choice: &FoodChoice, group: &str, count: usize) -> Vec<PieceOrder> {
     let food = library.foods.get(&choice.kind);
     let form = food.map_or(Form::Steak, |f| f.form);
     let default = || food.and_then(|f| form.extent(&f.size.default_mm)).unwrap_or_default();

@@ -58,7 +58,7 @@ mod tests {
     fn it_is_shortly_before_the_act() {
         let library = Arc::new(Library::embedded().unwrap());
         let mut session: Session = Session::new(library, &Default::default()).unwrap();
-        let steak = session.steak().unwrap().id.clone();
+        let steak = session.shown_piece().unwrap().id.clone();
         let cook = |session: &mut Session, s: usize| (0..10 * s).for_each(|_| session.tick().unwrap());
         session.command(&Command::Hob(1100.0)).unwrap();
         cook(&mut session, 20);

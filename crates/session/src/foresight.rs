@@ -21,22 +21,22 @@ impl<H: Hands> Session<H> {
     /// Returns how high the core of food that was taken out still rises, and in how long; none once it is near its highest, or
     /// cools. Updated every simulated second.
     pub fn rise(&mut self) -> Option<Forecast> {
-        self.steak().filter(|piece| matches!(piece.place, Place::Rest(_)))?;
+        self.shown_piece().filter(|piece| matches!(piece.place, Place::Rest(_)))?;
         let foreseen = self.peak_to_come()?;
-        let (piece, peak_c) = (self.steak()?, foreseen.peak_c - FORECAST_HIGH_K);
+        let (piece, peak_c) = (self.shown_piece()?, foreseen.peak_c - FORECAST_HIGH_K);
         let is_at_peak = piece.core() > piece.core_peak.0 - RISES_K;
         (is_at_peak && peak_c > celsius(piece.core()) + RISES_K).then_some(Forecast { peak_c, ..foreseen })
     }
 
     /// Returns the forecast for taking the food out now; updated every simulated second.
     pub fn forecast(&mut self) -> Option<Forecast> {
-        self.steak().filter(|piece| piece.in_pan())?;
+        self.shown_piece().filter(|piece| piece.in_pan())?;
         self.peak_to_come()
     }
 
     /// The highest core to expect of the piece where it lies, if it gets no more heat.
     fn peak_to_come(&mut self) -> Option<Forecast> {
-        let piece = self.steak()?;
+        let piece = self.shown_piece()?;
         let second = self.kitchen.tick() / 10;
         if self.forecast.as_ref().is_none_or(|(id, at, _)| *at != second || *id != piece.id) {
             let (peak, in_s) = foreseen_peak(&piece.model, &piece.state, self.kitchen.room());
@@ -47,7 +47,7 @@ impl<H: Hands> Session<H> {
 
     /// Returns the core peak that the advice expects if the food were taken out now [°C]; none of food that is not in the pan.
     pub fn expected_peak_c(&self) -> Option<f64> {
-        let piece = self.steak().filter(|piece| piece.in_pan())?;
+        let piece = self.shown_piece().filter(|piece| piece.in_pan())?;
         self.forecast.as_ref().filter(|(id, ..)| *id == piece.id).map(|(.., found)| found.peak_c - FORECAST_HIGH_K)
     }
 
@@ -57,11 +57,11 @@ impl<H: Hands> Session<H> {
         let goal = goal.and_then(|(scale, wanted)| match scale.measure() {
             Measure::Peak => self.forecast().map(|f| Goal::Peak { core_c: wanted, foreseen_c: f.peak_c }),
             Measure::Share => {
-                let reached_pct = 100.0 * at_core(self.steak()?, &scale);
+                let reached_pct = 100.0 * at_core(self.shown_piece()?, &scale);
                 Some(Goal::Share { wanted_pct: wanted, reached_pct })
             }
         });
-        let advice = self.steak().map_or_else(Vec::new, |piece| advise(&self.kitchen, piece, goal));
+        let advice = self.shown_piece().map_or_else(Vec::new, |piece| advise(&self.kitchen, piece, goal));
         let now = Moment { hob_w: self.kitchen.hob_w(), time_s: self.kitchen.time_s(), speed: self.speed };
         self.order.keep(advice, now)
     }
@@ -74,12 +74,12 @@ impl<H: Hands> Session<H> {
     /// Returns the scale in whose words the piece that the panels show is spoken of, given the id of the chosen one.
     pub fn scale(&self, id: &str) -> Option<Arc<Scale>> {
         let scales = self.scales(id);
-        self.steak().map_or_else(|| scales.alone(), |piece| scales.of(&piece.model)).cloned()
+        self.shown_piece().map_or_else(|| scales.alone(), |piece| scales.of(&piece.model)).cloned()
     }
 
     /// Returns the scales among which the cook chooses for the piece that the panels show.
     pub fn fitting_scales(&self) -> Vec<Arc<Scale>> {
         let all = &self.library.scales;
-        self.steak().map_or_else(|| all.clone(), |piece| fitting(all, &piece.model).into_iter().cloned().collect())
+        self.shown_piece().map_or_else(|| all.clone(), |piece| fitting(all, &piece.model).into_iter().cloned().collect())
     }
 }

@@ -9,14 +9,14 @@ use crate::hands::Hands;
 impl<H: Hands> Session<H> {
     /// Judges the group of the piece that the panels show by a goal; none without food.
     pub fn judgement(&self, goal: &Goal) -> Option<Judgement> {
-        let first = self.steak()?;
+        let first = self.shown_piece()?;
         let group = self.its_group();
         let others = group.iter().filter(|id| **id != first.id).filter_map(|id| self.kitchen.piece(id));
         let pieces: Vec<&Piece> = std::iter::once(first).chain(others).collect();
         let mass = |piece: &&Piece| self.start_mass_g.get(&piece.id).map_or_else(|| piece.mass(), |g| 1e-3 * g);
         let masses_at_start = pieces.iter().map(mass).collect();
         let times = [self.marks.iter().find(|mark| mark.is_put()).map(|mark| mark.time_s), self.came_out_s()];
-        let course = Course::of(&self.recorder, self.steak_index(), times, self.recorder.turns_of(&first.id));
+        let course = Course::of(&self.recorder, self.shown_index(), times, self.recorder.turns_of(&first.id));
         Judgement::of(&Judged { kitchen: &self.kitchen, pieces, masses_at_start }, &course, goal)
     }
 

@@ -44,7 +44,7 @@ use self::kept_order::KeptOrder;
 use self::permits::{NotDone, Permits};
 use self::timeline::Timeline;
 
-pub use self::choice::{SteakChoice, noun};
+pub use self::choice::{FoodChoice, noun};
 pub use self::foreseen_peak::Forecast;
 pub use self::mark::Mark;
 pub use self::speeds::{MOST_OWED_S, SPEEDS};
@@ -79,7 +79,7 @@ pub struct Session<H = NoHands> {
     pub lesson: Option<Lesson>,
     /// What a person may do.
     pub permits: Permits,
-    choice: SteakChoice,
+    choice: FoodChoice,
     /// What the cook began with: a recipe that plays, or one that only sets out the chosen food and pan.
     recipe: Arc<Recipe>,
     plays: bool,
@@ -105,7 +105,7 @@ impl<H: Hands> Session<H> {
     /// # Errors
     ///
     /// If the library has not what was chosen.
-    pub fn new(library: Arc<Library>, choice: &SteakChoice) -> Result<Self, ReplayError> {
+    pub fn new(library: Arc<Library>, choice: &FoodChoice) -> Result<Self, ReplayError> {
         let recipe = Arc::new(as_recipe(&library, choice, 1)?);
         let kitchen = recipe.kitchen(&library)?;
         let recording = Recording::begin(&recipe, false, &library);
@@ -208,7 +208,7 @@ impl<H: Hands> Session<H> {
     /// # Errors
     ///
     /// If the library has not what was chosen.
-    pub fn set_out(&mut self, choice: &SteakChoice, count: usize) -> Result<(), ReplayError> {
+    pub fn set_out(&mut self, choice: &FoodChoice, count: usize) -> Result<(), ReplayError> {
         let recipe = as_recipe(&self.library, choice, count)?;
         self.begin_with(Arc::new(recipe), false)?;
         self.choice = choice.clone();
@@ -322,7 +322,7 @@ impl<H: Hands> Session<H> {
     }
 
     /// Returns the last choice of food and pan.
-    pub fn choice(&self) -> &SteakChoice {
+    pub fn choice(&self) -> &FoodChoice {
         &self.choice
     }
 
@@ -345,7 +345,7 @@ mod tests {
 
     fn session() -> Session {
         let library = Arc::new(Library::embedded().expect("embedded data"));
-        Session::new(library, &SteakChoice::default()).expect("sets out")
+        Session::new(library, &FoodChoice::default()).expect("sets out")
     }
 
     /// Ten wall seconds in a thousand small frames or in a few long ones: the same world.

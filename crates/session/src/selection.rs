@@ -10,7 +10,7 @@ use saute_words::piece_words::{self, group_of};
 
 impl<H: Hands> Session<H> {
     /// Returns the piece that the panels show: the selected one, else the first.
-    pub fn steak(&self) -> Option<&Piece> {
+    pub fn shown_piece(&self) -> Option<&Piece> {
         self.selected().or_else(|| self.kitchen.pieces().first())
     }
 
@@ -25,19 +25,19 @@ impl<H: Hands> Session<H> {
     }
 
     /// Returns the index of the piece that the panels show.
-    pub fn steak_index(&self) -> usize {
-        let id = self.steak().map(|p| &p.id);
+    pub fn shown_index(&self) -> usize {
+        let id = self.shown_piece().map(|p| &p.id);
         self.kitchen.pieces().iter().position(|p| Some(&p.id) == id).unwrap_or(0)
     }
 
     /// Returns the id of the piece that the panels show; that of the first food if there is none.
-    pub fn steak_id(&self) -> String {
-        self.steak().map_or_else(|| base_name(&self.library, FIRST_FOOD), |p| p.id.clone())
+    pub fn shown_id(&self) -> String {
+        self.shown_piece().map_or_else(|| base_name(&self.library, FIRST_FOOD), |p| p.id.clone())
     }
 
     /// Returns the noun for that piece in a language: "steak", "carrot coin".
     pub fn noun(&self, l: Language) -> String {
-        noun(&self.library, self.steak().map_or(FIRST_FOOD, |p| p.kind.as_str()), l)
+        noun(&self.library, self.shown_piece().map_or(FIRST_FOOD, |p| p.kind.as_str()), l)
     }
 
     /// Returns the name of a piece or a group in a language, given its id.
@@ -47,7 +47,7 @@ impl<H: Hands> Session<H> {
 
     /// Returns the mass of that piece when it was set out [g].
     pub fn start_mass_g(&self) -> f64 {
-        self.steak().and_then(|p| self.start_mass_g.get(&p.id)).copied().unwrap_or(0.0)
+        self.shown_piece().and_then(|p| self.start_mass_g.get(&p.id)).copied().unwrap_or(0.0)
     }
 
     /// Returns the ids of the pieces of a group, in order.
@@ -58,7 +58,7 @@ impl<H: Hands> Session<H> {
 
     /// Returns the ids of the group of the piece that the panels show.
     pub fn its_group(&self) -> Vec<String> {
-        self.members(group_of(&self.steak_id()))
+        self.members(group_of(&self.shown_id()))
     }
 
     /// Returns the ids of all pieces that wait to be put into the pan.

@@ -21,7 +21,7 @@ impl<H: Hands> Session<H> {
     /// term of the series for a slab of constant face temperature, θ = (4/π) exp(−π² Fo / 4), in which the pan's heating and the
     /// rest are added. For flat flesh; none where the goal is beyond the faces, and of frozen food, whose latent heat is not in it.
     pub fn whole_time_s(&self, goal_c: f64) -> Option<f64> {
-        let piece = self.steak().filter(|piece| celsius(piece.core()) > 0.0)?;
+        let piece = self.shown_piece().filter(|piece| celsius(piece.core()) > 0.0)?;
         Some(PAN_S + frying_s(0.5 * piece.model.size()[2], celsius(piece.core()), goal_c - RISES_K)? + REST_S)
     }
 }

@@ -1,8 +1,9 @@
 //! The steps of a plan in words, with what there is to see, hear and feel at each: for the window and for the kitchen card.
 
+use saute_kitchen::food::description::FILE_LANGUAGE;
 use saute_plan::schedule::Deed;
 use saute_plan::schedule::follow::{Followed, Left};
-use saute_plan::schedule::senses::{Colour, Drop, Feel, Hiss, Sense};
+use saute_plan::schedule::senses::{Colour, Drop, Hiss, Sense};
 
 use crate::language::Language;
 use crate::speech::Speech;
@@ -37,21 +38,22 @@ pub fn deeds(next: &[Followed], l: Language) -> String {
 pub fn sense(sense: &Sense, speech: Speech) -> String {
     let l = speech.language;
     let degrees = |celsius: f64| speech.temperature(celsius);
-    match *sense {
+    match sense {
         Sense::Pan { pan_c, drop, is_smokeless } => {
-            let smoke = if is_smokeless { l.text("sense.smoke") } else { "" };
-            l.fill("sense.pan", &[("pan", &degrees(pan_c)), ("drop", &l.text(of_drop(drop))), ("smoke", &smoke)])
+            let smoke = if *is_smokeless { l.text("sense.smoke") } else { "" };
+            l.fill("sense.pan", &[("pan", &degrees(*pan_c)), ("drop", &l.text(of_drop(*drop))), ("smoke", &smoke)])
         }
         Sense::Face { browned_pct, colour, hiss, .. } => {
             let percent = format!("{browned_pct:.0}");
-            let (colour, hiss) = (l.text(of_colour(colour)), l.text(of_hiss(hiss)));
+            let (colour, hiss) = (l.text(of_colour(*colour)), l.text(of_hiss(*hiss)));
             l.fill("sense.face", &[("colour", &colour), ("percent", &percent), ("hiss", &hiss)])
         }
         Sense::Done { core_c, rise_k, feel } => {
-            let feel = feel.map_or("", |feel| l.text(of_feel(feel)));
-            l.fill("sense.done", &[("core", &degrees(core_c)), ("rise", &difference(rise_k, speech)), ("feel", &feel)])
+            let feel = feel.get(l.code()).or_else(|| feel.get(FILE_LANGUAGE)).map_or("", String::as_str);
+            let rise = difference(*rise_k, speech);
+            l.fill("sense.done", &[("core", &degrees(*core_c)), ("rise", &rise), ("feel", &feel)])
         }
-        Sense::Rested { peak_c } => l.fill("sense.rested", &[("peak", &degrees(peak_c))]),
+        Sense::Rested { peak_c } => l.fill("sense.rested", &[("peak", &degrees(*peak_c))]),
     }
 }
 
@@ -83,19 +85,5 @@ fn of_hiss(hiss: Hiss) -> &'static str {
         Hiss::Quiet => "sense.hiss_quiet",
         Hiss::Steady => "sense.hiss_steady",
         Hiss::Loud => "sense.hiss_loud",
-    }
-}
-
-fn of_feel(feel: Feel) -> &'static str {
-    match feel {
-        Feel::LooseThumb => "sense.feel_loose",
-        Feel::Forefinger => "sense.feel_forefinger",
-        Feel::MiddleFinger => "sense.feel_middle",
-        Feel::RingFinger => "sense.feel_ring",
-        Feel::LittleFinger => "sense.feel_little",
-        Feel::SoftPatty => "sense.feel_soft_patty",
-        Feel::FirmPatty => "sense.feel_firm_patty",
-        Feel::Shrimp => "sense.feel_shrimp",
-        Feel::Knife => "sense.feel_knife",
     }
 }

@@ -101,6 +101,8 @@ impl ResultWords {
 /// Time from which a span is given in minutes, and to what it is rounded then [s] (chosen: nobody pulls by the second after minutes).
 const MINUTES_S: f64 = 120.0;
 const HALF_MINUTE_S: f64 = 30.0;
+/// Kill beyond which no more is told [log₁₀] (chosen: nothing is left of any germ).
+const MOST_LOG: f64 = 12.0;
 
 /// A span of time in words [s].
 pub(crate) fn span(seconds: f64, l: Language) -> String {
@@ -209,6 +211,11 @@ impl Teller<'_> {
                 format!("{:.0}\u{a0}kJ ({:.2}\u{a0}kWh)", judgement.energy_kj, judgement.energy_kj / 3600.0),
             ),
         ]);
+        if let Some(kill) = judgement.kill {
+            let key = if kill.is_enough() { "result.pasteurised" } else { "result.not_pasteurised" };
+            let [log, asked] = [kill.log.clamp(0.0, MOST_LOG), kill.asked_log].map(|log| format!("{log:.1}"));
+            measures.push(("result.germs", self.fill(key, &[("log", &log), ("asked", &asked)])));
+        }
         measures.into_iter().map(|(key, value)| (self.text(key), value)).collect()
     }
 

@@ -116,7 +116,12 @@ fn places(summary: &Summary, group: &GroupSummary) -> String {
 /// Returns the log reductions; values above 12 are not distinguished.
 fn safety(l: &LogReduction) -> String {
     let shown = |log: f64| if log > 12.0 { "over 12".to_owned() } else { format!("{log:.1}") };
-    format!("E. coli log reduction: core {}, least heated surface {}", shown(l.core), shown(l.surface))
+    let kill = format!("{} log reduction: core {}, least heated surface {}", l.germ, shown(l.core), shown(l.surface));
+    match l.asked {
+        Some(asked) if l.core.min(l.surface) >= asked => format!("{kill}; pasteurised ({asked} asked)"),
+        Some(asked) => format!("{kill}; not pasteurised ({asked} asked)"),
+        None => kill,
+    }
 }
 
 fn row(lines: &mut String, name: &str, value: &str) {

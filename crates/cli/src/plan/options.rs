@@ -80,7 +80,7 @@ pub fn order(args: &PlanArgs, data: &DataLibrary) -> Result<Order, CliError> {
         let remedy = format!("use one of: {}", Library::names(&library.pans));
         return Err(wrong(format!("--pan {}", args.pan), library.absence("pans", &args.pan, "is not a pan"), remedy));
     }
-    let crust_pct = args.crust_pct.unwrap_or_else(|| Order::usual_crust_pct(food.form));
+    let crust_pct = args.crust_pct.unwrap_or_else(|| food.crust_pct());
     ranged("--crust-pct", crust_pct, [0.0, 100.0], "%")?;
     let most_flips = args.max_flips.unwrap_or(if args.plain { PLAIN_FLIPS } else { USUAL_FLIPS });
     ranged("--max-flips", most_flips as f64, [0.0, MOST_FLIPS as f64], "flips")?;

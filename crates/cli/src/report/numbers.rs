@@ -54,7 +54,7 @@ fn food(entry: &FoodOrGroup) -> Markup {
         ("Hardness over raw".to_owned(), format!("{:.1}", f.hardness_index)),
         ("Juiciness".to_owned(), format!("{:.0} %", f.juiciness_pct)),
         ("Elastic modulus".to_owned(), format!("{:.0} kPa", f.elastic_modulus_kpa)),
-        ("E. coli log reduction, core · surface".to_owned(), format!("{:.1} · {:.1}", l.core, l.surface)),
+        (format!("{} log reduction, core · surface", l.germ), format!("{:.1} · {:.1}", l.core, l.surface)),
     ]);
     rows.extend(surface("Top", &f.surfaces.top));
     rows.extend(surface("Bottom", &f.surfaces.bottom));

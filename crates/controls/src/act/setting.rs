@@ -7,7 +7,7 @@ use crate::settings::interface_size::InterfaceSize;
 use crate::settings::quality_choice::QualityChoice;
 use crate::settings::theme::Theme;
 use saute_mirror::settings::MirrorSettings;
-use saute_session::SteakChoice;
+use saute_session::FoodChoice;
 use saute_session::permits::Permit;
 use saute_words::language::Language;
 
@@ -43,7 +43,7 @@ pub enum Setting {
     /// True if all read-outs are hidden.
     SkillMode(bool),
     /// The food and the pan.
-    Choice(SteakChoice),
+    Choice(FoodChoice),
     /// True lets forecasts be made.
     Forecasts(bool),
     /// The half mirror.

@@ -53,7 +53,7 @@ pub fn class_now(state: &PanelContext) -> String {
         let scale = state.scale_of(piece)?;
         Some(doneness_words::class(&scale, core_class(piece, &scale), state.settings.language).to_owned())
     };
-    state.session.steak().and_then(class).unwrap_or_default()
+    state.session.shown_piece().and_then(class).unwrap_or_default()
 }
 
 /// What a resting piece has reached, with its class where a scale covers it.

@@ -185,7 +185,7 @@ impl Words<'_> {
     /// the sides take turns.
     fn flip_in(&self, peak_c: f64, goal: f64, memory: &mut TimeLeft) -> Option<f64> {
         let session = &self.state.session;
-        let (now, at) = (session.kitchen.time_s(), Situation::of(&session.kitchen, session.steak()?));
+        let (now, at) = (session.kitchen.time_s(), Situation::of(&session.kitchen, session.shown_piece()?));
         let [below, above] = at.browning;
         let browns = memory.until(Course::Brown, now, below, BROWN).filter(|_| below >= STEADY * BROWN);
         let brown = if below >= BROWN { Some(0.0) } else { browns };
@@ -225,7 +225,7 @@ impl Words<'_> {
     /// Why it is time to flip.
     fn why_flip(&self) -> &'static str {
         let session = &self.state.session;
-        match session.steak().map(|piece| Situation::of(&session.kitchen, piece).browning.map(|b| b >= BROWN)) {
+        match session.shown_piece().map(|piece| Situation::of(&session.kitchen, piece).browning.map(|b| b >= BROWN)) {
             Some([true, true]) => "now.turns",
             Some([true, false]) => "now.brown_below",
             _ => "now.half_way",

@@ -23,7 +23,7 @@ use self::plan_choice::PlanChoice;
 use self::quality_choice::QualityChoice;
 use self::theme::Theme;
 use saute_mirror::settings::MirrorSettings;
-use saute_session::SteakChoice;
+use saute_session::FoodChoice;
 use saute_session::at_home::kept::KeptKitchen;
 use saute_words::language::Language;
 use saute_words::speech::Speech;
@@ -80,7 +80,7 @@ pub struct Settings {
     /// True if time slows to that of a kitchen where a hand is needed.
     pub eases: bool,
     /// The food and the pan.
-    pub choice: SteakChoice,
+    pub choice: FoodChoice,
     /// The request for a plan.
     pub plan: PlanChoice,
     /// The kitchen at home that was found.
@@ -144,7 +144,7 @@ impl Default for Settings {
             speed: 1.0,
             held_speed: None,
             eases: false,
-            choice: SteakChoice::default(),
+            choice: FoodChoice::default(),
             plan: PlanChoice::default(),
             kitchen: None,
             goal_c: GOAL_C,

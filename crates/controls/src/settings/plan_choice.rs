@@ -3,7 +3,6 @@
 use saute_kitchen::Library;
 use saute_kitchen::advice::usual_powers_w;
 use saute_kitchen::pan::hob::HobDescription;
-use saute_plan::schedule::Order;
 use serde::{Deserialize, Serialize};
 
 /// Scale in whose classes a target is stated at first: the one that cooks use.
@@ -55,7 +54,7 @@ impl Default for PlanChoice {
 impl PlanChoice {
     /// Returns the share of each face that is to be browned of a food [%].
     pub fn crust_of(&self, library: &Library, food: &str) -> f64 {
-        let usual = || library.foods.get(food).map_or(0.0, |food| Order::usual_crust_pct(food.form));
+        let usual = || library.foods.get(food).map_or(0.0, |food| food.crust_pct());
         self.crust_pct.unwrap_or_else(usual)
     }
 

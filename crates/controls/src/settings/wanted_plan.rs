@@ -41,14 +41,14 @@ impl Settings {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use saute_session::SteakChoice;
+    use saute_session::FoodChoice;
 
     #[test]
     fn what_is_requested_fits_the_food_whatever_was_chosen_for_another() {
         let library = Library::embedded().expect("embedded data");
         let of = |kind: &str| {
             let size_mm = library.foods[kind].size.default_mm.clone();
-            let choice = SteakChoice { kind: kind.into(), size_mm, ..SteakChoice::default() };
+            let choice = FoodChoice { kind: kind.into(), size_mm, ..FoodChoice::default() };
             Settings { choice, ..Settings::default() }.wanted_plan(&library)
         };
         let targets = ["beef-lean", "shrimp", "beef-patty", "carrot-coin"].map(|kind| of(kind).target);

@@ -48,9 +48,7 @@ impl HeatResponse {
     }
 }
 
-/// Rate 10^((T − 60)/z) / D₆₀, tabulated from 40 to 100 °C and held beyond (below nothing dies, above all is dead).
+/// Rate of [`Lethality`], tabulated from 40 to 100 °C and held beyond (below nothing dies, above all is dead) [1/s].
 fn lethality(data: &Lethality) -> Table {
-    let per_second = 1.0 / (60.0 * data.d60_min);
-    let z = data.z_k;
-    Table::new(ZERO_C + 40.0, ZERO_C + 100.0, 0.25, |t| per_second * libm::pow(10.0, (t - ZERO_C - 60.0) / z))
+    Table::new(ZERO_C + 40.0, ZERO_C + 100.0, 0.25, |t| data.rate_per_min(t - ZERO_C) / 60.0)
 }

@@ -8,7 +8,7 @@ use serde::Deserialize;
 use crate::sourced_table;
 
 sourced_table! {
-    /// A first-order change given by its rate at an anchor temperature.
+    /// A change given by its rate at an anchor temperature: dX/dt = k (1 − X), or with `autocatalysis` s dX/dt = k (1 − X)(X + s).
     Change {
         /// Name of the change, as colours, texture and shrinkage refer to it.
         #[schemars(example = &"myosin")]
@@ -22,6 +22,9 @@ sourced_table! {
         /// Rate at the anchor temperature [1/min].
         #[schemars(range(min = 1e-6, max = 1e4), example = 2.66)]
         anchor_rate_per_min: f64,
+        /// Share s by which a change that speeds itself up begins [-]; a first-order change has none.
+        #[schemars(range(min = 1e-3, max = 10.0), example = 0.1)]
+        autocatalysis: Option<f64>,
     }
 }
 
@@ -105,14 +108,45 @@ sourced_table! {
 }
 
 sourced_table! {
-    /// Lethality: thermal death of pathogens.
+    /// Lethality: thermal death of pathogens. Where sources differ the slower of their kills counts, at each temperature.
     Lethality {
+        /// The germ that the numbers were measured on; pathogens unless stated.
+        #[serde(default = "pathogens")]
+        #[schemars(length(min = 1), example = &"E. coli O157:H7")]
+        germ: String,
         /// Time of a tenfold reduction at 60 °C, D₆₀ [min].
         #[schemars(range(min = 1e-3, max = 1e4), example = 2.6)]
         d60_min: f64,
         /// Temperature difference for a tenfold change of that time, z [K].
         #[schemars(range(min = 1.0, max = 30.0), example = 6.0)]
         z_k: f64,
+        /// Numbers of further sources.
+        #[serde(default)]
+        also: Vec<Kill>,
+        /// Log₁₀ reduction from which the food is called pasteurised [-]; without it it is called neither that nor otherwise.
+        #[schemars(range(min = 1.0, max = 12.0), example = 6.5)]
+        pasteurised_log: Option<f64>,
+    }
+}
+
+/// Kill of a germ as one source states it.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Kill {
+    /// Time of a tenfold reduction at 60 °C, D₆₀ [min].
+    #[schemars(range(min = 1e-3, max = 1e4), example = 2.6)]
+    pub d60_min: f64,
+    /// Temperature difference for a tenfold change of that time, z [K].
+    #[schemars(range(min = 1.0, max = 30.0), example = 6.0)]
+    pub z_k: f64,
+}
+
+impl Lethality {
+    /// Returns the log₁₀ reduction a minute at a temperature [°C]: 10^((T − 60)/z) / D₆₀, by the slowest of the sources.
+    pub fn rate_per_min(&self, celsius: f64) -> f64 {
+        let of = |kill: &Kill| libm::pow(10.0, (celsius - 60.0) / kill.z_k) / kill.d60_min;
+        let first = Kill { d60_min: self.d60_min, z_k: self.z_k };
+        self.also.iter().map(of).fold(of(&first), |least, rate| if rate < least { rate } else { least })
     }
 }
 
@@ -203,7 +237,7 @@ sourced_table! {
 #[serde(deny_unknown_fields)]
 #[schemars(title = "saute kinetics")]
 pub struct Kinetics {
-    /// First-order changes, at most [`MOST_CHANGES`]; the first determines the look of fat.
+    /// Changes, at most [`MOST_CHANGES`]; the first determines the look of fat.
     #[schemars(length(min = 1, max = MOST_CHANGES))]
     pub change: Vec<Change>,
     /// Water holding.
@@ -231,6 +265,11 @@ pub struct Kinetics {
 /// Share of the strain under a press that stays [-] (chosen: whole flesh springs back).
 fn springs_back() -> f64 {
     0.1
+}
+
+/// What is killed if the file does not name it.
+fn pathogens() -> String {
+    "Pathogens".to_owned()
 }
 
 /// Returns the schema of a number for each name of a table, with its range.

@@ -27,7 +27,7 @@ pub use lab_colour::{LabColour, LabShift};
 pub use properties::{Anisotropy, Colours, Crust, FatMelting, Freezing, Sorption, SurfaceProperties};
 pub use shape::{NaturalForm, OutlineKind, OutlineShape, PieceSpread, SizeRange, Spine, SurfaceFile};
 pub use tissue::{Composition, Core, FatCap, Marbling, Sheaths};
-pub use words::{FILE_LANGUAGE, FoodWords};
+pub use words::{FILE_LANGUAGE, Feel, FoodWords};
 
 /// Confidence in the numbers of a table.
 #[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema, PartialEq, Eq)]
@@ -61,6 +61,38 @@ macro_rules! sourced_table {
     };
 }
 
+/// What flesh looks like near by.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq, Eq)]
+#[serde(rename_all = "kebab-case")]
+pub enum Flesh {
+    /// Muscle: bundles of fibres through the thickness.
+    Muscle,
+    /// Ground meat: strands pressed together.
+    Ground,
+    /// A root: core, cortex and rays between.
+    Root,
+    /// A shaft of sheaths, one in the other.
+    Sheaths,
+    /// The segments of a shrimp.
+    Segments,
+    /// Fish: flakes of muscle with pale sheets between them, across the length.
+    Flakes,
+    /// Even flesh: curd, tubers.
+    Plain,
+}
+
+/// Protein from which flesh without a second tissue is muscle (chosen: no plant that is fried raw has as much).
+const MUSCLE_PROTEIN: f64 = 0.10;
+
+sourced_table! {
+    /// How a food is served unless the cook states otherwise.
+    Served {
+        /// Share of each face that is browned [%].
+        #[schemars(range(min = 0.0, max = 100.0), example = 60.0)]
+        crust_pct: f64,
+    }
+}
+
 /// A food, as its file describes it.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -80,6 +112,11 @@ pub struct FoodDescription {
     /// Form of the pieces.
     #[schemars(example = &"steak")]
     pub form: Form,
+    /// What the flesh looks like near by; without it what its tissues and its protein suggest.
+    #[schemars(example = &"muscle")]
+    pub flesh: Option<Flesh>,
+    /// How the food is served unless the cook states otherwise; without it as a food that is not fried for its crust.
+    pub served: Option<Served>,
     /// Allowed sizes; of a closed surface those of its own file, unless stated.
     #[serde(default = "SizeRange::unset")]
     #[schemars(with = "Option<SizeRange>")]
@@ -131,6 +168,22 @@ impl FoodDescription {
     /// Returns true if a piece may begin as ice: its file states how it freezes, and its rules know ice.
     pub fn may_be_ice(&self, rules: Rules) -> bool {
         rules == Rules::Full && self.freezing.is_some()
+    }
+
+    /// What the flesh looks like near by.
+    pub fn flesh(&self) -> Flesh {
+        let suggested = || match () {
+            () if self.core.is_some() => Flesh::Root,
+            () if self.sheaths.is_some() => Flesh::Sheaths,
+            () if self.lean.protein > MUSCLE_PROTEIN => Flesh::Muscle,
+            () => Flesh::Plain,
+        };
+        self.flesh.unwrap_or_else(suggested)
+    }
+
+    /// Share of each face that is browned unless the cook states another [%].
+    pub fn crust_pct(&self) -> f64 {
+        self.served.as_ref().map_or(0.0, |served| served.crust_pct)
     }
 
     /// Raw colour of the second tissue, L*, a*, b*; none in foods without it.

@@ -1,5 +1,7 @@
 //! What a food is called: its file states it for each language.
 
+use std::collections::BTreeMap;
+
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -21,6 +23,21 @@ pub struct FoodWords {
     /// Name of a piece beside pieces of other foods; without it the noun. Pieces that are set out have the English one as id.
     #[schemars(length(min = 1), example = &"steak")]
     pub piece: Option<String>,
+    /// How a piece that is done feels, by its highest core temperature, ascending; without them the English ones.
+    #[serde(default)]
+    pub feel: Vec<Feel>,
+}
+
+/// How a piece feels that is done, from a highest core temperature on.
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Feel {
+    /// Highest core temperature from which it feels so [°C]; the first one also holds below.
+    #[schemars(range(min = 0.0, max = 120.0), example = 55.0)]
+    pub from_c: f64,
+    /// The sentence.
+    #[schemars(length(min = 1), example = &"Springs back under a finger.")]
+    pub says: String,
 }
 
 impl FoodDescription {
@@ -44,6 +61,16 @@ impl FoodDescription {
         piece(language).or_else(|| piece(FILE_LANGUAGE))
     }
 
+    /// Returns how a piece feels that is done, by the code of the language, given its highest core temperature [°C]; empty where the
+    /// file states no words for it.
+    pub fn feel_at(&self, peak_c: f64) -> BTreeMap<String, String> {
+        let at = |words: &FoodWords| {
+            let reached = words.feel.iter().take_while(|feel| feel.from_c <= peak_c).last();
+            reached.or(words.feel.first()).map(|feel| feel.says.clone())
+        };
+        self.words.iter().filter_map(|(language, words)| Some((language.clone(), at(words)?))).collect()
+    }
+
     /// Returns the id of a piece of the food that is set out without a recipe, given the food's id.
     pub fn piece_id(&self, id: &str) -> String {
         let Some(name) = self.piece_in(FILE_LANGUAGE) else { return id.to_owned() };
@@ -51,5 +78,32 @@ impl FoodDescription {
         let plain: String = name.chars().map(plain).collect();
         let plain = plain.trim_matches('-');
         if plain.is_empty() { id.to_owned() } else { plain.to_owned() }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn food(words: &str) -> FoodDescription {
+        let shipped = include_str!("../../../../data/foods/carrot-coin.toml");
+        let (head, _) = shipped.split_once("[words.en]").unwrap();
+        let (_, tail) = shipped.split_once("[size]").unwrap();
+        toml::from_str(&format!("{head}{words}\n[size]{tail}")).unwrap()
+    }
+
+    #[test]
+    fn a_done_piece_feels_by_its_peak_and_below_the_first_words_as_by_them() {
+        let food = food(
+            "[words.en]\nfeel = [{ from_c = 45.0, says = \"soft\" }, { from_c = 60.0, says = \"firm\" }]\n[words.ja]\nnoun = \"x\"",
+        );
+        let says = |peak_c: f64| food.feel_at(peak_c).get("en").cloned();
+        assert_eq!([20.0, 59.9, 60.0].map(says), [Some("soft".to_owned()), Some("soft".to_owned()), Some("firm".to_owned())]);
+        assert!(!food.feel_at(70.0).contains_key("ja"), "the English words serve");
+    }
+
+    #[test]
+    fn a_food_without_such_words_says_nothing() {
+        assert!(food("[words.en]\nnoun = \"x\"").feel_at(60.0).is_empty());
     }
 }

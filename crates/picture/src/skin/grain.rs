@@ -1,26 +1,24 @@
 //! Sub-mesh structure of a food as the renderer reads it: seams of fat, second tissues, borders.
 
 use glam::Vec3;
+use saute_kitchen::food::description::Flesh;
 use saute_kitchen::food::FoodModel;
-use saute_kitchen::food::body::form::Form;
 use saute_kitchen::food::tissue::noise::uniform;
 use saute_scene::input::{BORDER_RANGE, BrowningPalette, FleshTexture, GrainVolume, WITHIN_RANGE};
 
 /// Cells across a body whose tissues are along its axis (chosen: 0.2 mm cells in a leek ring).
 const TISSUE_CELLS: u32 = 112;
-/// Protein from which flesh without a second tissue is muscle (chosen: no plant that is fried has as much).
-const MUSCLE_PROTEIN: f64 = 0.10;
 
 /// Kind of texture of a food's flesh.
 pub(crate) fn flesh_texture(model: &FoodModel) -> FleshTexture {
-    let description = model.description();
-    match description.form {
-        Form::Patty => FleshTexture::Ground,
-        Form::Shrimp => FleshTexture::Shrimp,
-        _ if description.core.is_some() => FleshTexture::Root,
-        _ if description.sheaths.is_some() => FleshTexture::Sheaths,
-        _ if description.lean.protein > MUSCLE_PROTEIN => FleshTexture::Muscle,
-        _ => FleshTexture::Plain,
+    match model.description().flesh() {
+        Flesh::Muscle => FleshTexture::Muscle,
+        Flesh::Ground => FleshTexture::Ground,
+        Flesh::Root => FleshTexture::Root,
+        Flesh::Sheaths => FleshTexture::Sheaths,
+        Flesh::Segments => FleshTexture::Shrimp,
+        Flesh::Flakes => FleshTexture::Flakes,
+        Flesh::Plain => FleshTexture::Plain,
     }
 }
 

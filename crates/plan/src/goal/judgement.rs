@@ -51,8 +51,26 @@ pub struct Judgement {
     pub charred_pct: [f64; 2],
     /// Energy that the hob drew so far [kJ].
     pub energy_kj: f64,
+    /// Kill of germs; none of foods whose kinetics call none pasteurised.
+    pub kill: Option<Pasteurisation>,
     /// The one thing to do better; none if nothing costs a point.
     pub better: Option<Better>,
+}
+
+/// How far germs were killed where it was least, and how far food is called pasteurised.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pasteurisation {
+    /// Log₁₀ reduction [-].
+    pub log: f64,
+    /// Log₁₀ reduction from which the food is called pasteurised [-].
+    pub asked_log: f64,
+}
+
+impl Pasteurisation {
+    /// True if the kill is what is asked.
+    pub fn is_enough(self) -> bool {
+        self.log >= self.asked_log
+    }
 }
 
 impl Judgement {
@@ -86,6 +104,7 @@ impl Judgement {
             grey_mm: grey_band(first, goal).map(|metres| 1e3 * metres),
             charred_pct: faces.map(|face| face.charred_pct),
             energy_kj: 1e-3 * judged.kitchen.energy().hob,
+            kill: judged.kill(),
             crust_pct,
             terms,
             outcome,
@@ -99,6 +118,16 @@ impl Judged<'_> {
         let piece = self.pieces[0];
         let foreseen = || celsius(foreseen_peak(&piece.model, &piece.state, self.kitchen.room()).0) - FORECAST_HIGH_K;
         goal.scale.measure() == Measure::Peak && !piece.in_pan() && foreseen() >= goal.core[0]
+    }
+
+    /// The least kill in any piece: at its core, or where its own surface was heated least.
+    fn kill(&self) -> Option<Pasteurisation> {
+        let asked_log = self.pieces[0].model.kinetics().lethality.pasteurised_log?;
+        let least = self.pieces.iter().map(|piece| {
+            let (core, surface) = piece.model.log_reduction(&piece.state);
+            core.min(surface)
+        });
+        Some(Pasteurisation { log: least.fold(f64::INFINITY, f64::min), asked_log })
     }
 
     /// Share of the pan's floor that the raw pieces cover [%].

@@ -4,7 +4,7 @@ use std::fmt::Write;
 use std::sync::Arc;
 
 use saute_kitchen::Library;
-use saute_kitchen::food::{FoodModel, Form};
+use saute_kitchen::food::FoodModel;
 use saute_recipe::Cook;
 
 use crate::goal::Goal;
@@ -35,23 +35,10 @@ pub struct Order {
     pub goal: Goal,
 }
 
-/// Share of each face that is to be browned of foods that are eaten with a crust [%] (chosen: the shipped steaks brown more
-/// than this).
-pub const CRUST_PCT: f64 = 60.0;
-
 /// Flips of a plain plan at most [-] (chosen: a turn every three minutes, as the coach advises, warms evenly and is not missed).
 pub const PLAIN_FLIPS: usize = 3;
 
 impl Order {
-    /// Returns the crust that is the target for a food unless the cook states another [%]: none for foods that are not fried for
-    /// their crust.
-    pub fn usual_crust_pct(form: Form) -> f64 {
-        match form {
-            Form::Steak | Form::Patty => CRUST_PCT,
-            Form::Coin | Form::Ring | Form::Stick | Form::Shrimp | Form::Mesh => 0.0,
-        }
-    }
-
     /// Thickness of a piece [mm].
     pub fn thickness_mm(&self) -> f64 {
         self.size_mm.last().copied().unwrap_or_default()

@@ -1,13 +1,14 @@
 //! What a cook sees, hears and feels at a step, derived from the numbers of the planned cook.
 
+use std::collections::BTreeMap;
+
 use saute_kitchen::Library;
 use saute_kitchen::advice::SMOKE_SEEN_MG_S;
-use saute_kitchen::food::Form;
 
 use crate::schedule::{Cue, Deed, Plan, Step};
 
 /// What there is to see, hear and feel at a step.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Sense {
     /// The pan when the food goes in.
     Pan {
@@ -35,8 +36,8 @@ pub enum Sense {
         core_c: f64,
         /// What the core rises by while it rests [K].
         rise_k: f64,
-        /// How it feels under a finger.
-        feel: Option<Feel>,
+        /// How it feels under a finger, by the code of the language; empty where its file has no words for it.
+        feel: BTreeMap<String, String>,
     },
     /// The food when it has rested.
     Rested {
@@ -80,29 +81,6 @@ pub enum Hiss {
     Loud,
 }
 
-/// Feel of a food that is done.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Feel {
-    /// As the ball of a loose thumb.
-    LooseThumb,
-    /// As the ball of the thumb that is joined with the forefinger.
-    Forefinger,
-    /// As with the middle finger.
-    MiddleFinger,
-    /// As with the ring finger.
-    RingFinger,
-    /// As with the little finger.
-    LittleFinger,
-    /// A patty that gives in the middle.
-    SoftPatty,
-    /// A patty that is firm all over.
-    FirmPatty,
-    /// A shrimp that springs.
-    Shrimp,
-    /// A vegetable into which a knife goes.
-    Knife,
-}
-
 impl Plan {
     /// Returns what there is to see, hear and feel at a step; none where only a knob is turned.
     pub fn sense(&self, step: &Step, library: &Library) -> Option<Sense> {
@@ -115,7 +93,7 @@ impl Plan {
             Deed::Pull => cue.map(|cue| Sense::Done {
                 core_c: cue.core_c,
                 rise_k: (peak_c - cue.core_c).max(0.0),
-                feel: library.foods.get(&self.order.food).and_then(|food| feel(food.form, peak_c)),
+                feel: library.foods.get(&self.order.food).map(|food| food.feel_at(peak_c)).unwrap_or_default(),
             }),
             Deed::Serve => Some(Sense::Rested { peak_c }),
         }
@@ -145,21 +123,6 @@ fn face(cue: &Cue) -> Sense {
         _ => Hiss::Loud,
     };
     Sense::Face { browned_pct: cue.browned_pct, colour, hiss, core_c: cue.core_c }
-}
-
-fn feel(form: Form, peak_c: f64) -> Option<Feel> {
-    Some(match (form, peak_c) {
-        (Form::Steak, c) if c < 50.0 => Feel::LooseThumb,
-        (Form::Steak, c) if c < 55.0 => Feel::Forefinger,
-        (Form::Steak, c) if c < 60.0 => Feel::MiddleFinger,
-        (Form::Steak, c) if c < 70.0 => Feel::RingFinger,
-        (Form::Steak, _) => Feel::LittleFinger,
-        (Form::Patty, c) if c < 68.0 => Feel::SoftPatty,
-        (Form::Patty, _) => Feel::FirmPatty,
-        (Form::Shrimp, _) => Feel::Shrimp,
-        (Form::Coin | Form::Ring | Form::Stick, _) => Feel::Knife,
-        (Form::Mesh, _) => return None,
-    })
 }
 
 #[cfg(test)]

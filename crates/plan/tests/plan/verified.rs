@@ -33,7 +33,7 @@ impl Combination {
         let [food, size, initial_c, count, pan, scale, target, hob_w, flips, quick, shipped] = cells[..] else {
             panic!("line {number}: {line}")
         };
-        let crust = Order::usual_crust_pct(library.foods[food].form);
+        let crust = library.foods[food].crust_pct();
         let goal = Goal::new(&target.parse().unwrap(), library.scale(scale).unwrap(), crust).unwrap();
         let numbers = |cell: &str| -> Vec<f64> { cell.split_whitespace().map(|n| n.parse().unwrap()).collect() };
         let dial = || library.hob.settings_w().iter().copied().filter(|w| *w > 0.0).collect();

@@ -179,15 +179,19 @@ pub struct FoodSummary {
     pub juiciness_pct: f64,
     /// Present shape.
     pub shape: Shape,
-    /// Log₁₀ reduction of E. coli O157:H7 [-].
+    /// Log₁₀ reduction of germs [-].
     pub log_reduction: LogReduction,
     /// Upper and lower face.
     pub surfaces: Surfaces,
 }
 
-/// Log₁₀ reduction of pathogens [-]; at least 6.5 is safe for beef.
-#[derive(Clone, Copy, Debug, Serialize)]
+/// Log₁₀ reduction of a germ [-].
+#[derive(Clone, Debug, Default, Serialize)]
 pub struct LogReduction {
+    /// The germ that the kinetics state the kill of.
+    pub germ: String,
+    /// Reduction from which the food is called pasteurised; none where the kinetics call it neither that nor otherwise.
+    pub asked: Option<f64>,
     /// At the core.
     pub core: f64,
     /// At the least heated point of the surface.
@@ -441,6 +445,7 @@ impl FoodSummary {
             }
         };
         let (core, least) = model.log_reduction(state);
+        let lethality = &model.kinetics().lethality;
         // The library does not load without the default scale.
         let default = scales.iter().find(|s| s.id == DEFAULT_SCALE);
         let names = model.kinetics().names();
@@ -479,7 +484,12 @@ impl FoodSummary {
                 dome_mm: 1e3 * upwards * state.stretch.dome,
                 curl_deg: model.curl(state).to_degrees(),
             },
-            log_reduction: LogReduction { core, surface: least },
+            log_reduction: LogReduction {
+                germ: lethality.germ.clone(),
+                asked: lethality.pasteurised_log,
+                core,
+                surface: least,
+            },
             surfaces: Surfaces { top: surface(piece.up().map(|v| -v)), bottom: surface(piece.up()) },
         }
     }

@@ -182,6 +182,7 @@ fn mean_food(group: &Group, pieces: &[FoodSummary], scales: &[Arc<Scale>]) -> Fo
         log_reduction: LogReduction {
             core: all.least(|p| p.log_reduction.core),
             surface: all.least(|p| p.log_reduction.surface),
+            ..pieces.first().map(|p| p.log_reduction.clone()).unwrap_or_default()
         },
         surfaces: Surfaces { top: all.surface(|p| p.surfaces.top), bottom: all.surface(|p| p.surfaces.bottom) },
     }

@@ -77,6 +77,8 @@ pub enum FleshTexture {
     Sheaths,
     /// The segments of a shrimp.
     Shrimp,
+    /// Flakes of fish with pale sheets between them, across x.
+    Flakes,
     /// Even flesh.
     Plain,
 }

@@ -54,6 +54,7 @@ fn grain_of(in: FoodOut, grew: Grown, rest_normal: vec3<f32>) -> Grain {
         case ROOT: { return root(in.rest, grew, cooked, crust); }
         case SHEATHS: { return sheaths(in.rest, grew, max(abs(rest_normal.z), laid_open), cooked, crust); }
         case SHRIMP: { return shrimp(in.rest, in.place.y, in.place.z, cooked, crust); }
+        case FLAKES: { return flakes(in.rest, cooked, crust); }
         default: { return plain(in.rest, crust); }
     }
 }
@@ -73,6 +74,7 @@ fn look_of(in: FoodOut, rest_normal: vec3<f32>) -> Look {
     // Muscle does not depend on what grew in it, and lets it stray a little.
     var grew = Grown(0.0, 0.0, 0.0, 0.0);
     if (texture_kind != MUSCLE) { grew = grown(in.rest, 1.0); }
+    if (texture_kind == FLAKES) { grew.fatty = max(grew.fatty, sheets(in.rest)); }
     let grain = grain_of(in, grew, rest_normal);
     if (texture_kind == MUSCLE) { grew = grown(in.rest + grain.stray, 1.0); }
     let seared = on_lines(in.state.x, in.state.y, in.place.w, in.rest, rest_normal, 0.0006 * grain.uneven);
@@ -122,7 +124,7 @@ const GRAIN_MARGIN = 0.0007;
 // Browning of the side of a slice near the edges of its faces.
 fn crept(in: FoodOut, rest_normal: vec3<f32>) -> f32 {
     let seared = in.place.yz;
-    if (!(texture_kind == MUSCLE || texture_kind == GROUND) || seared.x + seared.y <= 0.0) { return 0.0; }
+    if (!(texture_kind == MUSCLE || texture_kind == GROUND || texture_kind == FLAKES) || seared.x + seared.y <= 0.0) { return 0.0; }
     let place = in.rest + food.place.xyz;
     let far = textureSampleLevel(solid_noise, tile_sampler, place * 31.0 + 0.71, 0.0).a;
     let near = textureSampleLevel(solid_noise, tile_sampler, place * vec3<f32>(150.0, 150.0, 60.0) + 0.29, 0.0).a;
@@ -260,7 +262,7 @@ fn lit_cut(cut: FoodOut) -> vec4<f32> {
     let waver = 0.0010 * (textureSample(solid_noise, tile_sampler, (in.rest + food.place.xyz) * 190.0).a - 0.5);
     // An upright slice has the browning of its faces, above and below, and the depths under them; other bodies have neither.
     let upright = in.juice + in.place.w > 0.0;
-    if (upright && (texture_kind == MUSCLE || texture_kind == GROUND)) {
+    if (upright && (texture_kind == MUSCLE || texture_kind == GROUND || texture_kind == FLAKES)) {
         let crust = max(below_face(in.place.y, in.juice, waver), below_face(in.place.z, in.place.w, waver));
         in.state.x = max(in.state.x, crust);
     }

@@ -13,7 +13,7 @@ impl<H: Hands> Session<H> {
     pub fn foresee(&mut self, now_s: f64, shown: Shown, scale: &str) {
         self.forecasts.take_answers();
         let is_turned = self.is_travelling() || self.timeline.is_held;
-        let piece = self.steak().filter(|piece| shown != Shown::Nothing && !is_turned && piece.is_out());
+        let piece = self.shown_piece().filter(|piece| shown != Shown::Nothing && !is_turned && piece.is_out());
         let Some(food) = piece.map(|piece| piece.id.clone()).filter(|_| self.forecasts.are_made()) else {
             return self.forecasts.rest();
         };
@@ -46,7 +46,7 @@ impl<H: Hands> Session<H> {
 
     /// The last answer to a question about the piece that the panels show, relative to the shown instant.
     pub fn foreseen(&self, question: Question) -> Option<AgedForecast<'_>> {
-        let food = &self.steak()?.id;
+        let food = &self.shown_piece()?.id;
         let of = |answer: &&Foreseen| answer.outlook.question == question && answer.outlook.food == *food;
         let answer = self.forecasts.answers.iter().find(of)?;
         let band = self.forecasts.bands.as_ref()?.of(question)?;
@@ -61,7 +61,7 @@ impl<H: Hands> Session<H> {
     /// The last answer of the full model to "as it is", a minute ahead, if nothing was done since.
     pub fn foreseen_exactly(&self) -> Option<&Foreseen> {
         let answer = self.forecasts.exact.as_ref().filter(|answer| answer.is_current(self.done()))?;
-        (answer.outlook.food == self.steak()?.id).then_some(answer)
+        (answer.outlook.food == self.shown_piece()?.id).then_some(answer)
     }
 
     /// Who makes forecasts, and what was found.

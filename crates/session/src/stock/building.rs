@@ -12,7 +12,7 @@ use saute_recipe::{Recipe, Recording};
 use web_time::{Duration, Instant};
 
 use crate::Session;
-use crate::choice::{SteakChoice, as_recipe, orders};
+use crate::choice::{FoodChoice, as_recipe, orders};
 use crate::hands::Hands;
 
 /// What takes no longer is built at once [s] (chosen: what a person takes for an answer at once is 0.1 s, and a page that stands for
@@ -36,12 +36,12 @@ pub(crate) struct Building {
 
 impl<H: Hands> Session<H> {
     /// Returns true if the foods of a choice must be built before they are set out: [`Self::build_more`] then does it.
-    pub fn builds_choice_first(&mut self, choice: &SteakChoice, count: usize) -> bool {
+    pub fn builds_choice_first(&mut self, choice: &FoodChoice, count: usize) -> bool {
         as_recipe(&self.library, choice, count).is_ok_and(|recipe| self.builds_recipe_first(&recipe))
     }
 
     /// Returns true if foods must be built before they are added.
-    pub fn builds_added_first(&mut self, choice: &SteakChoice, count: usize) -> bool {
+    pub fn builds_added_first(&mut self, choice: &FoodChoice, count: usize) -> bool {
         let (recipe, library) = (Arc::clone(&self.recipe), Arc::clone(&self.library));
         let orders = orders(&library, choice, "", count);
         self.builds_first(&recipe, &library, orders)
@@ -169,11 +169,11 @@ mod tests {
 
     const MANY: usize = 60;
 
-    fn session() -> (Session, SteakChoice) {
+    fn session() -> (Session, FoodChoice) {
         let library = Arc::new(Library::embedded().expect("embedded data"));
-        let session = Session::new(library, &SteakChoice::default()).expect("sets out");
+        let session = Session::new(library, &FoodChoice::default()).expect("sets out");
         let size_mm = session.library.foods["shrimp"].size.default_mm.clone();
-        (session, SteakChoice { kind: "shrimp".into(), size_mm, ..SteakChoice::default() })
+        (session, FoodChoice { kind: "shrimp".into(), size_mm, ..FoodChoice::default() })
     }
 
     /// Builds all; returns the number of slices.

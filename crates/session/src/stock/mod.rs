@@ -8,7 +8,7 @@ use saute_kitchen::kitchen::SetupError;
 use saute_kitchen::{Command, PieceOrder};
 
 use super::Session;
-use super::choice::{SteakChoice, base_name, orders};
+use super::choice::{FoodChoice, base_name, orders};
 use super::permits::NotDone;
 use crate::hands::Hands;
 use saute_words::piece_words::group_of;
@@ -19,7 +19,7 @@ impl<H: Hands> Session<H> {
     /// # Errors
     ///
     /// If they cannot be built.
-    pub fn add(&mut self, choice: &SteakChoice, count: usize) -> Result<String, SetupError> {
+    pub fn add(&mut self, choice: &FoodChoice, count: usize) -> Result<String, SetupError> {
         let group = self.free_name(&base_name(&self.library, &choice.kind));
         let orders = orders(&self.library, choice, &group, count);
         self.kitchen.check_all_fit(&self.library, &orders)?;

@@ -38,7 +38,7 @@ use self::branch::Branch;
 use self::keyframes::Keyframes;
 use self::line::{Line, Traces};
 use self::travel::Travel;
-use crate::choice::SteakChoice;
+use crate::choice::FoodChoice;
 
 /// Everything except the instant that is shown.
 #[derive(Default)]
@@ -99,7 +99,7 @@ struct PutBy {
     library: Arc<Library>,
     recipe: Arc<Recipe>,
     plays: bool,
-    choice: SteakChoice,
+    choice: FoodChoice,
     start_mass_g: BTreeMap<String, f64>,
 }
 

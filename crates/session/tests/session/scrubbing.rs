@@ -7,7 +7,7 @@ use std::time::Instant;
 use saute_kitchen::{Command, Library};
 use saute_recipe::Recipe;
 use saute_session::timeline::MOST_BYTES;
-use saute_session::{Session, SteakChoice};
+use saute_session::{Session, FoodChoice};
 
 /// The dish of which the window's speed is measured.
 const DISH: &str = include_str!("../../../window/src/desktop/dish.toml");
@@ -54,7 +54,7 @@ fn report(name: &str, session: &mut Session, cooked_s: f64) {
 #[ignore = "a cook of twenty minutes, for its numbers"]
 fn scrubbing_in_the_default_steak() {
     let library = Arc::new(Library::embedded().expect("embedded data"));
-    let mut session = Session::new(library, &SteakChoice::default()).expect("sets out");
+    let mut session = Session::new(library, &FoodChoice::default()).expect("sets out");
     session.command(&Command::Hob(1100.0)).expect("hob");
     session.command(&Command::Put { food: "steak".into(), at: [0.0; 2], heap: false }).expect("put");
     let begun = Instant::now();
@@ -67,7 +67,7 @@ fn scrubbing_in_the_default_steak() {
 fn scrubbing_in_the_dish_of_23() {
     let library = Arc::new(Library::embedded().expect("embedded data"));
     let recipe = Recipe::parse(DISH, "dish.toml", &library).expect("parses");
-    let mut session = Session::new(library, &SteakChoice::default()).expect("sets out");
+    let mut session = Session::new(library, &FoodChoice::default()).expect("sets out");
     session.play(recipe).expect("plays");
     let begun = Instant::now();
     cook_on(&mut session);

@@ -8,13 +8,13 @@ use saute_recipe::session::Done;
 use web_time::Duration;
 
 use saute_session::timeline::Undone;
-use saute_session::{Session, SteakChoice};
+use saute_session::{Session, FoodChoice};
 use saute_words::act_words::act_words;
 use saute_words::language::Language;
 
 fn session() -> Session {
     let library = Arc::new(Library::embedded().expect("embedded data"));
-    let choice = SteakChoice { size_mm: vec![60.0, 50.0, 15.0], preheat_c: 180.0, ..SteakChoice::default() };
+    let choice = FoodChoice { size_mm: vec![60.0, 50.0, 15.0], preheat_c: 180.0, ..FoodChoice::default() };
     Session::new(library, &choice).expect("sets out")
 }
 
@@ -185,7 +185,7 @@ fn starting_over_can_be_undone_and_done_again() {
 #[test]
 fn food_that_was_added_and_taken_away_comes_back() {
     let mut s = fried();
-    s.add(&SteakChoice::default(), 2).expect("adds");
+    s.add(&FoodChoice::default(), 2).expect("adds");
     cook(&mut s, 1.0);
     let with = all_of(&s);
     s.remove(&["steak".into()]);

@@ -6,7 +6,7 @@ use saute_fixtures::draws::{Draws, count, seed};
 use saute_kitchen::dynamics::Pose;
 use saute_kitchen::{Command, Library, RestOn};
 use saute_recipe::{Recipe, Replay};
-use saute_session::{Session, SteakChoice};
+use saute_session::{Session, FoodChoice};
 
 /// A thin steak on the coarse mesh, with a recipe that goes on by itself until somebody takes over.
 const SMALL: &str = r#"
@@ -38,7 +38,7 @@ const DEEDS: u64 = 14;
 const TICKS: u64 = 25;
 
 fn session(library: &Arc<Library>) -> Session {
-    let mut session = Session::new(Arc::clone(library), &SteakChoice::default()).expect("sets out");
+    let mut session = Session::new(Arc::clone(library), &FoodChoice::default()).expect("sets out");
     session.play(Recipe::parse(SMALL, "small.toml", library).expect("parses")).expect("plays");
     session
 }

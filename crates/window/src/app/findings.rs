@@ -50,7 +50,7 @@ impl SauteApp {
         // While a plan is kept to, its guide gives the orders.
         let advice = keeping.map_or_else(|| advised.clone(), |keeping| keeping.leaves(&advised));
         let coach = self.settings.coach && !self.settings.skill_mode && self.reads_out();
-        let piece = self.session.steak().filter(|_| coach);
+        let piece = self.session.shown_piece().filter(|_| coach);
         Findings {
             coaching: piece.and_then(|piece| Coaching::of(&self.session.kitchen, piece, &advised)),
             alarm: coach && advice.iter().any(|one| one.is_goal()),

@@ -104,7 +104,7 @@ fn curves(state: &PanelContext, palette: &Palette) -> Vec<Curve> {
         let shown = rows.iter().step_by(step).chain(rows.last());
         shown.filter_map(|r| Some([r.time_s / 60.0, settings.degrees(pick(r)?)])).collect()
     };
-    let (piece, l) = (state.session.steak_index(), settings.language);
+    let (piece, l) = (state.session.shown_index(), settings.language);
     let curve = |place: usize, name: &str, style, width, points| Curve {
         name: name.to_owned(),
         mark: String::new(),
@@ -124,7 +124,7 @@ fn curves(state: &PanelContext, palette: &Palette) -> Vec<Curve> {
             series(&|r| r.foods.get(piece).map(|f| f[2])),
         ),
     ];
-    curves.extend(state.session.steak().into_iter().flat_map(|p| state.session.probes.of(p)).map(|probe| {
+    curves.extend(state.session.shown_piece().into_iter().flat_map(|p| state.session.probes.of(p)).map(|probe| {
         let step = probe.series.len().div_ceil(MOST_POINTS).max(1);
         let shown = probe.series.iter().step_by(step).chain(probe.series.last());
         Curve {

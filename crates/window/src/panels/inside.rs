@@ -50,7 +50,7 @@ reads_context!(InsideState);
 
 /// Shows the panel.
 pub fn show(state: &InsideState, inside: &mut Inside, ui: &mut Ui, acts: &mut Acts) {
-    let Some(piece) = state.session.steak() else {
+    let Some(piece) = state.session.shown_piece() else {
         ui.label(state.settings.language.text("inside.no_food"));
         return;
     };
@@ -98,7 +98,7 @@ fn more(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
 
 /// Opens the result, once the food was taken out.
 fn result(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
-    let is_out = state.session.steak().is_some_and(|piece| matches!(piece.place, Place::Rest(_)));
+    let is_out = state.session.shown_piece().is_some_and(|piece| matches!(piece.place, Place::Rest(_)));
     if !is_out {
         return;
     }

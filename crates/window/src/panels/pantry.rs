@@ -11,7 +11,7 @@ use crate::ui::theme;
 use saute_controls::act::{Act, Acts, AppAct, Card, CookAct, Setting};
 use saute_controls::context::PanelContext;
 use saute_recipe::Recipe;
-use saute_session::{SteakChoice, noun};
+use saute_session::{FoodChoice, noun};
 use saute_words::language::Language;
 
 /// Most pieces that are added at once (chosen: a full pan).
@@ -102,7 +102,7 @@ fn free(state: &PanelContext, is_free: bool, ui: &mut Ui, content: impl FnOnce(&
 }
 
 /// The kind of food, its size and temperature, and the pan.
-fn food_and_pan(state: &PanelContext, choice: &mut SteakChoice, stills: &mut Stills, ui: &mut Ui, acts: &mut Acts) {
+fn food_and_pan(state: &PanelContext, choice: &mut FoodChoice, stills: &mut Stills, ui: &mut Ui, acts: &mut Acts) {
     let (library, l, fahrenheit) = (&state.session.library, state.settings.language, state.settings.fahrenheit);
     ui.scope(|ui| kinds(ui, library, choice, stills, l));
     if let Some(food) = library.foods.get(&choice.kind) {
@@ -121,7 +121,7 @@ fn food_and_pan(state: &PanelContext, choice: &mut SteakChoice, stills: &mut Sti
 }
 
 /// The list of the pans.
-pub(super) fn pans(ui: &mut Ui, library: &Library, choice: &mut SteakChoice, l: Language) {
+pub(super) fn pans(ui: &mut Ui, library: &Library, choice: &mut FoodChoice, l: Language) {
     let name = l.called("pan", library.pans.get(&choice.pan).map_or(choice.pan.as_str(), |p| &p.name)).to_owned();
     list(ui, "pan", &name, &l.fill("pantry.pan_spoken", &[("pan", &name)]), |ui| {
         for (id, pan) in &library.pans {
@@ -131,7 +131,7 @@ pub(super) fn pans(ui: &mut Ui, library: &Library, choice: &mut SteakChoice, l: 
 }
 
 /// The list of the hobs; that of the kitchen at home unless another is chosen.
-fn hobs(ui: &mut Ui, library: &Library, choice: &mut SteakChoice, l: Language) {
+fn hobs(ui: &mut Ui, library: &Library, choice: &mut FoodChoice, l: Language) {
     let at_home = &library.at_home.hob;
     let mut id = choice.hob.as_ref().filter(|id| library.hobs.contains_key(*id)).unwrap_or(at_home).clone();
     let name = l.called("stove", &choice.hob(library).name).to_owned();
@@ -151,7 +151,7 @@ fn list(ui: &mut Ui, salt: &str, shown: &str, spoken: &str, content: impl FnOnce
 }
 
 /// One button for each kind of food; another kind begins with its own size.
-fn kinds(ui: &mut Ui, library: &Library, choice: &mut SteakChoice, stills: &mut Stills, l: Language) {
+fn kinds(ui: &mut Ui, library: &Library, choice: &mut FoodChoice, stills: &mut Stills, l: Language) {
     ui.spacing_mut().item_spacing.y = 3.0;
     for (id, food) in &library.foods {
         let clicked = pictured(ui, stills.of(ui.ctx(), id), [food.name_in(l.code()), ""], Some(choice.kind == *id));

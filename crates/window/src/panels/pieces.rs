@@ -100,7 +100,7 @@ fn piece_line(state: &PanelContext, ui: &mut Ui, acts: &mut Acts, id: &str, inde
         mass: grams(piece),
         state: format!("{} · {}", doneness(state.scale_of(piece).as_deref(), piece, l), place(piece, l)),
     };
-    let selected = state.session.steak().is_some_and(|p| p.id == id);
+    let selected = state.session.shown_piece().is_some_and(|p| p.id == id);
     let spoken = spoken(&line, l.fill("piece.select", &[("name", &state.session.name_of(id, l))]), l);
     if shown(ui, &line, indent, selected, &spoken) {
         acts.push(Act::View(ViewAct::Select(id.to_owned())));
@@ -116,7 +116,7 @@ fn group_lines(
 ) {
     let open = unfolded.contains(group);
     let line = means(state, group, members, open);
-    let selected = !open && state.session.steak().is_some_and(|p| members.contains(&p.id));
+    let selected = !open && state.session.shown_piece().is_some_and(|p| members.contains(&p.id));
     let l = state.settings.language;
     let what = l.fill(if open { "piece.fold" } else { "piece.unfold" }, &[("name", &state.session.name_of(group, l))]);
     let spoken = spoken(&line, what, l);

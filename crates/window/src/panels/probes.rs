@@ -19,7 +19,7 @@ pub fn add_button(state: &PanelContext, placing: bool, ui: &mut Ui, acts: &mut A
 
 /// Shows the probes of the piece that the panels are about.
 pub fn show(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
-    let Some(piece) = state.session.steak() else { return };
+    let Some(piece) = state.session.shown_piece() else { return };
     let words = |p: &saute_recipe::probe::Probe| state.settings.fine_temperature(p.celsius(piece));
     let shown: Vec<(usize, String)> =
         state.session.probes.of(piece).map(|p| (p.number, format!("{} · {}", p.number, words(p)))).collect();
@@ -45,7 +45,7 @@ pub fn show(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
 
 /// Name and end of the chosen probe.
 fn edit(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
-    let (id, l) = (state.session.steak_id(), state.settings.language);
+    let (id, l) = (state.session.shown_id(), state.settings.language);
     let Some(number) = state.session.probes.selected else { return };
     let Some(probe) = state.session.probes.get(number).filter(|p| p.piece == id) else { return };
     let mut name = probe.name.clone();

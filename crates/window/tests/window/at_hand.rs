@@ -51,7 +51,7 @@ fn nothing_jumps_when_a_tool_a_recipe_or_a_warning_comes() {
     press(&mut harness, Key::A);
     harness.get_by_label("Tongs").click();
     steps(&mut harness, 3);
-    let steak = harness.state().steak_on_screen(WINDOW).expect("in view");
+    let steak = harness.state().shown_on_screen(WINDOW).expect("in view");
     drag(&mut harness, steak + vec2(-90.0, 60.0), steak + vec2(-60.0, 40.0));
     harness.get_by_label("Put away");
     save(&mut harness, "turner-strip");
@@ -86,17 +86,17 @@ fn what_is_taken_out_and_halved_is_looked_at_beside_the_panels() {
     let free = |h: &Harness<'static, SauteApp>| Layout::new(WINDOW, h.state().settings()).free;
     press(&mut harness, Key::A);
     cook(&mut harness, 60.0);
-    let before = harness.state().steak_on_screen(WINDOW).expect("in view");
+    let before = harness.state().shown_on_screen(WINDOW).expect("in view");
     press(&mut harness, Key::O);
     cook(&mut harness, 4.0);
     steps(&mut harness, 20);
     save(&mut harness, "eye-out");
-    let out = harness.state().steak_on_screen(WINDOW).expect("in view");
+    let out = harness.state().shown_on_screen(WINDOW).expect("in view");
     assert!(free(&harness).shrink(120.0).contains(out), "{out:?} in {:?}", free(&harness));
     harness.get_by_label("Halve").click();
     steps(&mut harness, 24);
     save(&mut harness, "eye-halved");
-    let cut = harness.state().steak_on_screen(WINDOW).expect("in view");
+    let cut = harness.state().shown_on_screen(WINDOW).expect("in view");
     assert!(free(&harness).shrink(120.0).contains(cut), "{cut:?}");
     harness.get_by_label("Front").click();
     steps(&mut harness, 24);
@@ -104,13 +104,13 @@ fn what_is_taken_out_and_halved_is_looked_at_beside_the_panels() {
     assert!((pan - before).length() < 40.0, "the working view: {pan:?} {before:?}");
     harness.get_by_label("To food").click();
     steps(&mut harness, 24);
-    assert!(free(&harness).shrink(120.0).contains(harness.state().steak_on_screen(WINDOW).expect("in view")));
+    assert!(free(&harness).shrink(120.0).contains(harness.state().shown_on_screen(WINDOW).expect("in view")));
 }
 
 /// The food is in the part that no panel covers.
 #[track_caller]
 fn is_seen(harness: &Harness<'static, SauteApp>, whole: Rect) {
-    let at = harness.state().steak_on_screen(whole).expect("in view");
+    let at = harness.state().shown_on_screen(whole).expect("in view");
     let free = Layout::new(whole, harness.state().settings()).free;
     assert!(free.shrink(8.0).contains(at), "{at:?} in {free:?}");
 }
@@ -134,7 +134,7 @@ fn food_is_found_again_after_another_cook_and_in_another_time() {
     harness.state_mut().act(Act::Time(TimeAct::TryFrom(in_s - 2.0)), &ctx);
     steps(&mut harness, 40);
     let session = harness.state().session();
-    assert!(session.steak().expect("steak").in_pan() && session.has_branches(), "the other way is kept beside");
+    assert!(session.shown_piece().expect("steak").in_pan() && session.has_branches(), "the other way is kept beside");
     is_seen(&harness, whole);
     press(&mut harness, Key::R);
     steps(&mut harness, 40);

@@ -99,13 +99,13 @@ fn every_food_is_set_out_with_its_own_name_and_size_and_many_over_frames() {
         assert_eq!((&choice.kind, &choice.size_mm), (id, &food.size.default_mm));
         harness.get_by_label("Set out").click();
         steps(&mut harness, 3);
-        let piece = harness.state().session().steak().expect("a piece");
+        let piece = harness.state().session().shown_piece().expect("a piece");
         assert_eq!(&piece.kind, id);
         let noun = harness.state().session().noun(Language::ENGLISH);
         harness.get_by_label_contains(&format!("a raw {noun}"));
         harness.get_by_label("In the pan").click();
         steps(&mut harness, 14);
-        assert!(harness.state().session().steak().expect("a piece").in_pan(), "{id}");
+        assert!(harness.state().session().shown_piece().expect("a piece").in_pan(), "{id}");
         save(&mut harness, &format!("food-{id}"));
     }
     many_are_set_out_over_frames_which_can_be_stopped(&mut harness);

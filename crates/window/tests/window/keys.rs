@@ -23,7 +23,7 @@ fn a_letter_with_control_does_nothing_even_if_control_is_up_again_at_once() {
     }
     let app = harness.state();
     assert!(hob(&harness) == 0.0 && app.session().kitchen.cloth().is_none() && !app.settings().fahrenheit);
-    assert!(!app.session().steak().expect("steak").in_pan());
+    assert!(!app.session().shown_piece().expect("steak").in_pan());
 }
 
 #[test]
@@ -74,7 +74,7 @@ fn what_a_hand_does_while_time_stands_still_says_when_it_happens() {
     harness.get_by_label_contains("it happens when time goes on");
     press(&mut harness, Key::Space);
     cook(&mut harness, 3.0);
-    assert!(harness.state().session().steak().expect("steak").upside_down());
+    assert!(harness.state().session().shown_piece().expect("steak").upside_down());
 }
 
 #[test]

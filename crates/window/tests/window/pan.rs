@@ -55,7 +55,7 @@ fn several_kinds_are_added_laid_in_and_taken_away() {
     save(&mut harness, "pieces-unfolded");
     harness.get_by_label_contains("Select carrot coin no. 3").click();
     steps(&mut harness, 12);
-    assert_eq!(harness.state().session().steak().expect("a piece").id, "carrot-coin.3");
+    assert_eq!(harness.state().session().shown_piece().expect("a piece").id, "carrot-coin.3");
     assert!(harness.query_all_by_label_contains("Tenderness").count() > 0);
     harness.get_by_label("Take away").click();
     steps(&mut harness, 3);
@@ -79,7 +79,7 @@ fn what_does_not_fit_is_counted_and_can_be_heaped() {
 #[test]
 fn a_piece_under_the_pointer_is_read_out() {
     let mut harness = window(WIDE);
-    let at = harness.state().steak_on_screen(WINDOW).expect("in view");
+    let at = harness.state().shown_on_screen(WINDOW).expect("in view");
     harness.hover_at(at);
     steps(&mut harness, 3);
     harness.get_by_label_contains("surface 5");
@@ -189,7 +189,7 @@ fn a_click_selects_the_piece_that_the_panels_show() {
     cook(&mut harness, 1.0);
     let at = harness.state().piece_on_screen("shrimp.2", WINDOW).expect("in view");
     click(&mut harness, at);
-    assert_eq!(harness.state().session().steak().expect("a piece").id, "shrimp.2");
+    assert_eq!(harness.state().session().shown_piece().expect("a piece").id, "shrimp.2");
 }
 
 #[test]

@@ -263,7 +263,7 @@ fn with_less_motion_nothing_glides() {
         soon == seen(harness)
     };
     assert!(steps_until_there(&mut harness, "Above"), "the eye jumps");
-    let steak = |h: &Harness<'static, SauteApp>| h.state().steak_on_screen(crate::harness::WINDOW);
+    let steak = |h: &Harness<'static, SauteApp>| h.state().shown_on_screen(crate::harness::WINDOW);
     harness.key_press(Key::Space);
     harness.key_press(Key::A);
     steps(&mut harness, 3);

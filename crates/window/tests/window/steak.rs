@@ -21,7 +21,7 @@ fn a_first_cook_by_buttons_alone() {
     cook(&mut harness, 100.0);
     harness.get_by_label("In the pan").click();
     steps(&mut harness, 14);
-    assert!(matches!(harness.state().session().steak().expect("steak").place, Place::Pan(_)));
+    assert!(matches!(harness.state().session().shown_piece().expect("steak").place, Place::Pan(_)));
     cook(&mut harness, 60.0);
     save(&mut harness, "one-minute");
     cook(&mut harness, 180.0);
@@ -31,7 +31,7 @@ fn a_first_cook_by_buttons_alone() {
         save(&mut harness, &format!("flip-{moment}"));
     }
     cook(&mut harness, 2.0);
-    assert!(harness.state().session().steak().expect("steak").upside_down());
+    assert!(harness.state().session().shown_piece().expect("steak").upside_down());
     save(&mut harness, "flipped");
     harness.get_by_label("Cut").click();
     cook(&mut harness, 120.0);
@@ -48,7 +48,7 @@ fn a_first_cook_by_buttons_alone() {
     steps(&mut harness, 14);
     save(&mut harness, "tongs");
     cook(&mut harness, 2.0);
-    assert!(matches!(harness.state().session().steak().expect("steak").place, Place::Rest(_)));
+    assert!(matches!(harness.state().session().shown_piece().expect("steak").place, Place::Rest(_)));
     save(&mut harness, "resting");
 }
 
@@ -64,14 +64,14 @@ fn every_operation_has_a_key() {
     press(&mut harness, Key::Q);
     assert_eq!(harness.state().session().kitchen.hob_w(), 0.0);
     press(&mut harness, Key::A);
-    assert!(harness.state().session().steak().expect("steak").in_pan());
-    let before = harness.state().session().steak().expect("steak").upside_down();
+    assert!(harness.state().session().shown_piece().expect("steak").in_pan());
+    let before = harness.state().session().shown_piece().expect("steak").upside_down();
     press(&mut harness, Key::F);
     cook(&mut harness, 2.0);
-    assert_ne!(harness.state().session().steak().expect("steak").upside_down(), before);
+    assert_ne!(harness.state().session().shown_piece().expect("steak").upside_down(), before);
     press(&mut harness, Key::O);
     cook(&mut harness, 2.0);
-    assert!(!harness.state().session().steak().expect("steak").in_pan());
+    assert!(!harness.state().session().shown_piece().expect("steak").in_pan());
     press(&mut harness, Key::W);
     assert!(harness.state().session().kitchen.cloth().is_some());
     press(&mut harness, Key::Space);
@@ -96,7 +96,7 @@ fn every_operation_has_a_key() {
     press(&mut harness, Key::C);
     assert!(harness.state().settings().fahrenheit);
     press(&mut harness, Key::R);
-    assert_eq!(harness.state().session().steak().expect("steak").place, Place::Waiting);
+    assert_eq!(harness.state().session().shown_piece().expect("steak").place, Place::Waiting);
     press(&mut harness, Key::F1);
     assert!(harness.state().help_is_open());
     save(&mut harness, "help");
@@ -115,7 +115,7 @@ fn the_steak_is_chosen_before_it_goes_in() {
     harness.get_by_label("Set out").click();
     steps(&mut harness, 3);
     save(&mut harness, "marbled");
-    assert_eq!(harness.state().session().steak().expect("steak").kind, "beef-marbled");
+    assert_eq!(harness.state().session().shown_piece().expect("steak").kind, "beef-marbled");
 }
 
 #[test]
@@ -197,7 +197,7 @@ fn the_scene_is_never_drawn_small_on_a_usual_window() {
 }
 
 fn steak(harness: &Harness<'static, SauteApp>) -> Pos2 {
-    harness.state().steak_on_screen(WINDOW).expect("steak in view")
+    harness.state().shown_on_screen(WINDOW).expect("steak in view")
 }
 
 /// Food that hangs over the pan falls to where the pointer shows, and no 5 cm nearer to the eye.
@@ -206,7 +206,7 @@ fn food_that_is_dragged_into_the_pan_falls_to_where_the_pointer_shows() {
     let mut harness = window(vec2(1280.0, 720.0));
     let on_board = steak(&harness);
     drag(&mut harness, on_board, pos2(370.0, 305.0));
-    let place = harness.state().session().steak().expect("steak").place;
+    let place = harness.state().session().shown_piece().expect("steak").place;
     assert!(matches!(place, Place::Pan([x, y]) if x.abs() < 0.05 && y.abs() < 0.03), "{place:?}");
 }
 
@@ -215,19 +215,19 @@ fn the_mouse_puts_flips_carries_and_orbits() {
     let mut harness = window(vec2(1280.0, 720.0));
     let on_board = steak(&harness);
     click(&mut harness, on_board);
-    assert!(harness.state().session().steak().expect("steak").in_pan(), "a click puts it in");
-    let (in_pan, down) = (steak(&harness), harness.state().session().steak().expect("steak").upside_down());
+    assert!(harness.state().session().shown_piece().expect("steak").in_pan(), "a click puts it in");
+    let (in_pan, down) = (steak(&harness), harness.state().session().shown_piece().expect("steak").upside_down());
     click(&mut harness, in_pan);
     cook(&mut harness, 2.0);
-    assert_ne!(harness.state().session().steak().expect("steak").upside_down(), down, "a click flips it");
+    assert_ne!(harness.state().session().shown_piece().expect("steak").upside_down(), down, "a click flips it");
     let in_pan = steak(&harness);
     drag(&mut harness, in_pan, on_board);
     cook(&mut harness, 2.0);
-    assert!(!harness.state().session().steak().expect("steak").in_pan(), "it is dragged onto the board");
+    assert!(!harness.state().session().shown_piece().expect("steak").in_pan(), "it is dragged onto the board");
     let lying = steak(&harness);
     drag(&mut harness, lying, in_pan);
     cook(&mut harness, 2.0);
-    assert!(harness.state().session().steak().expect("steak").in_pan(), "it is dragged into the pan");
+    assert!(harness.state().session().shown_piece().expect("steak").in_pan(), "it is dragged into the pan");
     let before = steak(&harness);
     drag(&mut harness, pos2(90.0, 480.0), pos2(240.0, 440.0));
     assert!((steak(&harness) - before).length() > 5.0, "a drag beside it turns the view");

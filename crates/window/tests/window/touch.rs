@@ -88,7 +88,7 @@ fn a_finger_held_still_on_food_asks_what_it_is_and_does_nothing_to_it() {
     let mut harness = touched(PHONE);
     press(&mut harness, egui::Key::A);
     cook(&mut harness, 1.0);
-    let steak = harness.state().steak_on_screen(PHONE_RECT).expect("in view");
+    let steak = harness.state().shown_on_screen(PHONE_RECT).expect("in view");
     let explained = |h: &Harness<'static, SauteApp>| h.query_by_label_contains(" above, ").map(|node| node.rect());
     lay(&mut harness, steak);
     assert_eq!(explained(&harness), None, "a finger that may tap asks nothing");

@@ -90,7 +90,7 @@ fn split_shows_the_look_and_the_field_of_one_instant_with_one_eye() {
         steps(&mut harness, 12);
         save(&mut harness, if size.x > 700.0 { "split" } else { "phone-split" });
         let [look, field] = panes(&harness, size);
-        let at = |rect| harness.state().steak_on_screen(rect).expect("in view");
+        let at = |rect| harness.state().shown_on_screen(rect).expect("in view");
         let (left, right) = (at(look), at(field));
         assert!(((right - field.min) - (left - look.min)).length() < 1.0, "the same place in both halves");
         let image = harness.render().expect("renders");
@@ -110,7 +110,7 @@ fn food_is_picked_in_either_half_of_a_split_window() {
     cook(&mut harness, 2.0);
     press(&mut harness, Key::Y);
     for half in panes(&harness, vec2(1280.0, 720.0)) {
-        let (at, down) = (harness.state().steak_on_screen(half).expect("in view"), upside_down(&harness));
+        let (at, down) = (harness.state().shown_on_screen(half).expect("in view"), upside_down(&harness));
         click(&mut harness, at);
         cook(&mut harness, 3.0);
         assert_ne!(upside_down(&harness), down, "a click in {half:?} flips it");
@@ -118,14 +118,14 @@ fn food_is_picked_in_either_half_of_a_split_window() {
 }
 
 fn upside_down(harness: &Harness<'static, SauteApp>) -> bool {
-    harness.state().session().steak().expect("steak").upside_down()
+    harness.state().session().shown_piece().expect("steak").upside_down()
 }
 
 #[test]
 fn the_pointer_tells_the_value_of_the_view_with_its_unit() {
     let mut harness = fried(vec2(1280.0, 720.0));
     press(&mut harness, Key::X);
-    let at = harness.state().steak_on_screen(WINDOW).expect("in view");
+    let at = harness.state().shown_on_screen(WINDOW).expect("in view");
     harness.hover_at(at);
     let units = ["°C", "°C", "% of the raw water", "highest", "browning", "log₁₀", "% fat"];
     for (key, unit) in KEYS.into_iter().zip(units) {
@@ -137,7 +137,7 @@ fn the_pointer_tells_the_value_of_the_view_with_its_unit() {
     save(&mut harness, "read-out");
     // The read-out shows the value of the core.
     let app = harness.state();
-    let piece = app.session().steak().expect("steak");
+    let piece = app.session().shown_piece().expect("steak");
     let point = app.seen_point(at, WINDOW).expect("on the steak");
     let share: f64 = point.shares.0.iter().map(|(_, w)| w).sum();
     assert!((share - 1.0).abs() < 1e-5, "{share}");
@@ -159,7 +159,7 @@ fn a_probe_is_placed_named_followed_moved_and_taken_out() {
     assert_eq!((probe.number, probe.name.as_str()), (1, "Probe 1"));
     let [point, number] = harness.state().probe_on_screen(1, WINDOW).expect("in view");
     assert!((point - face).length() < 4.0, "it sits where the pointer was: {point:?} {face:?}");
-    let upper = harness.state().steak_on_screen(WINDOW).expect("in view") + vec2(-50.0, -30.0);
+    let upper = harness.state().shown_on_screen(WINDOW).expect("in view") + vec2(-50.0, -30.0);
     harness.hover_at(upper);
     steps(&mut harness, 2);
     press(&mut harness, Key::P);
@@ -201,7 +201,7 @@ fn cook_on(harness: &mut Harness<'static, SauteApp>, seconds: f64) {
 fn six_probes_are_the_most_and_the_seventh_says_so() {
     let mut harness = fried(vec2(1280.0, 720.0));
     press(&mut harness, Key::X);
-    let middle = harness.state().steak_on_screen(WINDOW).expect("in view");
+    let middle = harness.state().shown_on_screen(WINDOW).expect("in view");
     for k in 0..7u8 {
         harness.hover_at(middle + vec2(f32::from(k) * 9.0 - 27.0, -10.0));
         steps(&mut harness, 2);
@@ -220,7 +220,7 @@ fn a_probe_is_placed_without_a_keyboard() {
     harness.get_by_label("+ Probe").click_accesskit();
     steps(&mut harness, 2);
     let phone = Rect::from_min_size(pos2(0.0, 0.0), vec2(390.0, 844.0));
-    let at = harness.state().steak_on_screen(phone).expect("in view") + vec2(-14.0, -4.0);
+    let at = harness.state().shown_on_screen(phone).expect("in view") + vec2(-14.0, -4.0);
     let down = upside_down(&harness);
     click(&mut harness, at);
     assert_eq!(harness.state().session().probes.all().len(), 1);

@@ -18,6 +18,7 @@ impl Format for FoodDescription {
         tissues(self, file)?;
         natural(self, file)?;
         sizes(self, file)?;
+        feel(self, file)?;
         let core = self.core.as_ref().and_then(|c| c.tissue.as_ref());
         let sheaths = self.sheaths.as_ref().and_then(|s| s.tissue.as_ref());
         let tissues = [
@@ -121,6 +122,17 @@ fn sizes(food: &FoodDescription, file: &DataFile) -> Checked {
             low.iter().zip(size).try_for_each(|(low, size)| file.within(&path, *size, *low, LARGEST_MM))?;
         }
         low = Some(size);
+    }
+    Ok(())
+}
+
+/// The temperatures of the words for the feel ascend.
+fn feel(food: &FoodDescription, file: &DataFile) -> Checked {
+    for (language, words) in &food.words {
+        if !words.feel.is_sorted_by(|a, b| a.from_c < b.from_c) {
+            let message = "feel needs ascending temperatures: write the entry with the lowest from_c first";
+            return Err(file.error(&format!("words.{language}.feel"), message));
+        }
     }
     Ok(())
 }

@@ -6,7 +6,7 @@ use saute_plan::forecast::Question;
 use crate::app::SauteApp;
 use crate::app::keeps::later::Later;
 use saute_kitchen::piece::memory::MOST_PIECES;
-use saute_session::SteakChoice;
+use saute_session::FoodChoice;
 
 /// Height of a toss by key [m] (chosen: over the rim, within reach).
 const TOSS_M: f64 = 0.12;
@@ -54,7 +54,7 @@ impl SauteApp {
 
     /// Does what a forecast is about with the piece that the panels show; the eye follows what is taken out.
     pub(super) fn do_asked(&mut self, question: Question) {
-        let food = self.session.steak_id();
+        let food = self.session.shown_id();
         let commands = question.commands(&self.session.kitchen, &food).unwrap_or_default();
         let is_done = !commands.is_empty() && commands.iter().all(|command| self.give(command));
         if is_done && question == Question::TakeOut {
@@ -80,7 +80,7 @@ impl SauteApp {
 
     pub(super) fn select_next(&mut self) {
         let pieces = self.session.kitchen.pieces();
-        let next = if self.session.selected().is_some() { self.session.steak_index() + 1 } else { 0 };
+        let next = if self.session.selected().is_some() { self.session.shown_index() + 1 } else { 0 };
         let id = pieces.get(next).or(pieces.first()).map(|p| p.id.clone());
         self.session.select(id);
     }
@@ -100,7 +100,7 @@ impl SauteApp {
     }
 
     /// Restarts with so many of a choice.
-    pub(crate) fn set_out_chosen(&mut self, choice: SteakChoice, count: usize) {
+    pub(crate) fn set_out_chosen(&mut self, choice: FoodChoice, count: usize) {
         self.leads.learn.begin_cook();
         match self.session.set_out(&choice, count) {
             Ok(()) => {
@@ -134,7 +134,7 @@ impl SauteApp {
     }
 
     /// Adds so many of a choice.
-    pub(crate) fn add_chosen(&mut self, choice: &SteakChoice, count: usize) {
+    pub(crate) fn add_chosen(&mut self, choice: &FoodChoice, count: usize) {
         let l = self.settings.language;
         match self.session.add(choice, count) {
             Ok(group) => {

@@ -15,7 +15,7 @@ impl SauteApp {
     /// Shows or hides the cut. In the pan its face points towards +x, so the camera moves to that side.
     pub(crate) fn toggle_slice(&mut self) {
         self.sights.slice = if self.sights.slice.is_some() { None } else { Some(0.0) };
-        let in_pan = self.session.steak().is_some_and(saute_kitchen::Piece::in_pan);
+        let in_pan = self.session.shown_piece().is_some_and(saute_kitchen::Piece::in_pan);
         if self.sights.slice.is_some() && in_pan && !(0.35..2.6).contains(&self.sights.camera.yaw) {
             self.sights.camera.yaw = CUT_YAW;
         }
@@ -76,9 +76,9 @@ impl SauteApp {
         self.sights.camera_preset = (self.sights.camera_preset + 1) % 3;
         self.sights.camera = [Camera::three_quarter, Camera::above, Camera::close_up][self.sights.camera_preset]();
         if self.sights.camera_preset == 2 {
-            self.sights.camera.zoom(self.session.steak().map_or(1.0, nearness));
+            self.sights.camera.zoom(self.session.shown_piece().map_or(1.0, nearness));
         }
-        let on_board = matches!(self.session.steak().map(|p| p.place), Some(Place::Rest(_) | Place::Waiting));
+        let on_board = matches!(self.session.shown_piece().map(|p| p.place), Some(Place::Rest(_) | Place::Waiting));
         if self.sights.camera_preset == 2 && on_board {
             self.sights.camera.target = saute_picture::waiting::FIRST_ON_BOARD;
         }

@@ -42,7 +42,7 @@ impl SauteApp {
             _ => None,
         });
         let nearest = in_pan.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, p)| p);
-        self.session.selected().or(nearest).map_or_else(|| self.session.steak_id(), |p| p.id.clone())
+        self.session.selected().or(nearest).map_or_else(|| self.session.shown_id(), |p| p.id.clone())
     }
 
     fn outside(&self, ids: &[String]) -> Vec<String> {

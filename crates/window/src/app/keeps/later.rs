@@ -1,14 +1,14 @@
 //! What is done as soon as its foods are built.
 
-use saute_session::SteakChoice;
+use saute_session::FoodChoice;
 
 /// What waits for its foods.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Later {
     /// So many of a choice are set out.
-    SetOut(SteakChoice, usize),
+    SetOut(FoodChoice, usize),
     /// So many of a choice are added.
-    Add(SteakChoice, usize),
+    Add(FoodChoice, usize),
     /// The cook is begun again.
     Restart,
     /// The cook of the last time goes on.

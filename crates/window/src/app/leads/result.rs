@@ -84,7 +84,7 @@ impl SauteApp {
     /// Saves the result as a picture: into the folder of pictures, or as a download of the browser.
     pub(crate) fn share_result(&mut self) {
         let l = self.settings.language;
-        let Some(((words, _), piece)) = self.result().zip(self.session.steak()) else { return };
+        let Some(((words, _), piece)) = self.result().zip(self.session.shown_piece()) else { return };
         let drawn = on_its_own::picture(&words, piece, l);
         let bytes = saute_picture::still::png_file::png_bytes(&drawn).map_err(|error| error.to_string());
         match bytes.and_then(|bytes| self.host.picture_keeper()(&bytes)) {

@@ -7,7 +7,7 @@ use saute_controls::act::Card;
 use saute_controls::tutorial::{FAST, SLOW, Step, Tutorial};
 use saute_kitchen::Place;
 use saute_kitchen::advice::Advice;
-use saute_session::SteakChoice;
+use saute_session::FoodChoice;
 
 impl SauteApp {
     /// The tutorial while it runs.
@@ -24,7 +24,7 @@ impl SauteApp {
         if !on || self.leads.guided.is_some() {
             return;
         }
-        self.settings.choice = SteakChoice::default();
+        self.settings.choice = FoodChoice::default();
         self.set_out(1);
         self.session.set_paused(false);
         (self.settings.introduced, self.settings.skill_mode, self.settings.few) = (true, false, false);
@@ -59,7 +59,7 @@ impl SauteApp {
 
     /// Returns true if what a step requests is done.
     fn is_done(&self, step: Step, advice: &[Advice]) -> bool {
-        let (kitchen, piece) = (&self.session.kitchen, self.session.steak());
+        let (kitchen, piece) = (&self.session.kitchen, self.session.shown_piece());
         let is_at = |wanted: fn(Place) -> bool| piece.is_some_and(|piece| wanted(piece.place));
         let says = |wanted: fn(&Advice) -> bool| advice.iter().any(wanted);
         match step {

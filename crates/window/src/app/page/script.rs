@@ -3,7 +3,7 @@
 use crate::app::SauteApp;
 use crate::browser::host::{HostPlays, Opening, PageStart};
 use saute_controls::act::Card;
-use saute_session::SteakChoice;
+use saute_session::FoodChoice;
 
 impl SauteApp {
     /// Opens the cook of the address, and keeps the cook in the browser's storage.
@@ -32,7 +32,7 @@ impl SauteApp {
         }
         if let Some(kind) = opening.food {
             let size_mm = self.session.library.foods.get(&kind).map(|food| food.size.default_mm.clone());
-            let choice = SteakChoice { kind, size_mm: size_mm.unwrap_or_default(), ..SteakChoice::default() };
+            let choice = FoodChoice { kind, size_mm: size_mm.unwrap_or_default(), ..FoodChoice::default() };
             if self.settings.choice != choice {
                 self.settings.choice = choice;
                 self.set_out(1);

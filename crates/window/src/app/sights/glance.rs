@@ -72,7 +72,7 @@ impl SauteApp {
     }
 
     fn food_view(&self, distance: f32) -> Camera {
-        let Some(piece) = self.session.steak() else { return Camera::close_up() };
+        let Some(piece) = self.session.shown_piece() else { return Camera::close_up() };
         let [yaw, pitch] = OVER_BOARD;
         // Where it will lie, while the picture may still show it on its way.
         let target = Places::default().piece(&self.session.kitchen, piece).position - self.eye_follows();

@@ -42,7 +42,7 @@ impl SauteApp {
 
     /// Once the food is in the pan, the eye that went aside for it comes back to the pan.
     fn come_back(&mut self) {
-        if self.sights.stands_back && self.session.steak().is_some_and(Piece::in_pan) {
+        if self.sights.stands_back && self.session.shown_piece().is_some_and(Piece::in_pan) {
             self.look_from(EyeView::Front);
         }
     }
@@ -73,7 +73,7 @@ impl SauteApp {
 
     /// Middle and outline of the food that the panels show [m].
     fn food_points(&self) -> Vec<Vec3> {
-        let Some(piece) = self.session.steak() else { return Vec::new() };
+        let Some(piece) = self.session.shown_piece() else { return Vec::new() };
         let middle = Places::default().piece(&self.session.kitchen, piece).position;
         around(middle, 0.8 * half_length(piece) as f32)
     }

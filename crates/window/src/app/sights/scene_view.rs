@@ -74,7 +74,7 @@ impl SauteApp {
             map: self.settings.map,
             scales: self.session.scales(&self.settings.scale),
             slice: self.sights.slice,
-            cut: self.session.steak().map(|p| p.id.clone()),
+            cut: self.session.shown_piece().map(|p| p.id.clone()),
             white_balance: self.settings.white_balance,
             light: self.settings.light,
             photo: self.host.photo().unwrap_or_default(),
@@ -105,15 +105,15 @@ impl SauteApp {
         }
     }
 
-    pub(crate) fn steak_pose(&self) -> Option<(Pose, &Piece)> {
-        let piece = self.session.steak()?;
+    pub(crate) fn shown_pose(&self) -> Option<(Pose, &Piece)> {
+        let piece = self.session.shown_piece()?;
         let pose = self.places().piece(&self.session.kitchen, piece);
         Some((pose, piece))
     }
 
     /// Where the middle of the piece of the panels appears in a window.
-    pub fn steak_on_screen(&self, window: Rect) -> Option<Pos2> {
-        self.on_screen(self.steak_pose()?.0.position, window)
+    pub fn shown_on_screen(&self, window: Rect) -> Option<Pos2> {
+        self.on_screen(self.shown_pose()?.0.position, window)
     }
 
     /// Where the middle of a piece appears in a window.
@@ -130,7 +130,7 @@ impl SauteApp {
 
     /// Where the foot and the knob of the cut's handle appear in a window.
     pub fn cut_handle_on_screen(&self, window: Rect) -> Option<[Pos2; 2]> {
-        let (slice, (pose, piece)) = (self.sights.slice?, self.steak_pose()?);
+        let (slice, (pose, piece)) = (self.sights.slice?, self.shown_pose()?);
         let lengthwise = piece.model.size()[0] >= piece.model.size()[1];
         let height = 0.5 * piece.model.thickness(&piece.state) as f32;
         let place = along(&pose.matrix(), lengthwise, slice as f32 * half_length(piece) as f32) + Vec3::Z * height;
@@ -167,7 +167,7 @@ impl SauteApp {
 
 impl SauteApp {
     fn drag_cut(&mut self, at: Pos2, rect: Rect) {
-        let Some((pose, piece)) = self.steak_pose() else { return };
+        let Some((pose, piece)) = self.shown_pose() else { return };
         let (origin, direction) = self.eye().ray(ndc(at, rect), rect.width() / rect.height());
         let height = pose.position.z + 0.5 * piece.model.thickness(&piece.state) as f32 + KNOB_HEIGHT;
         let Some(hit) = meet_height(origin, direction, height) else { return };

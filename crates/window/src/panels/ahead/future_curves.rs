@@ -63,7 +63,7 @@ fn points(state: &PanelContext, standing: &AgedForecast, question: Question) -> 
     let coarse = standing.answer.outlook.samples.iter();
     let coarse = coarse.map(|sample| (from_s + sample.after_s, sample.core, standing.band.core_at(sample.after_s)));
     let ahead = of_exact.chain(coarse.filter(|(at_s, ..)| *at_s > exact_until_s)).filter(|(at_s, ..)| *at_s > now_s);
-    let core_now = state.session.steak().map(|piece| (now_s, piece.core(), 0.0)).filter(|_| standing.is_current);
+    let core_now = state.session.shown_piece().map(|piece| (now_s, piece.core(), 0.0)).filter(|_| standing.is_current);
     core_now.into_iter().chain(ahead).map(|(at_s, core, half)| point(at_s, core, half)).collect()
 }
 

@@ -95,7 +95,7 @@ fn row(state: &PanelContext, question: Question, ui: &mut Ui, acts: &mut Acts) {
 /// The question: a button that does it, where there is something to do.
 fn ask(state: &PanelContext, question: Question, ui: &mut Ui, acts: &mut Acts, place: Rect) {
     let words = question_words(state, question);
-    let Some(piece) = state.session.steak().filter(|_| question != Question::AsItIs) else {
+    let Some(piece) = state.session.shown_piece().filter(|_| question != Question::AsItIs) else {
         let at = place.left_center() + vec2(6.0, 0.0);
         ui.painter().text(at, Align2::LEFT_CENTER, words, FontId::proportional(13.0), theme::of(ui).text);
         return;

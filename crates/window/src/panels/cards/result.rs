@@ -64,7 +64,7 @@ pub fn show(
     let framed = Framed { card: Card::Result, id: "result", title: "result.title", width: WIDTH };
     framed.show(state, ui, acts, whole, |ui, acts| {
         let l = state.settings.language;
-        let Some(((words, try_from_s), piece)) = result.zip(state.session.steak()) else {
+        let Some(((words, try_from_s), piece)) = result.zip(state.session.shown_piece()) else {
             ui.label(l.text("result.none"));
             return;
         };

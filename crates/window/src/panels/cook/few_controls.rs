@@ -33,7 +33,7 @@ pub fn rows(state: &CookState, ui: &mut Ui, acts: &mut Acts) {
 
 fn hands(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
     let l = state.settings.language;
-    let in_pan = state.session.steak().is_some_and(|piece| matches!(piece.place, Place::Pan(_)));
+    let in_pan = state.session.shown_piece().is_some_and(|piece| matches!(piece.place, Place::Pan(_)));
     hob_bar::put_button(state, ui, acts);
     button(state, ui, acts, l.text("hob.flip"), false, in_pan, Act::Cook(CookAct::Flip));
     button(state, ui, acts, l.text("hob.take_out"), false, in_pan, Act::Cook(CookAct::Out));

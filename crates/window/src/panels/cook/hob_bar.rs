@@ -82,7 +82,7 @@ pub fn show(state: &CookState, ui: &mut Ui, acts: &mut Acts, narrow: bool) {
 
 /// Core and pan at a glance, where the panel with all readings is not open.
 fn temperatures(state: &PanelContext, ui: &mut Ui) {
-    let Some(piece) = state.session.steak().filter(|_| state.reads_out()) else { return };
+    let Some(piece) = state.session.shown_piece().filter(|_| state.reads_out()) else { return };
     let l = state.settings.language;
     let shown = |kelvin: f64| state.settings.temperature(celsius(kelvin));
     let (core, pan) = (shown(piece.core()), shown(state.session.kitchen.pan_temperature()));
@@ -135,7 +135,7 @@ fn hold(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
 
 fn hands(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
     let l = state.settings.language;
-    let piece = state.session.steak();
+    let piece = state.session.shown_piece();
     let in_pan = piece.is_some_and(|piece| matches!(piece.place, Place::Pan(_)));
     let is_whole = |piece: &Piece| matches!(piece.place, Place::Rest(_)) && piece.halved().is_none();
     put_button(state, ui, acts);

@@ -261,7 +261,7 @@ fn forget_button(ui: &Ui) {
 /// out.
 fn core(state: &PanelContext) -> Option<[String; 2]> {
     let scale = state.scale().filter(|scale| scale.measure() == Measure::Peak && state.reads_out())?;
-    let piece = state.session.steak()?;
+    let piece = state.session.shown_piece()?;
     let goal = state.settings.temperature(state.settings.goal(&scale));
     let core = state.settings.temperature(celsius(piece.core()));
     Some([core, state.settings.language.fill("now.goal", &[("temperature", &goal)])])

@@ -11,7 +11,7 @@ use saute_controls::context::PanelContext;
 use saute_controls::plan::PlanAct;
 use saute_controls::plan::plan_state::PlanState;
 use saute_controls::settings::plan_choice::{MOST_FLIPS, PlanChoice};
-use saute_session::SteakChoice;
+use saute_session::FoodChoice;
 use saute_words::doneness_words;
 
 /// Height of the kinds of plans [points] (chosen: what follows keeps its room in a low window).
@@ -77,7 +77,7 @@ fn find(state: &PlanState, ui: &mut Ui, acts: &mut Acts) {
 }
 
 /// The list of the foods; another one begins with its own size, and with the crust that is usual for it.
-fn foods(state: &PanelContext, ui: &mut Ui, choice: &mut SteakChoice, plan: &mut PlanChoice) {
+fn foods(state: &PanelContext, ui: &mut Ui, choice: &mut FoodChoice, plan: &mut PlanChoice) {
     let (library, l) = (&state.session.library, state.settings.language);
     let name = library.foods.get(&choice.kind).map_or(choice.kind.as_str(), |food| food.name_in(l.code()));
     let name = name.to_owned();
@@ -99,7 +99,7 @@ fn foods(state: &PanelContext, ui: &mut Ui, choice: &mut SteakChoice, plan: &mut
 }
 
 /// The classes of the scale, and a temperature of the core.
-fn target(state: &PanelContext, ui: &mut Ui, choice: &SteakChoice, plan: &mut PlanChoice) {
+fn target(state: &PanelContext, ui: &mut Ui, choice: &FoodChoice, plan: &mut PlanChoice) {
     let (library, l) = (&state.session.library, state.settings.language);
     let scales = scales_for(library, &choice.kind);
     let scale = scale_for(library, &choice.kind, &plan.scale);
@@ -151,7 +151,7 @@ fn chip(ui: &mut Ui, text: &str, on: bool) -> bool {
     response.clicked()
 }
 
-fn crust_and_flips(state: &PanelContext, ui: &mut Ui, choice: &SteakChoice, plan: &mut PlanChoice) {
+fn crust_and_flips(state: &PanelContext, ui: &mut Ui, choice: &FoodChoice, plan: &mut PlanChoice) {
     let l = state.settings.language;
     let usual = plan.crust_of(&state.session.library, &choice.kind);
     let mut crust = usual;

@@ -7,7 +7,7 @@ use saute_session::timeline::WayBeside;
 
 /// The piece of a way that is the one that the panels show.
 pub(crate) fn piece<'a>(state: &PanelContext, way: &WayBeside<'a>) -> Option<&'a Piece> {
-    way.kitchen.piece(&state.session.steak_id()).or_else(|| way.kitchen.pieces().first())
+    way.kitchen.piece(&state.session.shown_id()).or_else(|| way.kitchen.pieces().first())
 }
 
 /// The line style of a way, by its slot: no two are the same.

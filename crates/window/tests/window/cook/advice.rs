@@ -9,7 +9,7 @@ use egui_kittest::{
 use saute_controls::act::{Act, AppAct, CookAct, Setting};
 use saute_kitchen::doneness::core_class;
 use saute_kitchen::{Kitchen, kelvin};
-use saute_session::SteakChoice;
+use saute_session::FoodChoice;
 use saute_window::SauteApp;
 
 use crate::harness::{WINDOW, cook, press, save, steps, window};
@@ -45,7 +45,7 @@ fn follow(harness: &mut Harness<'static, SauteApp>) -> bool {
 /// Sets a steak out and cooks it by the advice alone.
 fn cooked(pan: &str, mm: f64) -> Harness<'static, SauteApp> {
     let mut harness = window(vec2(1280.0, 720.0));
-    let choice = SteakChoice { pan: pan.to_owned(), size_mm: vec![120.0, 80.0, mm], ..SteakChoice::default() };
+    let choice = FoodChoice { pan: pan.to_owned(), size_mm: vec![120.0, 80.0, mm], ..FoodChoice::default() };
     let context = harness.ctx.clone();
     harness.state_mut().act(Act::App(AppAct::Set(Setting::Choice(choice))), &context);
     harness.state_mut().act(Act::Cook(CookAct::SetOut(1)), &context);
@@ -69,7 +69,7 @@ fn whoever_follows_the_words_of_the_window_gets_a_medium_steak() {
     let (pan, mm) = ("carbon-steel-26", 25.0);
     let mut harness = cooked(pan, mm);
     let app = harness.state();
-    let (steak, scale) = (app.session().steak().expect("steak"), app.scale().expect("a scale"));
+    let (steak, scale) = (app.session().shown_piece().expect("steak"), app.scale().expect("a scale"));
     assert_eq!(core_class(steak, &scale), "medium", "{pan} {mm} mm");
     assert!(says(&harness, "medium (Kato & Hasegawa 2013)"), "the window says so too");
     assert_eq!(app.session().kitchen.hob_w(), 0.0);

@@ -11,7 +11,7 @@ use saute_controls::goal_choice::goal_of;
 use saute_kitchen::advice::class_goal;
 use saute_kitchen::{Place, TICK_S};
 use saute_plan::goal::GoalVerdict;
-use saute_session::SteakChoice;
+use saute_session::FoodChoice;
 use saute_window::{SauteApp, Start};
 
 /// Time from look to look, at the speed of real time, and of a frame [wall s]: what is between is cooked without frames, so that
@@ -60,7 +60,7 @@ impl Cook {
 
     fn begin(pan: &str, mm: f64, class: usize) -> Self {
         let mut cook = Self::visit(None, Hand::Reader);
-        let choice = SteakChoice { pan: pan.to_owned(), size_mm: vec![120.0, 80.0, mm], ..SteakChoice::default() };
+        let choice = FoodChoice { pan: pan.to_owned(), size_mm: vec![120.0, 80.0, mm], ..FoodChoice::default() };
         cook.act(Act::App(AppAct::Set(Setting::Choice(choice))));
         cook.act(Act::Cook(CookAct::SetOut(1)));
         let goal = class_goal(&cook.app.scale().expect("a scale"), class);
@@ -148,7 +148,7 @@ impl Cook {
     fn has_rested(&self) -> bool {
         self.app
             .session()
-            .steak()
+            .shown_piece()
             .is_some_and(|steak| matches!(steak.place, Place::Rest(_)) && steak.core() < steak.core_peak.0 - RESTED_K)
     }
 }

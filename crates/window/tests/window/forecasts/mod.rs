@@ -67,7 +67,7 @@ fn frying(size: egui::Vec2, language: Language) -> (Harness<'static, SauteApp>, 
     let session = harness.state_mut().session_mut();
     session.command(&Command::Hob(1100.0)).expect("hob");
     (0..600).for_each(|_| session.tick().expect("ticks"));
-    let steak = session.steak_id();
+    let steak = session.shown_id();
     session.command(&Command::Put { food: steak, at: [0.0; 2], heap: false }).expect("puts");
     let cook = |harness: &mut Harness<'static, SauteApp>, s: u32| {
         (0..10 * s).for_each(|_| harness.state_mut().session_mut().tick().expect("ticks"));
@@ -171,16 +171,16 @@ fn what_is_asked_is_done_by_a_click() {
     let (mut harness, _) = usual();
     harness.get_by_label("More: curves and all readings").click();
     steps(&mut harness, 12);
-    let up = harness.state().session().steak().expect("steak").upside_down();
+    let up = harness.state().session().shown_piece().expect("steak").upside_down();
     harness.get_by_label("Flip now").click();
     cook(&mut harness, 3.0);
-    assert_ne!(harness.state().session().steak().expect("steak").upside_down(), up);
+    assert_ne!(harness.state().session().shown_piece().expect("steak").upside_down(), up);
     steps(&mut harness, 12);
     harness.get_by_label("Take out now").click();
     cook(&mut harness, 3.0);
     steps(&mut harness, 24);
     let session = harness.state().session();
-    assert!(!session.steak().expect("steak").in_pan());
+    assert!(!session.shown_piece().expect("steak").in_pan());
     let foreseen = |question| session.foreseen(question).is_some();
     assert_eq!(Question::ALL.map(foreseen), [true, false, false, false], "only resting is left");
     save(&mut harness, "forecast-resting");
@@ -254,7 +254,7 @@ fn as_it_is_is_the_later_state_bit_for_bit() {
         while session.kitchen.frame() < frame {
             session.tick().expect("ticks");
         }
-        let steak = session.steak().expect("steak");
+        let steak = session.shown_piece().expect("steak");
         let faces = [steak.up(), steak.up().map(|v| -v)].map(|up| steak.model.face_reading(&steak.state, up));
         assert_eq!(
             (sample.core.to_bits(), sample.faces),

@@ -13,7 +13,7 @@ use saute_controls::session::Session;
 use saute_kitchen::{Command, Library, celsius};
 use saute_plan::fit::parameters::Parameters;
 use saute_recipe::{Cook, Recipe, Recording};
-use saute_session::SteakChoice;
+use saute_session::FoodChoice;
 use saute_session::at_home::entered::{Row, Seen};
 use saute_session::at_home::fitting::FitStatus;
 use saute_session::at_home::kept::KeptKitchen;
@@ -211,7 +211,7 @@ fn my_kitchen_reads_in_japanese_and_asks_about_a_log_that_can_be_read_in_two_way
 
 /// A cook of some seconds by hand.
 fn cooked(library: &Arc<Library>) -> Session {
-    let mut session = Session::new(Arc::clone(library), &SteakChoice::default()).expect("sets out");
+    let mut session = Session::new(Arc::clone(library), &FoodChoice::default()).expect("sets out");
     session.command(&Command::Hob(2000.0)).expect("hob");
     (0..300).for_each(|_| session.tick().expect("ticks"));
     session
@@ -219,7 +219,7 @@ fn cooked(library: &Arc<Library>) -> Session {
 
 /// Resumes a recording in a window with a library; returns the state and the efficiency of its hob.
 fn resumed(recording: Recording, library: &Arc<Library>) -> (u64, f64, Session) {
-    let mut session = Session::new(Arc::clone(library), &SteakChoice::default()).expect("sets out");
+    let mut session = Session::new(Arc::clone(library), &FoodChoice::default()).expect("sets out");
     session.resume(recording).expect("opens");
     while session.is_travelling() {
         session.travel_on(std::time::Duration::from_millis(50));
@@ -242,7 +242,7 @@ fn a_cook_of_one_kitchen_is_played_exactly_in_the_window_of_another() {
             let (state, efficiency, mut session) = resumed(recording, there);
             assert_eq!(state, expected);
             assert_eq!(efficiency, here.hob.efficiency());
-            session.set_out(&SteakChoice::default(), 1).expect("sets out");
+            session.set_out(&FoodChoice::default(), 1).expect("sets out");
             assert_eq!(session.kitchen.hob().efficiency(), there.hob.efficiency(), "later cooks are at home");
         }
         // A kitchen as bytes, as it goes to a worker, finds its own kitchen at home too.

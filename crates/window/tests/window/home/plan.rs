@@ -13,7 +13,7 @@ use saute_plan::goal::{Goal, Outcome, Shortfall};
 use saute_plan::schedule::asked::Asked;
 use saute_plan::schedule::search::PlanData;
 use saute_plan::schedule::{Change, Job, Mesh, Order, Plan, Pull, Schedule, Sensitivity, Setting as Power};
-use saute_session::SteakChoice;
+use saute_session::FoodChoice;
 use saute_session::plan::job::{PlanAnswer, PlanOrder, Reply};
 use saute_session::work::{Agency, Helper, WorkKind};
 use saute_window::SauteApp;
@@ -114,7 +114,7 @@ fn opened(size: egui::Vec2, plan: Plan) -> Harness<'static, SauteApp> {
     let core_c = if by_core { goal.aim.round() } else { usual.core_c };
     let asked = PlanChoice { by_core, core_c, crust_pct: Some(goal.crust_pct), ..usual };
     act(&mut harness, Act::Learn(LearnAct::Plan(PlanAct::Choose(asked))));
-    let choice = SteakChoice { kind, size_mm, initial_c, pan, ..SteakChoice::default() };
+    let choice = FoodChoice { kind, size_mm, initial_c, pan, ..FoodChoice::default() };
     act(&mut harness, Act::App(AppAct::Set(Setting::Choice(choice))));
     act(&mut harness, Act::App(AppAct::Open(Card::Learn)));
     harness.get_by_label("Plan my steak").click();

@@ -4,7 +4,7 @@ use egui_kittest::kittest::Queryable;
 use saute_controls::act::{Act, AppAct, Card, LearnAct, Setting};
 use saute_controls::at_home::AtHomeAct;
 use saute_controls::plan::PlanAct;
-use saute_session::SteakChoice;
+use saute_session::FoodChoice;
 use saute_words::language::Language;
 
 use super::plan::{WIDE, act};
@@ -23,7 +23,7 @@ fn refusals_of_a_search_and_of_a_fit_speak_both_languages() {
         act(&mut harness, Act::Learn(LearnAct::AtHome(AtHomeAct::Fit)));
         steps(&mut harness, 10);
         harness.get_by_label_contains(of_fit);
-        let choice = SteakChoice { size_mm: vec![750.0, 80.0, 25.0], ..SteakChoice::default() };
+        let choice = FoodChoice { size_mm: vec![750.0, 80.0, 25.0], ..FoodChoice::default() };
         act(&mut harness, Act::App(AppAct::Set(Setting::Choice(choice))));
         // The card's sliders bring the size back: it is requested before.
         act(&mut harness, Act::App(AppAct::Shut(Card::AtHome)));

@@ -13,7 +13,7 @@ fn the_coach_says_what_happens_and_what_to_perceive_next_and_can_be_off() {
     assert!(says(&harness, "A cold pan would stew the food"));
     let fits = harness.get_by_label("Core").rect();
     put_in(&mut harness);
-    until(&mut harness, |session| session.steak().is_some_and(|steak| celsius(steak.face(true)) > 95.0));
+    until(&mut harness, |session| session.shown_piece().is_some_and(|steak| celsius(steak.face(true)) > 95.0));
     steps(&mut harness, 12);
     assert!(says(&harness, "Next to hear: the sizzle fades") && says(&harness, "Water boils off below"));
     assert_eq!(harness.get_by_label("Core").rect(), fits, "nothing jumps");
@@ -43,7 +43,7 @@ fn the_line_at_the_goal_takes_the_food_out_by_one_click_and_is_gone_then() {
         harness.state_mut().session_mut().set_paused(false);
         steps(&mut harness, 3);
         let out = |session: &saute_controls::session::Session| {
-            session.steak().is_some_and(|steak| matches!(steak.place, Place::Rest(_)))
+            session.shown_piece().is_some_and(|steak| matches!(steak.place, Place::Rest(_)))
         };
         until(&mut harness, out);
         steps(&mut harness, 3);

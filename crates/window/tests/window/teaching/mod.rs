@@ -11,7 +11,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use saute_controls::act::{Act, AppAct, CookAct, Setting};
 use saute_kitchen::{Command, RestOn, celsius};
-use saute_session::SteakChoice;
+use saute_session::FoodChoice;
 use saute_window::SauteApp;
 
 use crate::harness::{steps, window};
@@ -38,7 +38,7 @@ fn set(harness: &mut Harness<'static, SauteApp>, setting: Setting) {
 /// A window with a small raw steak; time is stopped unless it is let on.
 fn small_steak(size: egui::Vec2) -> Harness<'static, SauteApp> {
     let mut harness = window(size);
-    let choice = SteakChoice { size_mm: vec![60.0, 50.0, 16.0], ..SteakChoice::default() };
+    let choice = FoodChoice { size_mm: vec![60.0, 50.0, 16.0], ..FoodChoice::default() };
     set(&mut harness, Setting::Choice(choice));
     act(&mut harness, Act::Cook(CookAct::SetOut(1)));
     harness.state_mut().session_mut().set_paused(true);
@@ -60,7 +60,7 @@ fn command(harness: &mut Harness<'static, SauteApp>, command: &Command) {
 }
 
 fn core_c(session: &saute_controls::session::Session) -> f64 {
-    session.steak().map_or(0.0, |steak| celsius(steak.core()))
+    session.shown_piece().map_or(0.0, |steak| celsius(steak.core()))
 }
 
 /// Heats the pan and puts the steak in.
@@ -79,7 +79,7 @@ fn fry(harness: &mut Harness<'static, SauteApp>, pull_c: f64) {
     until(harness, |session| core_c(session) > pull_c);
     command(harness, &Command::Rest { food: "steak".into(), on: RestOn::Board });
     command(harness, &Command::Hob(0.0));
-    until(harness, |session| session.steak().is_some_and(|steak| steak.core() < steak.core_peak.0 - 0.5));
+    until(harness, |session| session.shown_piece().is_some_and(|steak| steak.core() < steak.core_peak.0 - 0.5));
 }
 
 /// A wide window with a steak that has rested, and time that goes on.

@@ -150,13 +150,13 @@ fn food_that_no_button_took_out_has_its_result_too_and_nearly_raw_food_is_told_n
     let rest = Command::Rest { food: "steak".into(), on: RestOn::Board };
     harness.state_mut().session_mut().kitchen.apply(&rest).expect("comes out");
     command(&mut harness, &Command::Hob(0.0));
-    until(&mut harness, |session| session.steak().is_some_and(|steak| matches!(steak.place, Place::Rest(_))));
+    until(&mut harness, |session| session.shown_piece().is_some_and(|steak| matches!(steak.place, Place::Rest(_))));
     // Who asks before it has rested is told neither that it is missed nor that it is met.
     act(&mut harness, Act::App(AppAct::Open(Card::Result)));
     assert!(says(&harness, "Still resting: the core rises to about ") && !says(&harness, "Goal missed"));
     assert!(!says(&harness, "How is this counted?"), "no points yet");
     act(&mut harness, Act::App(AppAct::Shut(Card::Result)));
-    until(&mut harness, |session| session.steak().is_some_and(|steak| steak.core() < steak.core_peak.0 - 0.5));
+    until(&mut harness, |session| session.shown_piece().is_some_and(|steak| steak.core() < steak.core_peak.0 - 0.5));
     harness.state_mut().session_mut().set_paused(false);
     steps(&mut harness, 8);
     assert!(says(&harness, "One thing to do better") && says(&harness, "Goal missed"), "it opens by itself");

@@ -8,7 +8,7 @@ use saute_controls::act::{Act, CookAct, Setting};
 use saute_controls::goal_choice::goal_of;
 use saute_kitchen::Command;
 use saute_kitchen::dynamics::{Pose, Tool};
-use saute_session::SteakChoice;
+use saute_session::FoodChoice;
 use saute_study::Times;
 use saute_window::SauteApp;
 
@@ -41,7 +41,7 @@ pub fn turn_by_hand(harness: &mut Harness<'static, SauteApp>) {
 /// A steak in the pan.
 fn frying() -> Harness<'static, SauteApp> {
     let mut harness = window(WIDE);
-    let choice = SteakChoice { size_mm: vec![60.0, 50.0, 15.0], ..SteakChoice::default() };
+    let choice = FoodChoice { size_mm: vec![60.0, 50.0, 15.0], ..FoodChoice::default() };
     set(&mut harness, Setting::Choice(choice));
     act(&mut harness, Act::Cook(CookAct::SetOut(1)));
     press(&mut harness, egui::Key::A);

@@ -68,7 +68,7 @@ fn the_tutorial_takes_less_than_three_minutes_and_ends_with_a_steak_and_its_resu
     let took_s = followed(&mut harness, "wide");
     assert!(took_s < MOST_S, "{took_s} s");
     let app = harness.state();
-    let (steak, scale) = (app.session().steak().expect("steak"), app.scale().expect("a scale"));
+    let (steak, scale) = (app.session().shown_piece().expect("steak"), app.scale().expect("a scale"));
     assert_eq!(core_class(steak, &scale), "medium");
     assert!(steak.halved().is_some() && says(&harness, "One thing to do better"));
     assert!(says(&harness, "Goal met: Medium, with a crust"), "whoever follows is not told that it went wrong");
