@@ -80,6 +80,7 @@ impl<H: Hands> Session<H> {
     /// Returns the scales among which the cook chooses for the piece that the panels show.
     pub fn fitting_scales(&self) -> Vec<Arc<Scale>> {
         let all = &self.library.scales;
-        self.shown_piece().map_or_else(|| all.clone(), |piece| fitting(all, &piece.model).into_iter().cloned().collect())
+        self.shown_piece()
+            .map_or_else(|| all.clone(), |piece| fitting(all, &piece.model).into_iter().cloned().collect())
     }
 }

@@ -98,7 +98,10 @@ mod tests {
             "[words.en]\nfeel = [{ from_c = 45.0, says = \"soft\" }, { from_c = 60.0, says = \"firm\" }]\n[words.ja]\nnoun = \"x\"",
         );
         let says = |peak_c: f64| food.feel_at(peak_c).get("en").cloned();
-        assert_eq!([20.0, 59.9, 60.0].map(says), [Some("soft".to_owned()), Some("soft".to_owned()), Some("firm".to_owned())]);
+        assert_eq!(
+            [20.0, 59.9, 60.0].map(says),
+            [Some("soft".to_owned()), Some("soft".to_owned()), Some("firm".to_owned())]
+        );
         assert!(!food.feel_at(70.0).contains_key("ja"), "the English words serve");
     }
 

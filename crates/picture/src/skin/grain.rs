@@ -1,8 +1,8 @@
 //! Sub-mesh structure of a food as the renderer reads it: seams of fat, second tissues, borders.
 
 use glam::Vec3;
-use saute_kitchen::food::description::Flesh;
 use saute_kitchen::food::FoodModel;
+use saute_kitchen::food::description::Flesh;
 use saute_kitchen::food::tissue::noise::uniform;
 use saute_scene::input::{BORDER_RANGE, BrowningPalette, FleshTexture, GrainVolume, WITHIN_RANGE};
 

@@ -7,7 +7,7 @@ use std::time::Instant;
 use saute_kitchen::{Command, Library};
 use saute_recipe::Recipe;
 use saute_session::timeline::MOST_BYTES;
-use saute_session::{Session, FoodChoice};
+use saute_session::{FoodChoice, Session};
 
 /// The dish of which the window's speed is measured.
 const DISH: &str = include_str!("../../../window/src/desktop/dish.toml");

@@ -8,7 +8,7 @@ use saute_recipe::session::Done;
 use web_time::Duration;
 
 use saute_session::timeline::Undone;
-use saute_session::{Session, FoodChoice};
+use saute_session::{FoodChoice, Session};
 use saute_words::act_words::act_words;
 use saute_words::language::Language;
 

@@ -6,7 +6,7 @@ use saute_fixtures::draws::{Draws, count, seed};
 use saute_kitchen::dynamics::Pose;
 use saute_kitchen::{Command, Library, RestOn};
 use saute_recipe::{Recipe, Replay};
-use saute_session::{Session, FoodChoice};
+use saute_session::{FoodChoice, Session};
 
 /// A thin steak on the coarse mesh, with a recipe that goes on by itself until somebody takes over.
 const SMALL: &str = r#"
