@@ -133,7 +133,8 @@ mod tests {
     /// Potato in boiling water (Kubota 1981): dX/dt = k (1 − X)(X + 0.1) reaches 0.9 after ln(100)/(1.1 k), 5.5 min with 0.76 1/min.
     #[test]
     fn a_change_that_speeds_itself_up_takes_the_time_of_its_equation() {
-        let mut kinetics: Kinetics = toml::from_str(include_str!("../../../../data/kinetics/carrot.toml")).unwrap();
+        let mut kinetics: Kinetics =
+            toml::from_str(include_str!("../../../../data/kinetics/carrot.toml")).expect("is sound");
         let (place, seed) = (1, 0.1);
         let change = &mut kinetics.change[place];
         (change.activation_energy_kj_mol, change.anchor_c, change.anchor_rate_per_min) = (123.0, 100.0, 0.76);

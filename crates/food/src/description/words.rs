@@ -87,9 +87,9 @@ mod tests {
 
     fn food(words: &str) -> FoodDescription {
         let shipped = include_str!("../../../../data/foods/carrot-coin.toml");
-        let (head, _) = shipped.split_once("[words.en]").unwrap();
-        let (_, tail) = shipped.split_once("[size]").unwrap();
-        toml::from_str(&format!("{head}{words}\n[size]{tail}")).unwrap()
+        let (head, _) = shipped.split_once("[words.en]").expect("has words");
+        let (_, tail) = shipped.split_once("[size]").expect("has sizes");
+        toml::from_str(&format!("{head}{words}\n[size]{tail}")).expect("is sound")
     }
 
     #[test]
