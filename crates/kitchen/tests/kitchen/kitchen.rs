@@ -246,7 +246,7 @@ fn impossible_numbers_in_data_files_are_refused_where_they_stand() {
     for (path, from, to, line) in [
         ("pans/carbon-steel-26.toml", "radius_mm = 100.0", "radius_mm = -5.0", 4),
         ("pans/carbon-steel-26.toml", "conductivity_w_mk = 52.0", "conductivity_w_mk = 0.0", 17),
-        ("foods/beef-lean.toml", "water = 0.730", "water = 0.830", 28),
+        ("foods/beef-lean.toml", "water = 0.730", "water = 0.830", 47),
         ("foods/beef-lean.toml", "emissivity = 0.95", "emissivity = nan", 0),
         ("coatings/nonstick.toml", "emissivity = 0.90", "emissivity = 9.0", 0),
     ] {
