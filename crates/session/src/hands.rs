@@ -10,6 +10,10 @@ pub trait Hands: Default {
     fn lead(&mut self, kitchen: &mut Kitchen);
     /// Sends the devices what they feel; only at real time.
     fn send(&mut self, kitchen: &Kitchen);
+    /// Names of the devices that are connected, without their places.
+    fn names(&self) -> Vec<String> {
+        Vec::new()
+    }
 }
 
 /// No device.

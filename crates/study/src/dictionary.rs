@@ -32,7 +32,7 @@ const fn number(
 const DAY_S: f64 = 86_400.0;
 
 /// All columns, in the order of a log.
-pub const COLUMNS: [Column; 35] = [
+pub const COLUMNS: [Column; 36] = [
     text("study", "id", "all", "id of the protocol"),
     text(
         "protocol",
@@ -127,6 +127,12 @@ pub const COLUMNS: [Column; 35] = [
         ("simulated s", 0.0, DAY_S),
         "trial",
         "simulated time by which the trial ended behind speed_set times its wall time; empty as speed_set",
+    ),
+    text(
+        "devices",
+        "names",
+        "trial",
+        "haptic devices that were connected during the trial, separated by spaces; empty where mouse, keys or touch did all, and in logs of before it was kept",
     ),
 ];
 

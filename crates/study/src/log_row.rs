@@ -98,6 +98,9 @@ pub struct LogRow {
     /// Simulated time that is missing at the end of the trial [s].
     #[serde(default)]
     pub behind_s: Option<f64>,
+    /// Devices that held the pan or the turner, in the order of their names.
+    #[serde(default)]
+    pub devices: Option<String>,
 }
 
 /// A log that cannot be read.
@@ -144,7 +147,7 @@ pub fn from_csv(file: &str, text: &str) -> Result<Vec<LogRow>, LogError> {
         what: "row of a study's log",
         remedy: "name files that `saute study` has written",
         columns: &columns,
-        new: 4,
+        new: 5,
         ids: &IDS,
         most: MOST_ROWS,
     };

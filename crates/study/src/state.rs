@@ -62,6 +62,8 @@ pub enum Event {
         pace: Option<Pace>,
         /// File of its session.
         session: Option<String>,
+        /// Names of the devices that were connected; none if there were none.
+        devices: Option<String>,
     },
     /// Values were entered, or questions answered.
     Answered(Answers),
@@ -230,12 +232,12 @@ impl Study {
     pub fn take(&mut self, event: Event, elapsed_s: f64) -> Result<Vec<LogRow>, StudyError> {
         let rows = match (event, self.stage) {
             (Event::Agreed, Stage::Consent) => vec![self.row(RowKind::Consent, elapsed_s)],
-            (Event::TrialEnded { measures, wall_s, pace, session }, Stage::Trial { trial, .. }) => {
+            (Event::TrialEnded { measures, wall_s, pace, session, devices }, Stage::Trial { trial, .. }) => {
                 let row = self.row(RowKind::Trial, elapsed_s);
                 let information = Some(self.information());
                 let goal = self.simulate().map(|simulate| simulate.goal.goal.id.clone());
                 let trial_wall_s = wall_s.map(tenth);
-                let row = LogRow { trial: Some(trial), information, goal, session, trial_wall_s, ..row };
+                let row = LogRow { trial: Some(trial), information, goal, session, trial_wall_s, devices, ..row };
                 vec![with_pace(measures.written(row), pace)]
             }
             (Event::Answered(answers), Stage::CookForReal { .. }) => self.entries(&answers, elapsed_s)?,
@@ -340,6 +342,7 @@ impl Study {
             speed_set: None,
             speed_held_median: None,
             behind_s: None,
+            devices: None,
         }
     }
 }

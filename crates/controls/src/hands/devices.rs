@@ -71,6 +71,11 @@ impl saute_session::hands::Hands for Hands {
             pan.send(model);
         }
     }
+
+    fn names(&self) -> Vec<String> {
+        let name = |device: &Connected| device.name.split('@').next().unwrap_or_default().to_owned();
+        self.pan.iter().chain(&self.turner).map(name).collect()
+    }
 }
 
 impl Hands {

@@ -1,5 +1,6 @@
 //! A study in the window: the participant's way, the present trial, and where rows go.
 
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use saute_study::protocol_file::Information;
@@ -94,6 +95,8 @@ struct Trial {
     masses: Vec<f64>,
     begun: Instant,
     meter: PaceMeter,
+    /// Names of the devices that were connected at any time of it.
+    devices: BTreeSet<String>,
 }
 
 impl StudyDesk {
@@ -138,6 +141,13 @@ impl StudyDesk {
     pub fn try_again(&mut self) {
         if matches!(self.readiness, Readiness::TooSlow(_)) {
             self.readiness = Readiness::Untried;
+        }
+    }
+
+    /// These devices are connected now.
+    pub fn note_devices(&mut self, names: Vec<String>) {
+        if let Some(trial) = &mut self.trial {
+            trial.devices.extend(names);
         }
     }
 
@@ -201,7 +211,8 @@ impl StudyDesk {
     pub fn begin_trial<H: Hands>(&mut self, session: &Session<H>) {
         let masses = session.kitchen.pieces().iter().map(saute_kitchen::Piece::mass).collect();
         let meter = PaceMeter::at(session.speed);
-        self.trial = Some(Trial { masses, begun: Instant::now(), meter });
+        let devices = session.hands.names().into_iter().collect();
+        self.trial = Some(Trial { masses, begun: Instant::now(), meter, devices });
     }
 
     /// Returns true if the trial has come to its end: its time is over, or the food has rested.
@@ -224,7 +235,9 @@ impl StudyDesk {
         let wall_s = Some(trial.begun.elapsed().as_secs_f64());
         // A trial that runs belongs to the stage.
         let pace = trial.meter.pace();
-        let _ = self.take(Event::TrialEnded { measures: Box::new(measures), wall_s, pace, session: session_name });
+        let devices = (!trial.devices.is_empty()).then(|| Vec::from_iter(trial.devices).join(" "));
+        let measures = Box::new(measures);
+        let _ = self.take(Event::TrialEnded { measures, wall_s, pace, session: session_name, devices });
         self.last = told;
     }
 

@@ -93,7 +93,7 @@ impl Person {
     fn does(&mut self, study: &Study, library: &Library) -> Result<Event, CookError> {
         if let Some(simulate) = study.simulate() {
             let measures = Box::new(self.cook(simulate, study.information(), 1.0, library)?);
-            return Ok(Event::TrialEnded { measures, wall_s: None, pace: None, session: None });
+            return Ok(Event::TrialEnded { measures, wall_s: None, pace: None, session: None, devices: None });
         }
         if let Some(real) = study.cook_for_real() {
             return Ok(Event::Answered(self.cooks_for_real(real, study, library)?));

@@ -22,7 +22,8 @@ const PACE: Pace = Pace { set: 5.0, held_median: 4.987_6, behind_s: 0.312 };
 
 fn trial() -> Event {
     let measures = Measures { score: 41.234_56, target_share_pct: 47.0, flips: 2, end_s: 10.0, ..Measures::default() };
-    Event::TrialEnded { measures: Box::new(measures), wall_s: Some(12.34), pace: Some(PACE), session: None }
+    let devices = Some("spidar-frame".to_owned());
+    Event::TrialEnded { measures: Box::new(measures), wall_s: Some(12.34), pace: Some(PACE), session: None, devices }
 }
 
 fn answers(given: &[(&str, Answer)]) -> Event {
@@ -56,6 +57,7 @@ fn a_way_through_a_protocol_gives_its_rows_in_order() {
     assert_eq!((rows[1].score, rows[1].trial, rows[1].phase), (Some(41.23), Some(1), 1));
     let of_pace = (rows[1].speed_set, rows[1].speed_held_median, rows[1].behind_s);
     assert_eq!(of_pace, (Some(5.0), Some(4.99), Some(0.31)));
+    assert_eq!((rows[1].devices.as_deref(), &rows[2].devices), (Some("spidar-frame"), &None));
     assert_eq!((rows[3].value, rows[3].text.as_deref()), (Some(3.0), Some("medium")));
     assert!(rows.iter().all(|row| row.elapsed_s == 100.0 && row.started.is_none() && !row.simulated));
 }
@@ -73,10 +75,11 @@ fn every_column_of_a_log_is_in_the_dictionary_and_every_value_in_its_range() {
 /// A log of before a column was added is read, and gets that column before a row of today is appended to it.
 #[test]
 fn a_log_with_the_columns_of_before_gets_those_of_today() {
-    let without = |row| LogRow { mark: None, speed_set: None, speed_held_median: None, behind_s: None, ..row };
+    let without =
+        |row| LogRow { mark: None, speed_set: None, speed_held_median: None, behind_s: None, devices: None, ..row };
     let rows: Vec<LogRow> = rows().into_iter().map(without).collect();
     let today = to_csv(&rows, true);
-    let without_last = |line: &str| line.rsplitn(5, ',').last().map(|before| format!("{before}\n")).expect("columns");
+    let without_last = |line: &str| line.rsplitn(6, ',').last().map(|before| format!("{before}\n")).expect("columns");
     let before: String = today.lines().map(without_last).collect();
     assert!(before.lines().next().is_some_and(|header| header.ends_with(",text")));
     assert_eq!(from_csv("before.csv", &before).expect("reads"), rows);

@@ -1,4 +1,4 @@
-//! Promise: studies and lessons are gone through in the window: cards, ribbon, locks, hidden read-outs, rows and results.
+//! Promise: studies are gone through in the window: cards, ribbon, locks, hidden read-outs, rows and results.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -7,16 +7,22 @@ use egui::accesskit::Role;
 use egui::{Key, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
+use saute_controls::hands::Role as Held;
 use saute_controls::kept::log_file::study_in_folder;
+use saute_haptics::Pose;
+use saute_haptics::device::Sensed;
 use saute_kitchen::Library;
 use saute_picture::View;
-use saute_session::guided::{Guided, LessonStart};
-use saute_study::class::{Scenario, shipped};
-use saute_study::{LogRow, Pace, Protocol, RowKind, Stage, from_csv};
-use saute_window::{DesktopOptions, SauteApp, Start};
+use saute_recipe::session::Replay;
+use saute_recipe::{Recorder, Recording};
+use saute_session::guided::{Guided, StudyDesk};
+use saute_study::{Event, LogRow, Measures, Pace, Protocol, RowKind, Stage, Task, Times, from_csv};
+use saute_window::{SauteApp, Start};
 
+use crate::hand::{scripted, until};
 use crate::harness::{cook, drawn_words, press, save, steps, window_with};
 use crate::sound::Witness;
+use crate::teaching::lesson::lesson;
 
 /// Two short trials, one before and one after the stove, with hidden read-outs in both conditions.
 const PROTOCOL: &str = r#"id = "tiny"
@@ -74,7 +80,7 @@ fn start_on(machine: Pace, folder: &Path) -> Start {
     Start { study: Some(study.on_machine(machine)), ..Start::default() }
 }
 
-fn click(harness: &mut Harness<'static, SauteApp>, label: &str) {
+pub fn click(harness: &mut Harness<'static, SauteApp>, label: &str) {
     harness.get_by_label(label).click();
     steps(harness, 4);
 }
@@ -91,7 +97,7 @@ fn rows(folder: &Path) -> Vec<LogRow> {
     from_csv("study-P01.csv", &text).expect("a log")
 }
 
-fn folder(name: &str) -> std::path::PathBuf {
+pub fn folder(name: &str) -> std::path::PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("studies").join(name);
     // It may be there from an earlier run.
     let _ = std::fs::remove_dir_all(&folder);
@@ -119,7 +125,11 @@ fn a_whole_study_is_gone_through_and_its_rows_are_on_the_disk() {
     save(&mut harness, "study-real");
     enter_real(&mut harness);
     save(&mut harness, "study-trial-2");
+    drop(harness);
+    let mut harness = window_with(vec2(1280.0, 720.0), start(&folder));
+    assert_eq!(stage(&harness), Stage::Trial { phase: 2, trial: 1 }, "the second day begins where the first ended");
     click(&mut harness, "Begin");
+    take_device(&mut harness);
     second_trial(&mut harness);
     save(&mut harness, "study-questions");
     click(&mut harness, "6 (1 is not at all, 7 is very much)");
@@ -191,6 +201,19 @@ fn enter_real(harness: &mut Harness<'static, SauteApp>) {
     click(harness, "Done");
 }
 
+/// On the second day the pan hangs on strings.
+fn take_device(harness: &mut Harness<'static, SauteApp>) {
+    let (device, script) = scripted("spidar-frame", Sensed::Pose);
+    let there = Pose::at(0.03, -0.02, 0.08);
+    script.lock().expect("script").pose = there;
+    let hands = &mut harness.state_mut().session_mut().hands;
+    hands.hold(Held::Pan, "spidar-frame@here", device).expect("starts");
+    let place = |app: &SauteApp| app.session().kitchen.world().motion.pose.position;
+    assert!(until(harness, |app| (place(app) - there.position).length() < 1e-3), "the pan is in the hand");
+    harness.state_mut().session_mut().hands.disconnect(Held::Pan);
+    assert!(until(harness, |app| !app.session().hands.has_pan()), "it is laid down");
+}
+
 /// Puts the steak in, takes it out, and ends the trial by the button.
 fn second_trial(harness: &mut Harness<'static, SauteApp>) {
     press(harness, Key::E);
@@ -221,18 +244,46 @@ fn check_rows(folder: &Path) {
     let pace = (rows[4].speed_set, rows[4].speed_held_median.is_some(), rows[4].behind_s.is_some());
     assert_eq!(pace, (Some(5.0), true, true), "what was held of the speed is kept");
     assert!(rows.iter().all(|row| !row.simulated && row.started.is_none()));
-    let session = rows[4].session.clone().expect("is kept");
-    let bytes = std::fs::read(folder.join(session)).expect("is there");
-    assert!(saute_recipe::Recording::from_file(&bytes).is_ok());
+    assert_eq!((rows[1].devices.as_deref(), rows[4].devices.as_deref()), (None, Some("spidar-frame")));
+    for row in [&rows[1], &rows[4]] {
+        replays_to_its_columns(folder, row);
+    }
     assert!(folder.join("data-dictionary.csv").exists() && folder.join("data-dictionary.md").exists());
+}
+
+/// The kept session of a trial, played again, gives the numbers of its row.
+fn replays_to_its_columns(folder: &Path, row: &LogRow) {
+    let bytes = std::fs::read(folder.join(row.session.as_deref().expect("is kept"))).expect("is there");
+    let recording = Recording::from_file(&bytes).expect("a session").recording;
+    let library = Library::embedded().expect("embedded data");
+    let mut replay = Replay::begin(&recording, &library).expect("begins");
+    let masses: Vec<f64> = replay.kitchen.pieces().iter().map(|piece| piece.mass()).collect();
+    let mut seen = Recorder::default();
+    while replay.moment().frame < recording.moment().frame {
+        replay.advance_frame(&recording, &library);
+        seen.observe(&replay.kitchen);
+    }
+    replay.settle(&recording, &library, recording.moment());
+    assert_eq!((replay.departure(), replay.fault()), (None, None));
+    let protocol = Protocol::parse(PROTOCOL, "tiny.toml", &library).expect("parses");
+    let Task::Simulate(trials) = &protocol.phases[row.phase as usize - 1].task else { panic!("no trials") };
+    let times = Times::of(&recording, &seen);
+    let found = Measures::read(&replay.kitchen, &masses, &trials.goal, &times).to_two_places();
+    assert_eq!((Some(found.score), Some(found.mark), Some(found.is_met)), (row.score, row.mark, row.is_met));
+    assert_eq!((Some(found.core_peak_c), Some(found.lost_pct)), (row.core_peak_c, row.lost_pct));
+    assert_eq!((Some(found.crust_pct), Some(found.charred_pct)), (row.crust_pct, row.charred_pct));
+    assert_eq!((Some(found.target_share_pct), Some(found.beyond_pct)), (row.target_share_pct, row.beyond_pct));
+    assert_eq!((Some(found.energy_kj), Some(found.grey_band_mm)), (row.energy_kj, row.grey_band_mm));
+    assert_eq!((Some(found.flips), found.put_s, found.out_s), (row.flips, row.put_s, row.out_s));
+    assert_eq!(Some(found.end_s), row.end_s);
 }
 
 #[test]
 fn a_study_that_was_closed_goes_on_after_its_last_row_and_another_protocol_is_refused() {
     let folder = folder("closed");
-    let mut harness = window_with(vec2(1280.0, 720.0), start(&folder));
-    click(&mut harness, "I agree and begin");
-    drop(harness);
+    let mut first = StudyDesk::begin(start(&folder).study.expect("a study"), String::new());
+    first.take(Event::Agreed).expect("is due");
+    drop(first);
     let path = folder.join("study-P01.csv");
     let cut = std::fs::read_to_string(&path).expect("reads") + "tiny,cut o";
     std::fs::write(&path, cut).expect("writes");
@@ -255,85 +306,6 @@ fn who_does_not_agree_leaves_no_row() {
     click(&mut harness, "I do not take part");
     harness.get_by_label("Thank you. Nothing was stored.");
     assert!(rows(&folder).is_empty());
-}
-
-fn lesson(id: &str, is_locked: bool) -> Start {
-    let library = Library::embedded().expect("embedded data");
-    let scenario = Scenario::parse(shipped::text(id).expect("is shipped"), id, &library).expect("parses");
-    let student = Some("S01".parse().expect("a code"));
-    Start { lesson: Some(LessonStart { scenario: Arc::new(scenario), student, is_locked }), ..Start::default() }
-}
-
-/// How many orders the line gives.
-fn orders(harness: &Harness<'static, SauteApp>) -> usize {
-    harness.query_all_by_label_contains("As advised").count()
-}
-
-#[test]
-fn a_lesson_pauses_and_asks_compares_the_answer_and_gives_a_row() {
-    let pictures = folder("results");
-    std::fs::create_dir_all(&pictures).expect("folder");
-    let start = Start {
-        desktop: DesktopOptions { pictures: Some(pictures.clone()), ..DesktopOptions::default() },
-        ..lesson("when-to-flip", true)
-    };
-    let mut harness = window_with(vec2(1280.0, 720.0), start);
-    save(&mut harness, "lesson-intro");
-    assert!(harness.query_by_label("Leave the lesson").is_none(), "it is locked");
-    click(&mut harness, "Begin");
-    press(&mut harness, Key::A);
-    cook(&mut harness, 80.0);
-    assert!(!harness.state().session().paused);
-    cook(&mut harness, 12.0);
-    assert!(harness.state().session().paused, "a question is due");
-    save(&mut harness, "lesson-question");
-    harness.get_by_role_and_label(Role::Slider, "How much of the underside is brown now?").focus();
-    steps(&mut harness, 2);
-    (0..3).for_each(|_| press(&mut harness, Key::ArrowRight));
-    click(&mut harness, "Answer");
-    save(&mut harness, "lesson-truth");
-    click(&mut harness, "Go on");
-    assert!(!harness.state().session().paused);
-    press(&mut harness, Key::O);
-    cook(&mut harness, 3.0);
-    click(&mut harness, "Finish");
-    save(&mut harness, "lesson-rests");
-    let mut frames = 0;
-    while harness.query_by_label("Save the result").is_none() {
-        steps(&mut harness, 1);
-        frames += 1;
-        assert!(frames < 2000, "it is cooked on until it has rested");
-    }
-    save(&mut harness, "lesson-result");
-    assert_eq!(orders(&harness), 0, "the lesson is over");
-    click(&mut harness, "Save the result");
-    let text = std::fs::read_to_string(pictures.join("when-to-flip-S01.csv")).expect("is written");
-    let rows = saute_study::class::from_csv("s.csv", &text).expect("a result");
-    assert_eq!((rows[0].student.as_deref(), rows[0].q1_answer), (Some("S01"), Some(3.0)));
-    assert!(rows[0].q1_truth.is_some() && rows[0].q2_answer.is_none());
-}
-
-#[test]
-fn a_locked_lesson_takes_no_file_no_link_and_no_other_recipe_and_a_free_one_can_be_left() {
-    let mut harness = window_with(vec2(1280.0, 720.0), lesson("first-steak", true));
-    assert_eq!(orders(&harness), 0, "only the card says what to do");
-    click(&mut harness, "Begin");
-    steps(&mut harness, 2);
-    assert_eq!(orders(&harness), 1);
-    let pieces = harness.state().session().kitchen.pieces().len();
-    harness.state_mut().open_link("#cook=1.damaged");
-    press(&mut harness, Key::R);
-    click(&mut harness, "Learn");
-    assert!(harness.query_by_label("Lessons").is_none(), "the menu stays shut");
-    assert_eq!(harness.state().session().kitchen.pieces().len(), pieces);
-    let mut harness = window_with(vec2(1280.0, 720.0), lesson("first-steak", false));
-    click(&mut harness, "Leave the lesson");
-    assert!(harness.state().guided().is_none());
-    click(&mut harness, "Learn");
-    click(&mut harness, "Lessons");
-    save(&mut harness, "lessons");
-    click(&mut harness, "Carry-over: the steak cooks on");
-    assert!(matches!(harness.state().guided(), Some(Guided::Lesson(desk)) if desk.scenario().id == "carry-over"));
 }
 
 #[test]

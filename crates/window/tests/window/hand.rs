@@ -16,8 +16,8 @@ use crate::harness::{press, save, steps, window};
 const WIDE: egui::Vec2 = egui::vec2(1280.0, 720.0);
 
 /// What the test moves and sees.
-struct Script {
-    pose: Pose,
+pub struct Script {
+    pub pose: Pose,
     turner: Option<Pose>,
     command: HapticCommand,
     stopped: bool,
@@ -25,7 +25,7 @@ struct Script {
 }
 
 /// A device of strings in memory that takes a given pose and solves its tensions as a real one does.
-struct Scripted {
+pub struct Scripted {
     script: Arc<Mutex<Script>>,
     geometry: Geometry,
     capabilities: Capabilities,
@@ -33,7 +33,7 @@ struct Scripted {
     time_s: f64,
 }
 
-fn scripted(name: &str, sensed: Sensed) -> (Box<Scripted>, Arc<Mutex<Script>>) {
+pub fn scripted(name: &str, sensed: Sensed) -> (Box<Scripted>, Arc<Mutex<Script>>) {
     let geometry = library::devices().expect("devices").remove(name).expect("listed");
     let pose = geometry.home();
     let command = HapticCommand::default();
@@ -84,7 +84,7 @@ impl HapticDevice for Scripted {
 
 /// Lets wall and kitchen go on together, without drawing, until a condition is met; returns true if it was met
 /// within a minute.
-fn until(harness: &mut Harness<'static, SauteApp>, mut enough: impl FnMut(&SauteApp) -> bool) -> bool {
+pub fn until(harness: &mut Harness<'static, SauteApp>, mut enough: impl FnMut(&SauteApp) -> bool) -> bool {
     let begun = Instant::now();
     while begun.elapsed() < Duration::from_secs(60) {
         let session = harness.state_mut().session_mut();

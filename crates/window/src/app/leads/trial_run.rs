@@ -5,6 +5,7 @@ use std::sync::Arc;
 use crate::app::SauteApp;
 use saute_kitchen::Command;
 use saute_session::guided::{Guided, Readiness};
+use saute_session::hands::Hands as _;
 
 /// Power of the hob while the machine is tried [W] (chosen: a pan that sears, as in a trial).
 const HOB_W: f64 = 1800.0;
@@ -31,6 +32,7 @@ impl SauteApp {
     /// Notes what has passed of a locked speed; after a trial run the food is there raw again.
     pub(crate) fn note_pace(&mut self, wall_s: f64, simulated_s: f64) {
         let Some(Guided::Study(desk)) = &mut self.leads.guided else { return };
+        desk.note_devices(self.session.hands.names());
         if !desk.pass(wall_s, simulated_s) {
             return;
         }

@@ -1,6 +1,7 @@
 //! Promise: the window teaches: goals, a result that shows why, a coach, skill mode, and a tutorial under three minutes.
 
 mod coach;
+pub mod lesson;
 mod result;
 mod skill;
 pub mod turned;
