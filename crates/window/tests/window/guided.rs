@@ -210,6 +210,7 @@ fn take_device(harness: &mut Harness<'static, SauteApp>) {
     hands.hold(Held::Pan, "spidar-frame@here", device).expect("starts");
     let place = |app: &SauteApp| app.session().kitchen.world().motion.pose.position;
     assert!(until(harness, |app| (place(app) - there.position).length() < 1e-3), "the pan is in the hand");
+    steps(harness, 2);
     harness.state_mut().session_mut().hands.disconnect(Held::Pan);
     assert!(until(harness, |app| !app.session().hands.has_pan()), "it is laid down");
 }
