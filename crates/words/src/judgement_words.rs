@@ -7,6 +7,7 @@ use saute_kitchen::food::change::doneness::Measure;
 use saute_plan::goal::{Better, Goal, GoalVerdict, Judgement, Shortfall};
 
 use crate::doneness_words::class;
+use crate::goal_words;
 use crate::language::Language;
 use crate::mark_words::{TermRow, best_words, good_words, mark_words, table};
 use crate::speech::Speech;
@@ -46,7 +47,7 @@ impl ResultWords {
         let teller = Teller { judgement, goal, speech };
         let l = speech.language;
         let is_met = judgement.verdict == GoalVerdict::Met;
-        let name = match l.called("goal", &goal.name) {
+        let name = match goal_words::label(&goal.name, &goal.names, l) {
             name if name == goal.name => class(&goal.scale, &goal.name, l).to_owned(),
             name => name.to_owned(),
         };

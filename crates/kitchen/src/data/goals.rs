@@ -1,5 +1,7 @@
 //! Goals of a cook as data: what a finished food is judged by.
 
+use std::collections::BTreeMap;
+
 use saute_food::Scale;
 use saute_food::description::Confidence;
 use schemars::JsonSchema;
@@ -34,6 +36,10 @@ pub struct GoalDescription {
     /// Label for people.
     #[schemars(example = &"Medium, with a crust")]
     pub name: String,
+    /// Labels in other languages by their code.
+    #[serde(default)]
+    #[schemars(extend("examples" = [{ "ja": "ミディアム" }]))]
+    pub names: BTreeMap<String, String>,
     /// Ids of the kinetics of the foods that it fits.
     #[schemars(length(min = 1), extend("examples" = [["beef"]]))]
     pub kinetics: Vec<String>,

@@ -74,6 +74,8 @@ const USUAL_FULL_PCT: f64 = 50.0;
 pub struct Goal {
     /// The target in words: `medium`, `core 54 °C`.
     pub name: String,
+    /// The same in other languages by their code.
+    pub names: BTreeMap<String, String>,
     /// The scale that the target is a class of; for a temperature a separate one.
     pub scale: Scale,
     /// Index of the class.
@@ -120,6 +122,7 @@ impl Goal {
         let anything = [f64::NEG_INFINITY, f64::INFINITY];
         Ok(Self {
             name: goal.name.clone(),
+            names: goal.names.clone(),
             core: if goal.core_counts { of_class.core } else { anything },
             counts: goal.counts,
             core_counts: goal.core_counts,
@@ -165,6 +168,7 @@ impl Goal {
     fn plain(name: String, scale: Scale, class: usize, aim: f64, crust_pct: f64) -> Self {
         Self {
             name,
+            names: BTreeMap::new(),
             scale,
             class,
             aim,

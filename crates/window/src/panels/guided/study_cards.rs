@@ -11,6 +11,7 @@ use saute_controls::act::GuidedAct;
 use saute_controls::act::{Act, Acts, LearnAct};
 use saute_controls::context::PanelContext;
 use saute_session::guided::{Readiness, StudyDesk, TrialRun};
+use saute_words::goal_words;
 use saute_words::guided_words;
 
 /// Shows the card of the stage.
@@ -111,7 +112,7 @@ fn next_trial(
     let content = |ui: &mut Ui| {
         told(state, desk.told(), ui);
         ui.label(RichText::new(l.fill("study.trial", &[("trial", &trial), ("trials", &simulate.trials)])).strong());
-        let goal = l.called("goal", &simulate.goal.goal.name);
+        let goal = goal_words::label(&simulate.goal.goal.name, &simulate.goal.goal.names, l);
         ui.label(l.fill("study.goal", &[("goal", &goal)]));
         ui.label(l.fill("study.speed", &[("speed", &simulate.speed)]));
         if let Readiness::Holds(pace) = desk.readiness() {
