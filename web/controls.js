@@ -43,6 +43,7 @@ export class Controls {
   /** Shows these controls, in this order; elements of controls that stay are kept with their focus. */
   show(controls) {
     const before = this.known;
+    const held = [...before.values()].indexOf(document.activeElement);
     this.known = new Map(controls.map((control) => [control.id, this.element(control, before)]));
     for (const [id, element] of before) if (this.known.get(id) !== element) element.remove();
     let next = this.list.firstChild;
@@ -50,6 +51,16 @@ export class Controls {
       if (element === next) next = next.nextSibling;
       else this.list.insertBefore(element, next);
     }
+    if (held >= 0) this.keepFocus(held);
+  }
+
+  /** Gives the focus to the nearest control where the one that had it is gone or disabled: a card came or went. */
+  keepFocus(place) {
+    const all = [...this.known.values()];
+    if (all.includes(document.activeElement) && !document.activeElement.disabled) return;
+    const takesFocus = (element) => element.matches("button:enabled, input:enabled");
+    const next = all.slice(place).find(takesFocus) ?? all.slice(0, place).reverse().find(takesFocus);
+    next?.focus();
   }
 
   element(control, before) {

@@ -2,7 +2,8 @@
 
 const version = new URL(import.meta.url).search;
 const part = (name) => import(new URL(`./${name}.js${version}`, import.meta.url).href);
-const [{ readPad, shakePad }, { canTilt, Tilt }, { Sound }] = await Promise.all([part("gamepad"), part("tilt"), part("sound")]);
+const parts = ["gamepad", "tilt", "sound", "words"].map(part);
+const [{ readPad, shakePad }, { canTilt, Tilt }, { Sound }, { words }] = await Promise.all(parts);
 
 /** Sentences that stay in the log (chosen: those of some minutes, for whoever reads back). */
 const MOST_LINES = 50;
@@ -106,10 +107,10 @@ export class Host {
     }
   }
 
-  /** Copies a text; without access to the clipboard by a field that is selected. */
+  /** Copies a text; without access to the clipboard by a field that is selected, and if that fails by hand. */
   copyText(text) {
     const copied = navigator.clipboard?.writeText(text) ?? Promise.reject(new Error("no clipboard"));
-    copied.catch(() => copyByField(text));
+    copied.catch(() => copiedByField(text) || showToCopy(text));
   }
 }
 
@@ -122,12 +123,29 @@ function origin(text) {
   }
 }
 
-function copyByField(text) {
+function copiedByField(text) {
   const field = document.createElement("textarea");
   field.value = text;
   field.className = "unseen";
   document.body.append(field);
   field.select();
-  document.execCommand("copy");
+  const copied = document.execCommand("copy");
   field.remove();
+  return copied;
+}
+
+/** Shows a text over the page, selected, until the dialog is closed. */
+function showToCopy(text) {
+  const { by_hand, done: close } = words(document.documentElement.lang);
+  const dialog = document.createElement("dialog");
+  const field = document.createElement("textarea");
+  const done = document.createElement("button");
+  Object.assign(field, { value: text, readOnly: true, ariaLabel: by_hand });
+  done.textContent = close;
+  done.addEventListener("click", () => dialog.close());
+  dialog.addEventListener("close", () => dialog.remove());
+  dialog.append(by_hand, field, done);
+  document.body.append(dialog);
+  dialog.showModal();
+  field.select();
 }

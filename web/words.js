@@ -10,6 +10,8 @@ const ENGLISH = {
   private: "Nothing leaves this page.",
   version: (version) => `Version ${version}`,
   again: "Try again",
+  by_hand: "The browser did not let this be copied. Copy it here:",
+  done: "Done",
   describe: "Describe the cook",
   choose: "What do you want to cook?",
   starts: {
@@ -52,6 +54,8 @@ const JAPANESE = {
   private: "データはこのページの外へ送られません。",
   version: (version) => `バージョン ${version}`,
   again: "もう一度",
+  by_hand: "ブラウザーがコピーを許しませんでした。ここからコピーしてください。",
+  done: "閉じる",
   describe: "調理の様子を聞く",
   choose: "何を作りますか？",
   starts: {

@@ -45,6 +45,11 @@ impl PanelContext<'_> {
         !self.settings.skill_mode && !self.is_blind()
     }
 
+    /// Returns true if words may state what the core will reach: not before a lesson has asked the student for it.
+    pub fn foretells(&self) -> bool {
+        self.session.lesson.as_ref().is_none_or(|lesson| !lesson.asks_ahead())
+    }
+
     /// The scale of doneness in whose words the food that the panels show is described.
     pub fn scale(&self) -> Option<Arc<Scale>> {
         self.session.scale(&self.settings.scale)

@@ -1,5 +1,6 @@
 //! `saute class`: the results of a class.
 
+mod handed_in;
 mod simulate;
 
 use std::path::{Path, PathBuf};
@@ -7,11 +8,12 @@ use std::process::ExitCode;
 
 use clap::Subcommand;
 use saute_study::LogError;
-use saute_study::class::{Bar, ClassSummary, ResultRow, from_csv, to_csv};
+use saute_study::class::{Bar, ClassSummary, ResultRow, ScenarioSummary, from_csv, to_csv};
 
 pub use simulate::SimulateArgs;
 
 use crate::error::CliError;
+use crate::exit_code;
 use crate::input::data_library::DataLibrary;
 use crate::input::text_file;
 use crate::output::out_file::OutFile;
@@ -30,7 +32,7 @@ pub enum ClassCommand {
 /// `saute class collect`.
 #[derive(Debug, clap::Args)]
 pub struct CollectArgs {
-    /// Results of students.
+    /// Results of students: files, folders of them, or a pattern such as results/*.csv.
     #[arg(value_name = "FILE.csv", required = true)]
     pub files: Vec<PathBuf>,
     /// File with all results; a result that is there twice is written once.
@@ -43,6 +45,9 @@ pub struct CollectArgs {
 
 /// Largest file that is read [MiB] (chosen: a class has a few kilobytes).
 const LARGEST_MIB: u64 = 8;
+
+/// What to do about a file or a row that is none of a lesson's.
+const REMEDY: &str = "correct the row or leave the file out: results are what a lesson has given, with a code of letters, digits and hyphens";
 
 /// Widest bar [marks] (chosen: a line of a terminal).
 const WIDEST: usize = 40;
@@ -59,9 +64,20 @@ pub fn run(
 }
 
 fn collect(args: &CollectArgs) -> Result<ExitCode, CliError> {
-    let mut rows = Vec::new();
-    for file in &args.files {
-        rows.extend(read(file)?);
+    let files = handed_in::files(&args.files)?;
+    let (mut rows, mut refused) = (Vec::new(), Vec::new());
+    for file in &files {
+        match read(file) {
+            Ok(read) => rows.extend(read),
+            Err(error) => refused.push(error),
+        }
+    }
+    if rows.is_empty() {
+        // Nothing is left to be collected: the first reason stands for all.
+        return Err(refused.into_iter().next().unwrap_or_else(no_result));
+    }
+    for error in &refused {
+        stderr::say(format!("left out: {error}"));
     }
     let (merged, summary) = ClassSummary::of(&rows);
     if let Some(path) = &args.out {
@@ -70,31 +86,47 @@ fn collect(args: &CollectArgs) -> Result<ExitCode, CliError> {
         stderr::say(format!("wrote {} results to {}", merged.len(), path.display()));
     }
     stdout::print(&if args.json { json::text(&summary)? } else { text(&summary, rows.len() - merged.len()) })?;
-    Ok(ExitCode::SUCCESS)
+    Ok(exit_code::of_goal(refused.is_empty()))
+}
+
+fn no_result() -> CliError {
+    CliError::place("FILE.csv", "no result is named", "name the files that students have handed in")
 }
 
 fn read(path: &Path) -> Result<Vec<ResultRow>, CliError> {
     let bytes = text_file::bytes(path, LARGEST_MIB, ".csv", "a student's result")?;
     let place = path.display().to_string();
-    from_csv(&place, &String::from_utf8_lossy(&bytes)).map_err(|LogError { file, line, message }| {
-        let (message, remedy) = message.rsplit_once("; ").unwrap_or((&message, "name files that a lesson has given"));
+    let rows = from_csv(&place, &String::from_utf8_lossy(&bytes)).map_err(|LogError { file, line, message }| {
+        let (message, remedy) = message.rsplit_once("; ").unwrap_or((&message, REMEDY));
         CliError::place(format!("{file}:{line}"), message, remedy)
-    })
+    })?;
+    if rows.is_empty() {
+        return Err(CliError::place(place, "has no result in it", "ask the student to hand it in again"));
+    }
+    Ok(rows)
 }
 
 fn text(summary: &ClassSummary, twice: usize) -> String {
     let mut lines = Vec::new();
     for s in &summary.scenarios {
         lines.push(format!(
-            "{} ({}): {} results of {} students, {} without a code",
-            s.scenario, s.checksum, s.results, s.students, s.without_code
+            "{} ({}): {} of {}, {} without a code",
+            s.scenario,
+            s.checksum,
+            counted(s.results, "result"),
+            counted(s.students, "student"),
+            s.without_code
         ));
         lines.push(format!(
-            "  goal met {} of {}; medians: score {:.1}, share on target {:.1} %",
-            s.met, s.results, s.median_score, s.median_target_share_pct
+            "  goal met {} of {}; medians: {}, share on target {:.1} %",
+            s.met,
+            s.results,
+            points(s),
+            s.median_target_share_pct
         ));
         for q in &s.questions {
-            let error = q.median_error.map_or_else(|| "not compared".to_owned(), |e| format!("median error {e:.1}"));
+            let compared = |e| format!("{} compared, median error {e:.1}", q.compared);
+            let error = q.median_error.map_or_else(|| "not compared".to_owned(), compared);
             lines.push(format!("  question {}: {} answers, {error}", q.question, q.answers));
             if q.early_truths > 0 {
                 lines.push(format!(
@@ -111,6 +143,16 @@ fn text(summary: &ClassSummary, twice: usize) -> String {
     lines.iter().map(|line| format!("{line}\n")).collect()
 }
 
+/// The points that students see; those of results from before they were kept are scores, which may be negative.
+fn points(s: &ScenarioSummary) -> String {
+    s.median_mark.map_or_else(|| format!("score {:.1}", s.median_score), |mark| format!("{mark:.0} of 100 points"))
+}
+
+/// A count with its noun.
+fn counted(count: usize, noun: &str) -> String {
+    format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
+}
+
 /// A line for each bar: `#` is an answer, `o` a truth.
 fn histogram(bars: &[Bar]) -> Vec<String> {
     let line = |bar: &Bar| {
@@ -118,5 +160,5 @@ fn histogram(bars: &[Bar]) -> Vec<String> {
         let marks = format!("{}{}", "#".repeat(bar.answers.min(WIDEST)), "o".repeat(bar.truths.min(WIDEST)));
         format!("    {range:>9} |{marks:<12} {} answers, {} truths", bar.answers, bar.truths)
     };
-    bars.iter().map(line).collect()
+    bars.iter().filter(|bar| bar.answers + bar.truths > 0).map(line).collect()
 }

@@ -34,13 +34,19 @@ pub struct SimulateArgs {
 /// Lets simulated students take the lesson, and writes what each hands in.
 pub fn run(args: &SimulateArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
     let scenario = open::scenario(&args.scenario, data)?;
+    let codes = (1..=args.students).map(SimulatedClass::code);
+    let name = |code: &str| format!("{}-{code}.csv", scenario.id);
+    if let Some(there) = codes.map(|code| args.out.join(name(&code))).find(|path| path.exists()) {
+        let message = "is there already, and may be the result of a student";
+        return Err(CliError::place(there.display(), message, "name another folder: --out DIR"));
+    }
     let out = OutDir::prepare(&args.out)?;
     let class = SimulatedClass { scenario: Arc::clone(&scenario), seed: args.seed };
     let row = |number| class.row(number, &data.library);
     let rows = simulated_people::all(args.students, "student", &args.scenario, row)?;
     let of_row = |row: ResultRow| {
         let student = row.student.clone().unwrap_or_default();
-        (format!("{}-{student}.csv", scenario.id), to_csv(&[row]).into_bytes())
+        (name(&student), to_csv(&[row]).into_bytes())
     };
     let files = rows.into_iter().map(of_row).collect();
     let place = out.place();

@@ -33,6 +33,10 @@ pub fn advice_words(advice: Advice, state: &PanelContext) -> String {
         Advice::Wet { .. } => l.text("advice.wet").to_owned(),
         Advice::Browns { .. } => l.text("advice.browns").to_owned(),
         Advice::Flip => l.fill("advice.flip", &[("food", &state.session.noun(l))]),
+        Advice::TakeOut { .. } if !state.foretells() => l.text("advice.take_out_ahead").to_owned(),
+        Advice::WouldPeak { wet, .. } if !state.foretells() => {
+            l.text(if wet { "advice.wet" } else { "advice.browns" }).to_owned()
+        }
         Advice::TakeOut { peak_c } => at("advice.take_out", peak_c),
         Advice::Ready { .. } => l.fill("advice.ready", &[("class", &class_now(state))]),
         Advice::NotReady { share_pct, until_pct } => {

@@ -134,7 +134,7 @@ impl Words<'_> {
             }
             Advice::PutIn { pan_c } => [self.of_food("now.put_in"), self.pan_is_hot(pan_c)],
             Advice::Flip => [self.of_food("now.flip"), self.text(self.why_flip())],
-            Advice::TakeOut { peak_c } => [self.of_food("now.take_out"), self.with_temperature("now.rests_up", peak_c)],
+            Advice::TakeOut { peak_c } => [self.of_food("now.take_out"), self.ahead("now.rests_up", peak_c)],
             Advice::Ready { .. } => [self.of_food("now.take_out"), self.class("now.core_is")],
             Advice::WouldPeak { peak_c, wet } => self.frying(peak_c, wet, memory),
             Advice::NotReady { share_pct, until_pct } => {
@@ -145,14 +145,18 @@ impl Words<'_> {
             Advice::Wet { .. } => [self.text("now.frying"), self.text("now.wet")],
             Advice::Browns { .. } => [self.text("now.frying"), self.text("now.browns")],
             Advice::Resting { .. } => match self.state.rise {
-                Some(Forecast { peak_c, in_s }) => [
-                    self.in_time("now.rests_for", "now.resting", Some(in_s)),
-                    self.with_temperature("now.rises_to", peak_c),
-                ],
+                Some(Forecast { peak_c, in_s }) => {
+                    [self.in_time("now.rests_for", "now.resting", Some(in_s)), self.ahead("now.rises_to", peak_c)]
+                }
                 None => [self.text("now.has_rested"), self.text("now.at_highest")],
             },
             Advice::Rested { peak_c } => [self.text("now.rested"), resting_words("now.reached", peak_c, self.state)],
         }
+    }
+
+    /// What the core will reach, where it may be told.
+    fn ahead(&self, key: &'static str, peak_c: f64) -> String {
+        if self.state.foretells() { self.with_temperature(key, peak_c) } else { self.text("now.cooks_on") }
     }
 
     /// When to flip or to take out, whichever comes first.
@@ -163,7 +167,7 @@ impl Words<'_> {
         let flip = self.flip_in(peak_c, goal, memory).filter(|flip| out.is_none_or(|out| *flip + READY_S < out));
         // Far from the goal nobody thinks of taking it out.
         let would = match wet {
-            _ if peak_c >= STEADY * goal => self.with_temperature("now.would_peak", peak_c),
+            _ if peak_c >= STEADY * goal && self.state.foretells() => self.with_temperature("now.would_peak", peak_c),
             true => self.text("now.wet"),
             false => self.text("now.is_browning"),
         };

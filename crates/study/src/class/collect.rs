@@ -30,7 +30,9 @@ pub struct ScenarioSummary {
     pub without_code: usize,
     /// Results that met the goal.
     pub met: usize,
-    /// Median of the score [points].
+    /// Median of the mark that students see [points of 100]; none where a result is from before it was kept.
+    pub median_mark: Option<f64>,
+    /// Median of the score, which may be negative [points].
     pub median_score: f64,
     /// Median of the share of the goal [%].
     pub median_target_share_pct: f64,
@@ -104,6 +106,11 @@ impl ScenarioSummary {
             students: codes.len(),
             without_code: rows.iter().filter(|row| row.student.is_none()).count(),
             met: rows.iter().filter(|row| row.is_met).count(),
+            median_mark: rows
+                .iter()
+                .map(|row| row.mark)
+                .collect::<Option<Vec<f64>>>()
+                .and_then(|marks| Sorted::new(marks).median()),
             median_score: of(&|row| row.score)?,
             median_target_share_pct: of(&|row| row.target_share_pct)?,
             questions: (0..MOST_QUESTIONS).filter_map(|place| question(believed, place)).collect(),

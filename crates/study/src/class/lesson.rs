@@ -51,6 +51,15 @@ impl Lesson {
         self.asked.iter().position(|asked| asked.at_s.is_some() && asked.answer.is_none())
     }
 
+    /// True while a question about what is still to come has no answer: what foretells it would give it away.
+    pub fn asks_ahead(&self) -> bool {
+        let is_ahead = |ask| matches!(ask, Ask::CoreIn(_) | Ask::CorePeak | Ask::ClassInTheEnd);
+        self.asked
+            .iter()
+            .zip(&self.scenario.predictions)
+            .any(|(one, predict)| one.answer.is_none() && is_ahead(predict.ask))
+    }
+
     /// Looks at the kitchen after a tick; returns true if a question has become due: the cook is then to be paused.
     pub fn observe(&mut self, kitchen: &Kitchen) -> bool {
         let Some(piece) = kitchen.pieces().first() else { return false };

@@ -47,6 +47,11 @@ struct Student {
 }
 
 impl SimulatedClass {
+    /// Code of the student with a number, which no teacher gives to a person.
+    pub fn code(number: u32) -> String {
+        format!("SIM-{number:02}")
+    }
+
     /// Lets the student with a number, from 1, take the lesson; returns what is handed in.
     ///
     /// # Errors
@@ -62,8 +67,7 @@ impl SimulatedClass {
         let mut random = Random::new(&[self.seed, u64::from(number)]);
         kitchen.apply(&Command::Hob(drawn(&mut random, HEAT_W)))?;
         let mut student = Student::new(random, scenario);
-        // The code is one: a letter and digits.
-        let code: Option<Participant> = format!("S{number:02}").parse().ok();
+        let code: Option<Participant> = Self::code(number).parse().ok();
         let mut lesson = Lesson::begin(Arc::clone(scenario), code);
         while kitchen.time_s() < scenario.max_s && !has_rested(&kitchen) {
             student.acts(&mut kitchen)?;

@@ -67,7 +67,7 @@ fn simulated_students_hand_in_what_is_collected() {
     let shipped_text = shipped::text("first-steak").expect("is shipped");
     let first = Scenario::parse(shipped_text, "first-steak.toml", &library).expect("parses");
     for number in 1..=5 {
-        let file = folder.join(format!("first-steak-S{number:02}.csv"));
+        let file = folder.join(format!("first-steak-SIM-{number:02}.csv"));
         let text = std::fs::read_to_string(&file).expect("is shipped");
         let [row] = &from_csv("shipped", &text).expect("is read")[..] else { panic!("{}: one row", file.display()) };
         assert_eq!(row.checksum, format!("{:08x}", first.checksum), "make it anew: saute class simulate first-steak");

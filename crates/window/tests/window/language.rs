@@ -123,7 +123,11 @@ fn every_name_in_the_data_has_a_japanese_one() {
         if !scale.names.contains_key("ja") {
             known("scale", &scale.name);
         }
-        scale.class.iter().filter(|class| !class.names.contains_key("ja")).for_each(|class| known("class", &class.name));
+        scale
+            .class
+            .iter()
+            .filter(|class| !class.names.contains_key("ja"))
+            .for_each(|class| known("class", &class.name));
     }
     let goals = library.goals.iter().filter(|goal| !goal.names.contains_key("ja"));
     goals.for_each(|goal| known("goal", &goal.name));

@@ -242,7 +242,10 @@ impl SauteApp {
 
     fn copy_result(&mut self, ctx: &egui::Context) {
         let Some((row, _)) = self.lesson_result() else { return };
-        ctx.copy_text(row.line());
+        let line = row.line();
+        // In a page the clipboard may be closed, and only its script can show the line instead.
+        ctx.copy_text(line.clone());
+        self.host.copy_text(&line);
         self.say("guided.copied");
     }
 
@@ -256,7 +259,7 @@ impl SauteApp {
     /// Saves a table, and shows where it is if it has a path.
     fn save_table(&self, name: &str, csv: &str) {
         match self.host.save_table(name, csv) {
-            Ok(None) => {}
+            Ok(None) => self.desk.notice.say(self.settings.language.fill("notice.downloaded", &[("file", &name)])),
             Ok(Some(path)) => {
                 let said = self.settings.language.fill("notice.cook_saved", &[("path", &path.display())]);
                 self.desk.notice.say_of(said, path);

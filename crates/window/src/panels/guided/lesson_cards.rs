@@ -5,6 +5,7 @@ use saute_study::Measures;
 use saute_study::class::rest::Rest;
 use saute_study::class::{Ask, Lesson, ResultRow};
 
+use super::ribbon::titled;
 use super::{Entries, button, card};
 use crate::ui::aloud::spoken_value;
 use crate::ui::theme;
@@ -56,7 +57,7 @@ fn intro(state: &PanelContext, desk: &LessonDesk, ui: &Ui, acts: &mut Acts, whol
             );
         }
     };
-    card(ui, ("intro", scenario.title.of(l.code())), whole, content, |ui| {
+    card(ui, ("intro", &titled(desk, l)), whole, content, |ui| {
         if button(ui, l.text("lesson.begin"), true) {
             acts.push(Act::Learn(LearnAct::Guided(GuidedAct::BeginLesson)));
         }
@@ -173,10 +174,13 @@ fn result(
         ui.label(RichText::new(guided_words::outcome(measures, state.settings.speech())).size(16.0));
         ui.add_space(4.0);
         foreseen(state, lesson, ui);
+        if lesson.asked().iter().any(|asked| asked.answer.is_some() && asked.truth.is_none()) {
+            ui.label(RichText::new(l.text("lesson.not_shown")).size(13.0).color(theme::of(ui).quiet));
+        }
         ui.add_space(4.0);
         ui.label(RichText::new(l.text("lesson.hand_in")).size(13.0).color(theme::of(ui).quiet));
     };
-    card(ui, ("result", desk.scenario().title.of(l.code())), whole, content, |ui| {
+    card(ui, ("result", &titled(desk, l)), whole, content, |ui| {
         for (key, act, first) in [
             ("lesson.save", GuidedAct::SaveResult, true),
             ("lesson.copy", GuidedAct::CopyResult, false),

@@ -11,6 +11,7 @@ use saute_controls::act::{Act, Acts, LearnAct};
 use saute_controls::context::PanelContext;
 use saute_session::guided::{LessonDesk, StudyDesk};
 use saute_words::goal_words;
+use saute_words::language::Language;
 
 /// Names phase and trial; it never states which condition applies.
 pub(super) fn of_study(state: &PanelContext, desk: &StudyDesk, ui: &Ui, layout: &Layout) {
@@ -30,7 +31,7 @@ pub(super) fn of_lesson(state: &PanelContext, desk: &LessonDesk, ui: &Ui, acts: 
         return;
     }
     let l = state.settings.language;
-    let title = desk.scenario().title.of(l.code()).to_owned();
+    let title = titled(desk, l);
     let goal = goal_words::label(&desk.scenario().goal.goal.name, &desk.scenario().goal.goal.names, l).to_owned();
     ribbon(ui, layout, (&title, &goal), |ui| {
         let leave = theme::of(ui).button(l.text("lesson.leave_short"), false);
@@ -38,6 +39,12 @@ pub(super) fn of_lesson(state: &PanelContext, desk: &LessonDesk, ui: &Ui, acts: 
             acts.push(Act::Learn(LearnAct::Guided(GuidedAct::Leave)));
         }
     });
+}
+
+/// Title of the lesson, with the code of the student.
+pub(super) fn titled(desk: &LessonDesk, l: Language) -> String {
+    let title = desk.scenario().title.of(l.code());
+    desk.start().student.as_ref().map_or(title.to_owned(), |student| format!("{title} · {}", student.code()))
 }
 
 fn ribbon(ui: &Ui, layout: &Layout, (first, second): (&str, &str), buttons: impl FnOnce(&mut Ui)) {

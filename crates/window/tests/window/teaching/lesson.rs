@@ -39,7 +39,7 @@ fn a_lesson_pauses_and_asks_compares_the_answer_and_gives_a_row() {
     assert!(harness.query_by_label("Leave the lesson").is_none(), "it is locked");
     click(&mut harness, "Begin");
     press(&mut harness, Key::A);
-    cook(&mut harness, 80.0);
+    cook(&mut harness, 140.0);
     assert!(!harness.state().session().paused);
     cook(&mut harness, 12.0);
     assert!(harness.state().session().paused, "a question is due");
