@@ -102,7 +102,7 @@ impl ViewAct {
             Self::Pantry => Traits { subject: Subject::Window, needs: &[Permit::Foods], ..eye("key.pantry") },
             Self::Curves => Traits { subject: Subject::Window, needs: &[Permit::ReadOuts], ..reading("key.curves") },
             Self::Panels => Traits { subject: Subject::Window, ..eye("key.panels") },
-            Self::Projector => Traits { subject: Subject::Window, ..eye("key.projector") },
+            Self::Projector => Traits { subject: Subject::Window, over_cards: true, ..eye("key.projector") },
             Self::More => Traits { subject: Subject::Window, needs: &[Permit::Comfort], ..eye("key.more") },
             Self::Strings => Traits { subject: Subject::Window, needs: &[Permit::Devices], ..eye("key.strings") },
         }

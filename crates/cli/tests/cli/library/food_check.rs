@@ -102,7 +102,7 @@ fn mistakes_are_reported_with_line_meaning_and_remedy() {
         ("emissivity = 0.95", "emissivty = 0.95", ["emissivty is no key", "write emissivity"]),
         ("ripple = 0.02\n", "", ["outline.ripple is missing: amplitude", "write ripple = 0.02"]),
         ("water = 0.685", "water = 0.785", ["add up to 1.1", "mend"]),
-        ("kinetics = \"shrimp\" ", "kinetics = \"salmon\" ", ["kinetics = \"salmon\" is unknown", "shrimp"]),
+        ("kinetics = \"shrimp\" ", "kinetics = \"squid\" ", ["kinetics = \"squid\" is unknown", "shrimp"]),
         ("myosin =", "myosine =", ["\"myosine\"", "myosin"]),
         ("raw = [58.0", "raw = [158.0", ["raw = [158.0, 32.0, 30.0] is no colour", "L* 0 to 100"]),
         ("min_mm = [40.0, 30.0", "min_mm = [140.0, 30.0", ["default_mm = 110 is out of range", "use 140"]),

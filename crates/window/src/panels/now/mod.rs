@@ -121,6 +121,12 @@ impl<'a> Now<'a> {
         width < TIGHT && matches!(self.lead, Some(Lead::Plan(_)))
     }
 
+    /// Height of verb and reason in a width [points].
+    fn words_height(&self, ui: &Ui, width: f32) -> f32 {
+        let height = |text: &str, sizes: &[f32]| fitted(ui, text, sizes, width, Color32::PLACEHOLDER).size().y;
+        height(&self.words.verb, &VERB_SIZES) + height(&self.words.why, &WHY_SIZES)
+    }
+
     /// Height of the upper part, which is `usual` high as a rule [points].
     fn height(&self, usual: f32, width: f32) -> f32 {
         if self.is_tight(width) { TIGHT_HEIGHT } else { usual }
@@ -148,7 +154,9 @@ impl<'a> Now<'a> {
             Some(deed) => room.max.x -= button(ui, acts, deed, room) + PAD,
             None => forget_button(ui),
         }
-        if let Some([core, goal]) = core(state).filter(|_| !self.is_tight(size.x)) {
+        let beside_core = room.width() - CORE_WIDTH - PAD;
+        let has_room = size.x >= TIGHT || self.words_height(ui, beside_core) <= room.height();
+        if let Some([core, goal]) = core(state).filter(|_| has_room && !self.is_tight(size.x)) {
             let column = Rect::from_min_size(room.min, vec2(CORE_WIDTH, room.height()));
             two_lines(ui, column, [(&core, &[24.0, 20.0], palette.text), (&goal, &WHY_SIZES, palette.quiet)]);
             room.min.x += CORE_WIDTH + PAD;
