@@ -3,10 +3,11 @@
 use super::scenario_file::{AskKind, ScenarioFile};
 
 /// Ids and texts, in the order in which they are learned.
-pub const SHIPPED: [(&str, &str); 3] = [
+pub const SHIPPED: [(&str, &str); 4] = [
     ("first-steak", include_str!("../../../../scenarios/first-steak.toml")),
     ("when-to-flip", include_str!("../../../../scenarios/when-to-flip.toml")),
     ("carry-over", include_str!("../../../../scenarios/carry-over.toml")),
+    ("white-is-not-done", include_str!("../../../../scenarios/white-is-not-done.toml")),
 ];
 
 /// Returns the text of a scenario by its id.
