@@ -21,9 +21,11 @@ impl Stills {
     }
 }
 
-/// The pixels of a PNG file of eight bits with transparency, as the program writes them.
+/// The pixels of a PNG file of eight bits with transparency, of a palette as a rule.
 fn decoded(file: &[u8]) -> Option<ColorImage> {
-    let mut reader = png::Decoder::new(std::io::Cursor::new(file)).read_info().ok()?;
+    let mut decoder = png::Decoder::new(std::io::Cursor::new(file));
+    decoder.set_transformations(png::Transformations::EXPAND | png::Transformations::ALPHA);
+    let mut reader = decoder.read_info().ok()?;
     let mut bytes = vec![0; reader.output_buffer_size()?];
     let frame = reader.next_frame(&mut bytes).ok()?;
     let size = [frame.width as usize, frame.height as usize];
