@@ -17,21 +17,23 @@ pub fn class<'a>(scale: &'a Scale, name: &'a str, l: Language) -> &'a str {
 
 #[cfg(test)]
 mod tests {
+    use saute_kitchen::advice::advise;
+    use saute_kitchen::advice::coaching::Coaching;
     use saute_kitchen::doneness::fitting;
     use saute_kitchen::food::{MeshSize, OutlineKind, Rules};
-    use saute_kitchen::{Kitchen, Library, PieceOrder, kelvin};
+    use saute_kitchen::{Command, Kitchen, Library, PieceOrder, kelvin};
 
     use super::*;
     use crate::{piece_words, plan_words};
 
     /// A food with its own noun, its own words of doneness and a goal for its core.
-    const CHICKEN: &str = r#"
-name = "Chicken breast"
+    const TURKEY: &str = r#"
+name = "Turkey breast"
 kinetics = "beef"
 form = "steak"
 
 [words.en]
-noun = "chicken"
+noun = "turkey"
 
 [words.ja]
 name = "鶏むね肉"
@@ -39,8 +41,8 @@ noun = "鶏むね"
 piece = "一枚の鶏むね"
 
 [doneness]
-id = "chicken"
-name = "Chicken"
+id = "turkey"
+name = "Turkey"
 names = { ja = "鶏肉" }
 class = [
   { name = "raw", from_c = 0.0 },
@@ -58,7 +60,7 @@ confidence = "low"
     fn library() -> Library {
         let steak = &Library::embedded_files()["foods/beef-lean.toml"];
         let flesh = &steak[steak.find("[size]").expect("a size")..];
-        Library::with(&[("foods/chicken-breast.toml".to_owned(), format!("{CHICKEN}{flesh}"))]).expect("is sound")
+        Library::with(&[("foods/turkey-breast.toml".to_owned(), format!("{TURKEY}{flesh}"))]).expect("is sound")
     }
 
     fn set_out(library: &Library, kind: &str) -> Kitchen {
@@ -83,23 +85,41 @@ confidence = "low"
     fn a_food_is_spoken_of_in_the_words_of_its_own_file() {
         let library = library();
         let [en, ja] = ["en", "ja"].map(|code| Language::of_code(code).expect("is known"));
-        let food = &library.foods["chicken-breast"];
-        assert_eq!([en, ja].map(|l| food.name_in(l.code())), ["Chicken breast", "鶏むね肉"]);
-        assert_eq!([en, ja].map(|l| food.noun_in(l.code())), ["chicken", "鶏むね"]);
-        let kitchen = set_out(&library, "chicken-breast");
+        let food = &library.foods["turkey-breast"];
+        assert_eq!([en, ja].map(|l| food.name_in(l.code())), ["Turkey breast", "鶏むね肉"]);
+        assert_eq!([en, ja].map(|l| food.noun_in(l.code())), ["turkey", "鶏むね"]);
+        let kitchen = set_out(&library, "turkey-breast");
         let piece = &kitchen.pieces()[0];
-        assert_eq!(piece.id, "chicken");
-        assert_eq!([en, ja].map(|l| piece_words::name(&piece.id, &library, l)), ["chicken", "一枚の鶏むね"]);
+        assert_eq!(piece.id, "turkey");
+        assert_eq!([en, ja].map(|l| piece_words::name(&piece.id, &library, l)), ["turkey", "一枚の鶏むね"]);
         let fits = fitting(&library.scales, &piece.model);
-        assert_eq!(fits.iter().map(|scale| scale.id.as_str()).collect::<Vec<_>>(), ["chicken"]);
+        assert_eq!(fits.iter().map(|scale| scale.id.as_str()).collect::<Vec<_>>(), ["turkey"]);
         let scale: &Scale = fits[0];
-        assert_eq!([en, ja].map(|l| label(scale, l)), ["Chicken", "鶏肉"]);
+        assert_eq!([en, ja].map(|l| label(scale, l)), ["Turkey", "鶏肉"]);
         assert_eq!([en, ja].map(|l| class(scale, "juicy", l)), ["juicy", "しっとり"]);
         assert_eq!([en, ja].map(|l| piece_words::doneness(Some(scale), piece, l)), ["raw", "生"], "our own word");
         let wish = "stringy".parse().expect("a wish");
         let goal = saute_plan::goal::Goal::new(&wish, scale, 0.0).expect("a goal");
         let speech = |language| crate::speech::Speech { language, ..Default::default() };
         assert_eq!([en, ja].map(|l| plan_words::target(&goal, speech(l))), ["stringy", "ぱさぱさ"]);
+    }
+
+    #[test]
+    fn the_coach_speaks_of_a_food_of_files_alone_in_every_language() {
+        let library = library();
+        let mut kitchen = set_out(&library, "turkey-breast");
+        for command in [Command::Hob(900.0), Command::Put { food: "turkey".into(), at: [0.0; 2], heap: false }] {
+            kitchen.apply(&command).expect("is done");
+        }
+        (0..600).for_each(|_| kitchen.step());
+        let piece = &kitchen.pieces()[0];
+        let advice = advise(&kitchen, piece, None);
+        let coaching = Coaching::of(&kitchen, piece, &advice).expect("something happens");
+        let said = ["en", "ja"].map(|code| {
+            let language = Language::of_code(code).expect("is known");
+            crate::coach_words::happening(&coaching, crate::speech::Speech { language, ..Default::default() })
+        });
+        assert!(said.iter().all(|words| !words.is_empty()) && said[0] != said[1], "{said:?}");
     }
 
     #[test]

@@ -6,5 +6,6 @@ mod food_check;
 mod format_pages;
 mod hostile_files;
 mod lists;
+mod new_food;
 mod pipes_and_links;
 mod schema;
