@@ -5,6 +5,8 @@ const megabytes = (bytes) => (bytes / 1e6).toFixed(1);
 
 /** After so long without a byte the page reports that something holds it up [ms] (chosen: a slow line sends some in this time). */
 const SILENT_MS = 20_000;
+/** How an error begins that is about a value of the address. */
+const ASKED = /^(scenario|student|study|participant|recipe|lang|machine|backend): /;
 /** Texts of the page by the ids of their elements. */
 const TEXTS = ["about", "guides", "teach", "report", "private", "again", "tilt", "describe", "choose"];
 
@@ -18,7 +20,8 @@ export class Cover {
     part("version").textContent = words.version(version);
     part("progress").setAttribute("aria-label", words.loading);
     part("progress").hidden = part("report").hidden = false;
-    part("again").addEventListener("click", () => location.reload());
+    this.reload = () => location.reload();
+    part("again").addEventListener("click", this.reload);
     part("report").addEventListener("click", () => this.report(part("detail").textContent));
     this.say(words.loading);
     this.awaitBytes();
@@ -79,15 +82,25 @@ export class Cover {
     return document.documentElement.dataset.state === "failed";
   }
 
+  /** What the address asks for is not there, and asking again does not help. */
+  offerWithout() {
+    part("again").textContent = this.words.without;
+    part("again").removeEventListener("click", this.reload);
+    part("again").addEventListener("click", () => location.assign(location.pathname));
+  }
+
   /** Shows what went wrong: a text by its key, and the browser's message. */
   fail(key, error) {
     clearTimeout(this.waiting);
     part("cover").hidden = false;
     part("progress").hidden = part("starts").hidden = part("choose").hidden = true;
-    this.say(this.words[key]);
+    const said = String(error?.message ?? error ?? "");
+    const isAddress = key === "not_started" && ASKED.test(said);
+    this.say(this.words[isAddress ? "bad_address" : key]);
     part("detail").hidden = error == null;
-    part("detail").textContent = String(error?.message ?? error ?? "");
+    part("detail").textContent = said;
     part("again").hidden = false;
+    if (isAddress) this.offerWithout();
     document.documentElement.dataset.state = "failed";
   }
 }

@@ -39,6 +39,8 @@ const ENGLISH = {
     "The kitchen could not be loaded. Look whether the network is there. Where a filter guards it, as in many schools, " +
     "ask for this site's .js and .wasm files to be let through.",
   not_started: "The kitchen could not be started.",
+  bad_address: "The address asks for something that is not there. Correct it above, or go without it.",
+  without: "Open the kitchen without it",
   stopped: "The kitchen has stopped because of an error. The last cook is offered again at the next start.",
   storage_refused: "the browser lets this page store nothing; allow it site data to change that",
   storage_full: "the storage of the browser is full; remove something there to change that",
@@ -83,6 +85,8 @@ const JAPANESE = {
     "台所を読み込めませんでした。ネットワークを確かめてください。学校などでフィルターがある場合は、このサイトの .js と .wasm を" +
     "許可してもらってください。",
   not_started: "台所を始められませんでした。",
+  bad_address: "アドレスに書かれたものがありません。アドレスを直すか、それなしで開いてください。",
+  without: "それなしで台所を開く",
   stopped: "エラーのため台所が止まりました。次に開くと、前回の続きから始められます。",
   storage_refused: "ブラウザーがこのページの保存を許していません。サイトのデータを許可すると保存されます",
   storage_full: "ブラウザーの保存場所がいっぱいです。空きを作ると保存されます",

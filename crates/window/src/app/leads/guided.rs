@@ -261,7 +261,7 @@ impl SauteApp {
         match self.host.save_table(name, csv) {
             Ok(None) => self.desk.notice.say(self.settings.language.fill("notice.downloaded", &[("file", &name)])),
             Ok(Some(path)) => {
-                let said = self.settings.language.fill("notice.cook_saved", &[("path", &path.display())]);
+                let said = self.settings.language.fill("notice.table_saved", &[("path", &path.display())]);
                 self.desk.notice.say_of(said, path);
             }
             Err(error) => self.say_trouble(&error),
