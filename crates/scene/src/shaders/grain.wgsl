@@ -189,31 +189,36 @@ fn shrimp(rest: vec3<f32>, along: f32, dorsal: f32, cooked: f32, crust: f32) -> 
 // Thickness of a flake of fish [m] (chosen: 6 to 8 mm in portions of cod and salmon).
 const FLAKE = 0.0068;
 
-// Distance to the nearest sheet between flakes [m]: they slant through the thickness and are bent over the width.
-fn to_sheet(rest: vec3<f32>, noise: vec4<f32>) -> f32 {
+// Distance to the nearest sheet between flakes [m], and the number of the flake: they slant through the thickness and are bent over the width.
+fn flake_at(rest: vec3<f32>, noise: vec4<f32>) -> vec2<f32> {
     let bent = 0.62 * abs(rest.y - 0.006) + 0.0016 * sin(rest.y * 310.0);
     let along = rest.x + bent + 0.55 * rest.z + (noise.r - 0.5) * 0.0042;
-    let place = fract(along / FLAKE + food.place.x * 30.0);
-    return FLAKE * min(place, 1.0 - place);
+    let at = along / FLAKE + food.place.x * 30.0;
+    let place = fract(at);
+    return vec2<f32>(FLAKE * min(place, 1.0 - place), floor(at));
 }
 
 // Share of pale tissue between flakes: broad lines and hair lines.
 fn sheets(rest: vec3<f32>) -> f32 {
     let broad = textureSample(solid_noise, tile_sampler, (rest + food.place.xyz) * 54.0);
     let width = 0.00035 + 0.00075 * smoothstep(0.35, 0.75, broad.a);
-    return 0.80 * (1.0 - smoothstep(0.25 * width, width, to_sheet(rest, broad)));
+    return 0.80 * (1.0 - smoothstep(0.25 * width, width, flake_at(rest, broad).x));
 }
 
 // Fish: flakes with pale sheets between them, which part as they cook; fine fibres run across each flake.
 fn flakes(rest: vec3<f32>, cooked: f32, crust: f32) -> Grain {
     let noise = noise_at(rest, vec3<f32>(0.35, 1.0, 1.0));
-    let away = to_sheet(rest, noise.broad);
+    let flake = flake_at(rest, noise.broad);
+    let away = flake.x;
+    // Each flake turns its own way and is a little lighter or darker once they part.
+    let own = fract(sin(flake.y * vec2<f32>(12.9898, 78.233)) * 43758.5453) - 0.5;
     let gap = (1.0 - smoothstep(0.00008, 0.00055, away)) * cooked;
     let tone = 0.9 * (noise.grain.a - 0.5) + 0.5 * (noise.fine.a - 0.5) + 0.8 * (noise.region.a - 0.5);
-    let light = 0.055 * tone + 0.020 * smoothstep(0.0, 0.5 * FLAKE, away) * cooked - 0.10 * gap;
+    let light = 0.055 * tone + (0.020 * smoothstep(0.0, 0.5 * FLAKE, away) + 0.045 * own.x) * cooked - 0.035 * gap;
     let shade = vec3<f32>(light, -0.12 * light * (1.0 - cooked), 0.10 * light);
-    let step = (noise.broad.rgb - 0.5) * 0.5 * gap;
-    let crevice = 1.0 - gap * (0.28 + 0.25 * crust);
+    let facet = vec3<f32>(own.x, 0.4 * own.y, own.y) * 0.45 * cooked * (1.0 - 0.7 * crust);
+    let step = (noise.broad.rgb - 0.5) * 0.5 * gap + facet;
+    let crevice = 1.0 - gap * (0.09 + 0.30 * crust);
     return Grain(shade, patches(noise) + 0.5 * (noise.fine.a - 0.5) - 0.6 * gap, relief(noise, 0.7 * crust) * 0.75 + step, film_relief(noise), ridges_of(noise), crevice, 0.45 * (1.0 - cooked), 0.0, vec3<f32>(0.0));
 }
 
