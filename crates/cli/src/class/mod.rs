@@ -138,7 +138,8 @@ fn text(summary: &ClassSummary, twice: usize) -> String {
         }
     }
     if twice > 0 {
-        lines.push(format!("{twice} results were there twice and count once"));
+        let [were, count] = if twice == 1 { ["was", "counts"] } else { ["were", "count"] };
+        lines.push(format!("{} {were} there twice and {count} once", counted(twice, "result")));
     }
     lines.iter().map(|line| format!("{line}\n")).collect()
 }

@@ -110,11 +110,12 @@ fn the_results_of_a_class_become_one_file_with_a_summary() {
     assert_eq!(ran.code, Some(0), "{}", ran.err);
     assert!(ran.out.contains("first-steak (0a): 3 results of 3 students, 0 without a code"), "{}", ran.out);
     assert!(
-        ran.out.contains("score 50.0") && ran.out.contains("question 1: 3 answers, median error 4.0"),
+        ran.out.contains("score 50.0") && ran.out.contains("question 1: 3 answers, 3 compared, median error 4.0"),
         "{}",
         ran.out
     );
-    assert!(ran.out.contains("1 results were there twice"), "{}", ran.out);
+    assert!(ran.out.contains("1 result was there twice"), "{}", ran.out);
+    collects_what_teachers_name(folder.path());
     let merged = fs::read_to_string(&out).unwrap();
     let students: Vec<&str> = merged.lines().skip(1).filter_map(|line| line.split(',').nth(2)).collect();
     assert_eq!(students, ["S01", "S02", "S03"]);
@@ -123,6 +124,33 @@ fn the_results_of_a_class_become_one_file_with_a_summary() {
     assert_eq!(json["scenarios"][0]["results"], 3);
     let bar = |answers, truths| format!("30 to 40 |{}{} {answers} answers", "#".repeat(answers), "o".repeat(truths));
     assert!(ran.out.replace("      ", "").contains(&bar(3, 3)), "{}", ran.out);
+}
+
+/// A folder, a pattern that no shell has resolved, and a file that is no result: it is named and left out.
+fn collects_what_teachers_name(folder: &Path) {
+    for named in [text(folder), text(&folder.join("*.csv"))] {
+        let ran = run(&["class", "collect", &named]);
+        assert!(ran.code == Some(0) && ran.out.contains("3 results of 3 students"), "{named}: {} {}", ran.out, ran.err);
+    }
+    fs::write(folder.join("notes.csv"), "a,b\n1,2\n").unwrap();
+    fs::write(folder.join("empty.csv"), "").unwrap();
+    let ran = run(&["class", "collect", &text(folder)]);
+    assert!(ran.code == Some(1) && ran.out.contains("3 results of 3 students"), "{} {}", ran.out, ran.err);
+    assert!(ran.err.contains("notes.csv") && ran.err.contains("empty.csv"), "{}", ran.err);
+    let nothing = tempfile::tempdir().unwrap();
+    let ran = run(&["class", "collect", &text(&nothing.path().join("*.csv"))]);
+    assert!(ran.code == Some(2) && ran.err.contains("no result is there"), "{}", ran.err);
+}
+
+/// Results that are there may be those of students.
+#[test]
+fn simulated_students_write_over_no_result() {
+    let folder = tempfile::tempdir().unwrap();
+    let there = folder.path().join("first-steak-SIM-02.csv");
+    fs::write(&there, "kept").unwrap();
+    let ran = run(&["class", "simulate", "first-steak", "--students", "2", "--out", &text(folder.path())]);
+    assert!(ran.code == Some(2) && ran.err.contains("first-steak-SIM-02.csv: is there already"), "{}", ran.err);
+    assert_eq!(fs::read_to_string(&there).unwrap(), "kept");
 }
 
 /// The peak that a file of before noted may be that of the instant at which the lesson was ended.

@@ -132,17 +132,17 @@ fn scales_of_a_users_own_from_before_read_all_meat_as_they_did() {
 fn a_food_of_a_users_own_kinetics_has_the_scales_of_the_changes_in_them() {
     let files = Library::embedded_files();
     let own = |path: &str, text: String| (path.to_owned(), text);
-    let pork = files["foods/beef-lean.toml"].replace("kinetics = \"beef\"", "kinetics = \"pork\"");
-    let potato = files["foods/carrot-coin.toml"].replace("kinetics = \"carrot\"", "kinetics = \"potato\"");
+    let lamb = files["foods/beef-lean.toml"].replace("kinetics = \"beef\"", "kinetics = \"lamb\"");
+    let beetroot = files["foods/carrot-coin.toml"].replace("kinetics = \"carrot\"", "kinetics = \"beetroot\"");
     let library = Library::with(&[
-        own("foods/pork.toml", pork),
-        own("kinetics/pork.toml", files["kinetics/beef.toml"].clone()),
-        own("foods/potato.toml", potato),
-        own("kinetics/potato.toml", files["kinetics/carrot.toml"].clone()),
+        own("foods/lamb.toml", lamb),
+        own("kinetics/lamb.toml", files["kinetics/beef.toml"].clone()),
+        own("foods/beetroot.toml", beetroot),
+        own("kinetics/beetroot.toml", files["kinetics/carrot.toml"].clone()),
     ])
     .expect("own files");
     let of = |kind| ids(&library.scales, &piece(&with_piece(&library, kind, Rules::Full)).model);
-    assert_eq!((of("pork"), of("potato")), (OF_MEAT.map(str::to_owned).to_vec(), vec!["vegetables".to_owned()]));
+    assert_eq!((of("lamb"), of("beetroot")), (OF_MEAT.map(str::to_owned).to_vec(), vec!["vegetables".to_owned()]));
 }
 
 #[test]

@@ -22,6 +22,8 @@ const NEXT: f32 = 46.0;
 
 /// Height of a food with its picture [points] (chosen: for a finger).
 const KIND: f32 = 44.0;
+/// Foods beside each other, so that all of them are seen at once.
+const COLUMNS: usize = 2;
 
 /// What the pantry keeps from frame to frame.
 pub struct PantryMemory {
@@ -153,13 +155,16 @@ fn list(ui: &mut Ui, salt: &str, shown: &str, spoken: &str, content: impl FnOnce
 /// One button for each kind of food; another kind begins with its own size.
 fn kinds(ui: &mut Ui, library: &Library, choice: &mut FoodChoice, stills: &mut Stills, l: Language) {
     ui.spacing_mut().item_spacing.y = 3.0;
-    for (id, food) in &library.foods {
-        let clicked = pictured(ui, stills.of(ui.ctx(), id), [food.name_in(l.code()), ""], Some(choice.kind == *id));
-        if clicked && choice.kind != *id {
-            choice.kind.clone_from(id);
-            choice.size_mm.clone_from(&food.size.default_mm);
+    ui.columns(COLUMNS, |columns| {
+        for (place, (id, food)) in library.foods.iter().enumerate() {
+            let ui = &mut columns[place % COLUMNS];
+            let clicked = pictured(ui, stills.of(ui.ctx(), id), [food.name_in(l.code()), ""], Some(choice.kind == *id));
+            if clicked && choice.kind != *id {
+                choice.kind.clone_from(id);
+                choice.size_mm.clone_from(&food.size.default_mm);
+            }
         }
-    }
+    });
 }
 
 /// A row with a picture, a name and a quiet word at its end, which is chosen or not, or acts; returns true if it was clicked.

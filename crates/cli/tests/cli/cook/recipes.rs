@@ -1,6 +1,6 @@
 //! The shipped recipes reach what their titles state.
 
-use crate::cook::cooked::{Cooked, SHIPPED, cook, cooked};
+use crate::cook::cooked::{Cooked, PANTRY, SHIPPED, cook, cooked};
 use crate::running::run;
 
 const CORE: &str = "/foods/0/core_c/peak";
@@ -108,5 +108,26 @@ fn the_dishes_with_many_foods_end_done_and_lose_hardly_anything() {
         }
         let share = summary["energy_j"]["imbalance"].as_f64().unwrap() / summary["energy_j"]["hob"].as_f64().unwrap();
         assert!(share.abs() < 0.005, "{id}: {share}");
+    }
+}
+
+/// Classes of the core, on the foods' own scales, that the recipes of the pantry aim at.
+const PANTRY_CLASSES: [&str; 5] = ["flaky", "hot", "juicy", "juicy", "silky"];
+
+#[test]
+fn the_recipes_of_the_pantry_end_in_the_class_of_their_goal_browned_and_not_burnt() {
+    for (id, class) in PANTRY.into_iter().zip(PANTRY_CLASSES) {
+        let ran = run(&["cook", id, "--json"]);
+        let summary: serde_json::Value = serde_json::from_str(&ran.out).unwrap();
+        assert!(ran.code == Some(0) && summary["stopped_by"] == "end", "{id}: {}", ran.err);
+        takes_its_minutes(id, &summary);
+        let food = &summary["foods"][0];
+        let [(_, scale)] = food["doneness"].as_object().unwrap().iter().collect::<Vec<_>>()[..] else { panic!("{id}") };
+        assert_eq!(scale["class"], class, "{id}");
+        let of = |face: &str, what: &str| food["surfaces"][face][what].as_f64().unwrap();
+        assert!(of("top", "browned_pct").max(of("bottom", "browned_pct")) > 60.0, "{id}");
+        assert!(of("top", "charred_pct").max(of("bottom", "charred_pct")) < 5.0, "{id}");
+        let energy = &summary["energy_j"];
+        assert!(energy["imbalance"].as_f64().unwrap().abs() < 1e-9 * energy["hob"].as_f64().unwrap(), "{id}");
     }
 }

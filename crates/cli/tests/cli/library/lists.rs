@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::cook::cooked::{DISHES, SHIPPED};
+use crate::cook::cooked::{DISHES, PANTRY, SHIPPED};
 use crate::running::run;
 
 fn ids(what: &str) -> Vec<String> {
@@ -22,8 +22,19 @@ fn ids(what: &str) -> Vec<String> {
 }
 
 #[test]
-fn the_foods_are_beef_shrimp_carrot_and_leek() {
-    let expected = ["beef-lean", "beef-marbled", "beef-patty", "carrot-coin", "carrot-stick", "leek-ring", "shrimp"];
+fn the_foods_are_those_of_the_paper_and_of_a_tuesday() {
+    let mut expected =
+        vec!["beef-lean", "beef-marbled", "beef-patty", "carrot-coin", "carrot-stick", "leek-ring", "shrimp"];
+    expected.extend([
+        "chicken-breast",
+        "cod-fillet",
+        "pork-chop",
+        "potato-dice",
+        "potato-slice",
+        "salmon-fillet",
+        "tofu",
+    ]);
+    expected.sort_unstable();
     assert_eq!(ids("foods"), expected);
 }
 
@@ -37,7 +48,8 @@ fn every_view_is_listed_with_the_unit_of_its_colours() {
 
 #[test]
 fn the_scales_of_doneness_are_listed_with_their_classes_and_sources() {
-    assert_eq!(ids("scales"), ["paper-2013", "chefs", "academic", "shrimp", "ground-beef", "vegetables"]);
+    let of_the_paper = ["paper-2013", "chefs", "academic", "shrimp", "ground-beef", "vegetables"];
+    assert_eq!(ids("scales"), [of_the_paper, ["chicken", "pork", "cod", "salmon", "tofu", "potato"]].concat());
     let scales: Value = serde_json::from_str(&run(&["list", "scales", "--json"]).out).unwrap();
     let classes = |i: usize| -> Vec<(String, f64)> {
         let class = scales[i]["class"].as_array().unwrap().iter();
@@ -45,7 +57,7 @@ fn the_scales_of_doneness_are_listed_with_their_classes_and_sources() {
     };
     let expected = [("raw", 0.0), ("rare", 50.0), ("medium", 60.0), ("well-done", 70.0)];
     assert_eq!(classes(0), expected.map(|(name, c)| (name.to_owned(), c)));
-    assert!((0..6).all(|i| !scales[i]["source"].as_str().unwrap().is_empty()));
+    assert!((0..12).all(|i| !scales[i]["source"].as_str().unwrap().is_empty()));
     let text = run(&["list", "scales"]).out;
     assert!(text.contains("medium-rare 55–60 °C") && text.contains("tender 40–85 %"), "{text}");
 }
@@ -59,7 +71,7 @@ fn there_are_five_pans_each_also_with_a_nonstick_coating() {
 
 #[test]
 fn the_shipped_recipes_are_listed_by_id_and_title() {
-    let mut all: Vec<&str> = SHIPPED.into_iter().chain(DISHES).collect();
+    let mut all: Vec<&str> = SHIPPED.into_iter().chain(DISHES).chain(PANTRY).collect();
     all.sort_unstable();
     assert_eq!(ids("recipes"), all);
 }
@@ -99,12 +111,13 @@ fn the_actions_are_listed_with_the_keys_of_their_tables_their_ranges_and_default
 
 #[test]
 fn the_goals_are_listed_with_what_they_want_and_their_sources() {
-    let expected =
+    let of_the_paper =
         ["study-2013", "rare", "medium-rare", "medium", "well-done", "crust", "vegetables", "shrimp", "burger"];
-    assert_eq!(ids("goals"), expected);
+    let of_a_tuesday = ["chicken", "pork", "cod", "salmon", "tofu", "potato"];
+    assert_eq!(ids("goals"), [&of_the_paper[..], &of_a_tuesday].concat());
     let goals: Value = serde_json::from_str(&run(&["list", "goals", "--json"]).out).unwrap();
     let of_2013 = &goals[0]["goal"];
     assert_eq!((of_2013["least_share_pct"].as_f64(), of_2013["class"].as_str()), (Some(40.0), Some("medium")));
-    assert!((0..9).all(|i| !goals[i]["source"].as_str().unwrap().is_empty()));
+    assert!((0..15).all(|i| !goals[i]["source"].as_str().unwrap().is_empty()));
     assert!(run(&["list", "goals"]).out.contains("40 % medium on paper-2013"));
 }

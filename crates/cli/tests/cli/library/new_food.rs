@@ -104,7 +104,7 @@ fn a_food_of_files_alone_cooks_is_drawn_is_planned_and_speaks() {
         "--food",
         "halibut",
         "--size-mm",
-        "50,40,8",
+        "50,40,10",
         "--target",
         "pearly",
         "--max-flips",
