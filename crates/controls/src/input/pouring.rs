@@ -1,7 +1,7 @@
 //! Oil, butter, water and the lid: what a cook adds at once, and what is in the pan.
 
-use saute_kitchen::advice::SMOKE_SEEN_MG_S;
 use saute_kitchen::Kitchen;
+use saute_kitchen::advice::SMOKE_SEEN_MG_S;
 use saute_words::language::Language;
 
 /// What can be poured or laid into the pan.

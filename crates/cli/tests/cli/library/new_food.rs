@@ -99,6 +99,7 @@ fn a_food_of_files_alone_cooks_is_drawn_is_planned_and_speaks() {
     assert!(std::fs::metadata(&shot).unwrap().len() > 1000);
     let listed = with_it(folder.path(), &["list", "goals"]);
     assert!(listed.out.contains("Halibut, pearly"), "{}", listed.out);
+    let card = path("card.html");
     let asked = [
         "plan",
         "--food",
@@ -112,9 +113,12 @@ fn a_food_of_files_alone_cooks_is_drawn_is_planned_and_speaks() {
         "--hob",
         "600",
         "--json",
+        "--card",
+        &card,
     ];
     let planned = with_it(folder.path(), &asked);
     let plan: Value = serde_json::from_str(&planned.out).unwrap();
     assert!(plan["promised"]["core_peak_c"].as_f64().unwrap() > 46.0, "{}", planned.out);
-    assert!(planned.out.contains("Soft."), "it feels like its own words say: {}", planned.out);
+    let card = std::fs::read_to_string(card).unwrap();
+    assert!(card.contains("Soft."), "it feels like its own words say: {card}");
 }
