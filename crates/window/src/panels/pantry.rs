@@ -24,6 +24,8 @@ const NEXT: f32 = 46.0;
 const KIND: f32 = 44.0;
 /// Foods beside each other, so that all of them are seen at once.
 const COLUMNS: usize = 2;
+/// Width below which a row has a narrow picture and small letters [points].
+const TIGHT: f32 = 200.0;
 
 /// What the pantry keeps from frame to frame.
 pub struct PantryMemory {
@@ -183,17 +185,28 @@ fn pictured(ui: &mut Ui, still: Option<egui::TextureHandle>, [name, end]: [&str;
         _ => egui::Color32::TRANSPARENT,
     };
     ui.painter().rect(rect, 7.0, ground, egui::Stroke::new(2.0, edge), egui::StrokeKind::Inside);
-    let picture = egui::Rect::from_min_size(rect.min + vec2(3.0, 3.0), vec2(1.5 * (KIND - 6.0), KIND - 6.0));
+    // Beside another one a row has room for the middle of its picture only.
+    let is_tight = rect.width() < TIGHT;
+    let (wide, gap) = if is_tight { (1.0, 6.0) } else { (1.5, 9.0) };
+    let picture = egui::Rect::from_min_size(rect.min + vec2(3.0, 3.0), vec2(wide * (KIND - 6.0), KIND - 6.0));
     match still {
-        Some(texture) => egui::Image::new((texture.id(), picture.size())).corner_radius(5).paint_at(ui, picture),
+        Some(texture) => egui::Image::new((texture.id(), picture.size()))
+            .uv(egui::Rect::from_center_size(egui::pos2(0.5, 0.5), vec2(wide / 1.5, 1.0)))
+            .corner_radius(5)
+            .paint_at(ui, picture),
         None => drop(ui.painter().rect_filled(picture, 5.0, palette.sunken)),
     }
-    let at = egui::pos2(picture.right() + 9.0, rect.center().y);
+    let at = egui::pos2(picture.right() + gap, rect.center().y);
     let font = |size: f32| egui::FontId::proportional(size);
-    let at_end = rect.right_center() - vec2(9.0, 0.0);
+    let at_end = rect.right_center() - vec2(gap - 4.0, 0.0);
     let end = ui.painter().text(at_end, egui::Align2::RIGHT_CENTER, end, font(12.5), palette.quiet);
-    let room = end.left() - at.x - 6.0;
-    let name = ui.painter().layout(name.to_owned(), font(if room < 150.0 { 13.5 } else { 15.0 }), palette.text, room);
+    let room = end.left() - at.x - if is_tight { 0.0 } else { 6.0 };
+    let size = match room {
+        _ if is_tight => 12.5,
+        room if room < 150.0 => 13.5,
+        _ => 15.0,
+    };
+    let name = ui.painter().layout(name.to_owned(), font(size), palette.text, room);
     ui.painter().galley(at - vec2(0.0, 0.5 * name.size().y), name, palette.text);
     response.clicked()
 }
