@@ -20,8 +20,8 @@ dpkg-deb -x "$WORK"/fonts-noto-cjk_*.deb "$WORK/package"
     "$WORK/venv/bin/pip" install --quiet "fonttools==$FONTTOOLS"
 }
 
-# All Japanese is in the texts and in the files of foods, scales and goals.
-cat crates/words/texts/ja.toml data/foods/*.toml data/doneness.toml data/goals.toml >"$WORK/letters.txt"
+# All Japanese is in the texts and in the files of foods, scales, goals and lessons.
+cat crates/words/texts/ja.toml data/foods/*.toml data/doneness.toml data/goals.toml scenarios/*.toml >"$WORK/letters.txt"
 # Kana, punctuation of Japanese and full-width forms are whole, for titles of a user's own.
 KANA="U+3000-303F,U+3041-3096,U+3099-30FF,U+FF01-FF60"
 

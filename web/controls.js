@@ -51,16 +51,16 @@ export class Controls {
       if (element === next) next = next.nextSibling;
       else this.list.insertBefore(element, next);
     }
-    if (held >= 0) this.keepFocus(held);
+    if (held >= 0) this.keepFocus(held, controls.find((control) => control.kind === "heading" && !before.has(control.id)));
   }
 
-  /** Gives the focus to the nearest control where the one that had it is gone or disabled: a card came or went. */
-  keepFocus(place) {
+  /** Gives the focus away where the control that had it is gone, or covered by a card that has come: to the card, or to the next control. */
+  keepFocus(place, heading) {
     const all = [...this.known.values()];
-    if (all.includes(document.activeElement) && !document.activeElement.disabled) return;
-    const takesFocus = (element) => element.matches("button:enabled, input:enabled");
-    const next = all.slice(place).find(takesFocus) ?? all.slice(0, place).reverse().find(takesFocus);
-    next?.focus();
+    const stays = all.includes(document.activeElement);
+    if (stays && !(heading && document.activeElement.disabled)) return;
+    const from = heading ? all.indexOf(this.known.get(heading.id)) : place;
+    all.slice(from).find((element) => element.matches("button:enabled, input:enabled"))?.focus();
   }
 
   element(control, before) {

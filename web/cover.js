@@ -7,6 +7,10 @@ const megabytes = (bytes) => (bytes / 1e6).toFixed(1);
 const SILENT_MS = 20_000;
 /** How an error begins that is about a value of the address. */
 const ASKED = /^(scenario|student|study|participant|recipe|lang|machine|backend): /;
+/** What goes together in an address. */
+const LESSON = ["scenario", "student", "lock"];
+const STUDY = ["study", "participant", "machine"];
+const PARTS = { scenario: LESSON, student: LESSON, study: STUDY, participant: STUDY, machine: STUDY };
 /** Texts of the page by the ids of their elements. */
 const TEXTS = ["about", "guides", "teach", "report", "private", "again", "tilt", "describe", "choose"];
 
@@ -83,10 +87,13 @@ export class Cover {
   }
 
   /** What the address asks for is not there, and asking again does not help. */
-  offerWithout() {
+  offerWithout(key) {
+    const address = new URL(location.href);
+    // A lesson and a study go with the code of who takes them.
+    for (const name of PARTS[key] ?? [key]) address.searchParams.delete(name);
     part("again").textContent = this.words.without;
     part("again").removeEventListener("click", this.reload);
-    part("again").addEventListener("click", () => location.assign(location.pathname));
+    part("again").addEventListener("click", () => location.assign(address));
   }
 
   /** Shows what went wrong: a text by its key, and the browser's message. */
@@ -100,7 +107,7 @@ export class Cover {
     part("detail").hidden = error == null;
     part("detail").textContent = said;
     part("again").hidden = false;
-    if (isAddress) this.offerWithout();
+    if (isAddress) this.offerWithout(ASKED.exec(said)[1]);
     document.documentElement.dataset.state = "failed";
   }
 }

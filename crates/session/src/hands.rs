@@ -10,7 +10,7 @@ pub trait Hands: Default {
     fn lead(&mut self, kitchen: &mut Kitchen);
     /// Sends the devices what they feel; only at real time.
     fn send(&mut self, kitchen: &Kitchen);
-    /// Names of the devices that are connected, without their places.
+    /// What hands hold, and the names of the devices that are connected, without their places: `pan:spidar-frame`.
     fn names(&self) -> Vec<String> {
         Vec::new()
     }

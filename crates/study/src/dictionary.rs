@@ -132,7 +132,7 @@ pub const COLUMNS: [Column; 36] = [
         "devices",
         "names",
         "trial",
-        "haptic devices that were connected during the trial, separated by spaces; empty where mouse, keys or touch did all, and in logs of before it was kept",
+        "haptic devices that were connected during the trial, with what they held, as pan:spidar-frame, separated by spaces; empty where mouse, keys or touch did all, and in logs of before it was kept",
     ),
 ];
 

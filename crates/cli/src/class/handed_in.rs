@@ -5,42 +5,36 @@ use std::path::{Path, PathBuf};
 use crate::error::CliError;
 
 /// Ending of a result.
-const ENDING: &str = "csv";
+const ENDING: &str = ".csv";
 
-/// Returns the files that are meant, each folder's in the order of their names.
-///
-/// # Errors
-///
-/// If a folder holds no result, or cannot be read.
-pub fn files(named: &[PathBuf]) -> Result<Vec<PathBuf>, CliError> {
-    let mut files = Vec::new();
-    for path in named {
-        match folder(path) {
-            Some(folder) => files.extend(results_in(folder, path)?),
-            None => files.push(path.clone()),
-        }
+/// Returns the files that are meant, each folder's in the order of their names; or why there are none.
+pub fn files(named: &Path) -> Result<Vec<PathBuf>, CliError> {
+    match searched(named) {
+        Some((folder, [before, after])) => results_in(&folder, named, |name| {
+            name.len() >= before.len() + after.len() && name.starts_with(&before) && name.ends_with(&after)
+        }),
+        None => Ok(vec![named.to_owned()]),
     }
-    Ok(files)
 }
 
-/// The folder that a path or a pattern such as `results/*.csv` means; none for a file.
-fn folder(path: &Path) -> Option<&Path> {
-    if path.is_dir() {
-        return Some(path);
+/// The folder that a path or a pattern such as `results/first-*.csv` means, and how names in it begin and end; none for a file.
+fn searched(named: &Path) -> Option<(PathBuf, [String; 2])> {
+    if named.is_dir() {
+        return Some((named.to_owned(), [String::new(), String::new()]));
     }
-    let is_pattern = path.file_name().is_some_and(|name| name == "*.csv" || name == "*");
-    let parent = path.parent().map(|parent| if parent.as_os_str().is_empty() { Path::new(".") } else { parent });
-    parent.filter(|_| is_pattern && !path.exists())
+    let (before, after) = named.file_name()?.to_str()?.split_once('*').filter(|_| !named.exists())?;
+    let parent = named.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    Some((parent.to_owned(), [before.to_owned(), after.to_owned()]))
 }
 
-fn results_in(folder: &Path, named: &Path) -> Result<Vec<PathBuf>, CliError> {
+fn results_in(folder: &Path, named: &Path, fits: impl Fn(&str) -> bool) -> Result<Vec<PathBuf>, CliError> {
     let remedy = "name the folder into which the results were saved";
     let entries = folder.read_dir().map_err(|error| CliError::place(named.display(), error.to_string(), remedy))?;
-    let mut files: Vec<PathBuf> = entries
-        .flatten()
-        .map(|entry| entry.path())
-        .filter(|path| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(ENDING)))
-        .collect();
+    let is_result = |path: &PathBuf| {
+        let name = path.file_name().and_then(|name| name.to_str());
+        name.is_some_and(|name| name.to_lowercase().ends_with(ENDING) && fits(name))
+    };
+    let mut files: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).filter(is_result).collect();
     files.sort();
     if files.is_empty() {
         return Err(CliError::place(named.display(), "no result is there", remedy));

@@ -64,11 +64,13 @@ pub fn run(
 }
 
 fn collect(args: &CollectArgs) -> Result<ExitCode, CliError> {
-    let files = handed_in::files(&args.files)?;
     let (mut rows, mut refused) = (Vec::new(), Vec::new());
-    for file in &files {
-        match read(file) {
-            Ok(read) => rows.extend(read),
+    for named in &args.files {
+        match handed_in::files(named) {
+            Ok(files) => files.iter().map(|file| read(file)).for_each(|result| match result {
+                Ok(read) => rows.extend(read),
+                Err(error) => refused.push(error),
+            }),
             Err(error) => refused.push(error),
         }
     }
@@ -127,7 +129,7 @@ fn text(summary: &ClassSummary, twice: usize) -> String {
         for q in &s.questions {
             let compared = |e| format!("{} compared, median error {e:.1}", q.compared);
             let error = q.median_error.map_or_else(|| "not compared".to_owned(), compared);
-            lines.push(format!("  question {}: {} answers, {error}", q.question, q.answers));
+            lines.push(format!("  question {}: {}, {error}", q.question, counted(q.answers, "answer")));
             if q.early_truths > 0 {
                 lines.push(format!(
                     "    {} truths left out: an earlier version noted them before the food had rested, and score and peak with them",
@@ -159,7 +161,7 @@ fn histogram(bars: &[Bar]) -> Vec<String> {
     let line = |bar: &Bar| {
         let range = if bar.to - bar.from > 1.0 { format!("{} to {}", bar.from, bar.to) } else { bar.from.to_string() };
         let marks = format!("{}{}", "#".repeat(bar.answers.min(WIDEST)), "o".repeat(bar.truths.min(WIDEST)));
-        format!("    {range:>9} |{marks:<12} {} answers, {} truths", bar.answers, bar.truths)
+        format!("    {range:>9} |{marks:<12} {}, {}", counted(bar.answers, "answer"), counted(bar.truths, "truth"))
     };
-    bars.iter().filter(|bar| bar.answers + bar.truths > 0).map(line).collect()
+    bars.iter().map(line).collect()
 }

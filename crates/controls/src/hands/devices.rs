@@ -73,8 +73,9 @@ impl saute_session::hands::Hands for Hands {
     }
 
     fn names(&self) -> Vec<String> {
-        let name = |device: &Connected| device.name.split('@').next().unwrap_or_default().to_owned();
-        self.pan.iter().chain(&self.turner).map(name).collect()
+        let held = [("pan", &self.pan), ("turner", &self.turner)];
+        let named = held.into_iter().filter_map(|(role, device)| Some((role, device.as_ref()?)));
+        named.map(|(role, device)| format!("{role}:{}", device.name.split('@').next().unwrap_or_default())).collect()
     }
 }
 

@@ -1,7 +1,7 @@
 //! Oil, butter, water and the lid: what a cook adds at once, and what is in the pan.
 
-use saute_kitchen::Kitchen;
 use saute_kitchen::advice::SMOKE_SEEN_MG_S;
+use saute_kitchen::{EventKind, Kitchen};
 use saute_words::language::Language;
 
 /// What can be poured or laid into the pan.
@@ -97,9 +97,9 @@ pub fn danger(kitchen: &Kitchen, l: Language) -> Option<String> {
         return Some(l.text("pour.fire").to_owned());
     }
     let smoke = pan.smoke_mg_s();
-    // What to do about it is an order of the line.
+    let advice = l.called("event", EventKind::SmokeBegins.advice().unwrap_or_default());
     let seen = smoke >= SMOKE_SEEN_MG_S;
-    seen.then(|| l.fill("pour.smoke", &[("rate", &format!("{smoke:.1}"))]))
+    seen.then(|| l.fill("pour.smoke", &[("rate", &format!("{smoke:.1}")), ("advice", &advice)]))
 }
 
 #[cfg(test)]

@@ -245,7 +245,7 @@ fn check_rows(folder: &Path) {
     let pace = (rows[4].speed_set, rows[4].speed_held_median.is_some(), rows[4].behind_s.is_some());
     assert_eq!(pace, (Some(5.0), true, true), "what was held of the speed is kept");
     assert!(rows.iter().all(|row| !row.simulated && row.started.is_none()));
-    assert_eq!((rows[1].devices.as_deref(), rows[4].devices.as_deref()), (None, Some("spidar-frame")));
+    assert_eq!((rows[1].devices.as_deref(), rows[4].devices.as_deref()), (None, Some("pan:spidar-frame")));
     for row in [&rows[1], &rows[4]] {
         replays_to_its_columns(folder, row);
     }

@@ -266,7 +266,7 @@ fn oil_past_its_smoke_point_is_warned_of() {
         cook(&mut harness, 5.0);
         seconds += 5.0;
     }
-    harness.get_by_label_contains("The oil smokes: ");
+    harness.get_by_label_contains("the oil smokes: turn the hob down (");
     save(&mut harness, "smoke-warning");
 }
 

@@ -1,4 +1,4 @@
-//! Promise: a food is added by files of data alone: it cooks, is drawn, is planned, has a goal, and is spoken of in every language.
+//! Promise: a food is added by files of data alone: it cooks, is drawn, is planned, has a goal, and feels as its own words say.
 
 use std::path::Path;
 

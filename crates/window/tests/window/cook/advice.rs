@@ -93,7 +93,7 @@ fn smoke_that_nobody_sees_is_not_cried_and_never_hides_what_is_in_the_pan() {
     assert!(!says(&harness, "smokes") && says(&harness, "In the pan: "));
     let mut harness = oil_at(290.0);
     cook(&mut harness, 2.0);
-    assert!(says(&harness, "The oil smokes: ") && says(&harness, "In the pan: "));
+    assert!(says(&harness, "the oil smokes: turn the hob down") && says(&harness, "In the pan: "));
     save(&mut harness, "smoke");
 }
 
