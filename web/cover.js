@@ -24,8 +24,7 @@ export class Cover {
     part("version").textContent = words.version(version);
     part("progress").setAttribute("aria-label", words.loading);
     part("progress").hidden = part("report").hidden = false;
-    this.reload = () => location.reload();
-    part("again").addEventListener("click", this.reload);
+    part("again").onclick = () => location.reload();
     part("report").addEventListener("click", () => this.report(part("detail").textContent));
     this.say(words.loading);
     this.awaitBytes();
@@ -92,8 +91,7 @@ export class Cover {
     // A lesson and a study go with the code of who takes them.
     for (const name of PARTS[key] ?? [key]) address.searchParams.delete(name);
     part("again").textContent = this.words.without;
-    part("again").removeEventListener("click", this.reload);
-    part("again").addEventListener("click", () => location.assign(address));
+    part("again").onclick = () => location.assign(address);
   }
 
   /** Shows what went wrong: a text by its key, and the browser's message. */
@@ -102,12 +100,12 @@ export class Cover {
     part("cover").hidden = false;
     part("progress").hidden = part("starts").hidden = part("choose").hidden = true;
     const said = String(error?.message ?? error ?? "");
-    const isAddress = key === "not_started" && ASKED.test(said);
-    this.say(this.words[isAddress ? "bad_address" : key]);
+    const asked = key === "not_started" ? ASKED.exec(said)?.[1] : undefined;
+    this.say(this.words[asked ? "bad_address" : key]);
     part("detail").hidden = error == null;
     part("detail").textContent = said;
     part("again").hidden = false;
-    if (isAddress) this.offerWithout(ASKED.exec(said)[1]);
+    if (asked) this.offerWithout(asked);
     document.documentElement.dataset.state = "failed";
   }
 }

@@ -48,6 +48,6 @@ pub trait Host {
     /// Hands a result of a lesson to whoever requested it.
     fn report(&self, row: &ResultRow);
 
-    /// Copies a text to the clipboard where the window itself has none.
-    fn copy_text(&self, text: &str);
+    /// Copies a text to the clipboard; a page whose clipboard is closed shows it, to be copied by hand.
+    fn copy_text(&self, text: &str, ctx: &egui::Context);
 }

@@ -6,13 +6,13 @@ use crate::language::Language;
 
 /// Label of a scale.
 pub fn label(scale: &Scale, l: Language) -> &str {
-    scale.names.get(l.code()).map_or_else(|| l.called("scale", &scale.name), String::as_str)
+    l.named("scale", &scale.name, &scale.names)
 }
 
 /// Name of a class of a scale, given the class's name in its file.
 pub fn class<'a>(scale: &'a Scale, name: &'a str, l: Language) -> &'a str {
-    let own = scale.class.iter().find(|class| class.name == name).and_then(|class| class.names.get(l.code()));
-    own.map_or_else(|| l.called("class", name), String::as_str)
+    let class = scale.class.iter().find(|class| class.name == name);
+    class.map_or_else(|| l.called("class", name), |class| l.named("class", name, &class.names))
 }
 
 #[cfg(test)]

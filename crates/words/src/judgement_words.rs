@@ -7,7 +7,6 @@ use saute_kitchen::food::change::doneness::Measure;
 use saute_plan::goal::{Better, Goal, GoalVerdict, Judgement, Shortfall};
 
 use crate::doneness_words::class;
-use crate::goal_words;
 use crate::language::Language;
 use crate::mark_words::{TermRow, best_words, good_words, mark_words, table};
 use crate::speech::Speech;
@@ -47,7 +46,7 @@ impl ResultWords {
         let teller = Teller { judgement, goal, speech };
         let l = speech.language;
         let is_met = judgement.verdict == GoalVerdict::Met;
-        let name = match goal_words::label(&goal.name, &goal.names, l) {
+        let name = match l.named("goal", &goal.name, &goal.names) {
             name if name == goal.name => class(&goal.scale, &goal.name, l).to_owned(),
             name => name.to_owned(),
         };

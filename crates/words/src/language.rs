@@ -1,5 +1,6 @@
 //! The languages of the window, and its texts in them: each language is a file in `texts`.
 
+use std::collections::BTreeMap;
 use std::fmt::{self, Debug, Display, Formatter};
 
 use serde::{Deserialize, Serialize};
@@ -101,6 +102,11 @@ impl Language {
     pub fn called<'a>(self, section: &str, english: &'a str) -> &'a str {
         let key = LanguageFiles::shipped().key_of(section, english);
         key.and_then(|key| LanguageFiles::shipped().find(self.0, section, key)).unwrap_or(english)
+    }
+
+    /// A name of the data: as its file calls it in this language, else as [`Self::called`].
+    pub fn named<'a>(self, section: &str, english: &'a str, names: &'a BTreeMap<String, String>) -> &'a str {
+        names.get(self.code()).map_or_else(|| self.called(section, english), String::as_str)
     }
 
     /// The name of one of our own ids in a section; ids are written with hyphens, keys with underscores.

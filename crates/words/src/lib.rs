@@ -8,7 +8,6 @@ pub mod clock;
 pub mod coach_words;
 pub mod cue_words;
 pub mod doneness_words;
-pub mod goal_words;
 pub mod guided_words;
 pub mod judgement_words;
 pub mod language;

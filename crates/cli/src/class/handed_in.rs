@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use crate::error::CliError;
+use crate::input::folder;
 
 /// Ending of a result.
 const ENDING: &str = ".csv";
@@ -28,16 +29,10 @@ fn searched(named: &Path) -> Option<(PathBuf, [String; 2])> {
 }
 
 fn results_in(folder: &Path, named: &Path, fits: impl Fn(&str) -> bool) -> Result<Vec<PathBuf>, CliError> {
-    let remedy = "name the folder into which the results were saved";
-    let entries = folder.read_dir().map_err(|error| CliError::place(named.display(), error.to_string(), remedy))?;
-    let is_result = |path: &PathBuf| {
-        let name = path.file_name().and_then(|name| name.to_str());
-        name.is_some_and(|name| name.to_lowercase().ends_with(ENDING) && fits(name))
-    };
-    let mut files: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).filter(is_result).collect();
-    files.sort();
-    if files.is_empty() {
-        return Err(CliError::place(named.display(), "no result is there", remedy));
+    let none = |why: String| CliError::place(named.display(), why, "name the folder into which the results were saved");
+    let files = folder::files(folder, |name| name.to_lowercase().ends_with(ENDING) && fits(name));
+    match files.map_err(|error| none(error.to_string()))? {
+        files if files.is_empty() => Err(none("no result is there".to_owned())),
+        files => Ok(files),
     }
-    Ok(files)
 }

@@ -65,18 +65,15 @@ pub fn run(
 
 fn collect(args: &CollectArgs) -> Result<ExitCode, CliError> {
     let (mut rows, mut refused) = (Vec::new(), Vec::new());
-    for named in &args.files {
-        match handed_in::files(named) {
-            Ok(files) => files.iter().map(|file| read(file)).for_each(|result| match result {
-                Ok(read) => rows.extend(read),
-                Err(error) => refused.push(error),
-            }),
+    for result in args.files.iter().flat_map(|named| results(named)) {
+        match result {
+            Ok(read) => rows.extend(read),
             Err(error) => refused.push(error),
         }
     }
-    if rows.is_empty() {
+    if rows.is_empty() && !refused.is_empty() {
         // Nothing is left to be collected: the first reason stands for all.
-        return Err(refused.into_iter().next().unwrap_or_else(no_result));
+        return Err(refused.swap_remove(0));
     }
     for error in &refused {
         stderr::say(format!("left out: {error}"));
@@ -91,8 +88,12 @@ fn collect(args: &CollectArgs) -> Result<ExitCode, CliError> {
     Ok(exit_code::of_goal(refused.is_empty()))
 }
 
-fn no_result() -> CliError {
-    CliError::place("FILE.csv", "no result is named", "name the files that students have handed in")
+/// What is read of each file that a path means.
+fn results(named: &Path) -> Vec<Result<Vec<ResultRow>, CliError>> {
+    match handed_in::files(named) {
+        Ok(files) => files.iter().map(|file| read(file)).collect(),
+        Err(error) => vec![Err(error)],
+    }
 }
 
 fn read(path: &Path) -> Result<Vec<ResultRow>, CliError> {

@@ -1,6 +1,5 @@
 //! `saute study analyse`.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -9,7 +8,7 @@ use saute_study::{Analysis, LogError, LogRow, from_csv};
 
 use super::{page, tables};
 use crate::error::CliError;
-use crate::input::text_file;
+use crate::input::{folder, text_file};
 use crate::output::out_dir::OutDir;
 use crate::output::{json, stderr, stdout};
 
@@ -63,13 +62,7 @@ fn files(named: &[PathBuf]) -> Result<Vec<PathBuf>, CliError> {
         let error = |e: std::io::Error| {
             CliError::place(path.display(), format!("cannot be read: {e}"), "name a folder of logs")
         };
-        let mut found = Vec::new();
-        for entry in fs::read_dir(path).map_err(error)? {
-            let inner = entry.map_err(error)?.path();
-            if is_log(&inner) {
-                found.push(inner);
-            }
-        }
+        let found = folder::files(path, is_log).map_err(error)?;
         if found.is_empty() {
             return Err(CliError::place(path.display(), "has no log", "name a folder with study-CODE.csv files"));
         }
@@ -80,9 +73,8 @@ fn files(named: &[PathBuf]) -> Result<Vec<PathBuf>, CliError> {
     Ok(files)
 }
 
-fn is_log(path: &Path) -> bool {
-    let name = path.file_name().and_then(|name| name.to_str()).unwrap_or_default();
-    path.is_file() && name.starts_with("study-") && name.ends_with(".csv")
+fn is_log(name: &str) -> bool {
+    name.starts_with("study-") && name.ends_with(".csv")
 }
 
 fn read(path: &Path) -> Result<Vec<LogRow>, CliError> {

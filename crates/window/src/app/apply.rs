@@ -132,7 +132,7 @@ impl SauteApp {
         match act {
             AppAct::ChooseFile => self.choose_file(ctx),
             AppAct::Export(what) => self.export(what, ctx),
-            AppAct::CopyLink => self.copy_link(),
+            AppAct::CopyLink => self.copy_link(ctx),
             AppAct::StopHands => self.stop_hands(),
             AppAct::Picture => self.take_picture(ctx),
             AppAct::Photo => self.turn_photo_mode(ctx),

@@ -72,9 +72,10 @@ impl Host for Page {
         }
     }
 
-    fn copy_text(&self, text: &str) {
-        if let Some(script) = &self.script {
-            script.copy_text(text);
+    fn copy_text(&self, text: &str, ctx: &egui::Context) {
+        match &self.script {
+            Some(script) => script.copy_text(text),
+            None => ctx.copy_text(text.to_owned()),
         }
     }
 }

@@ -76,8 +76,9 @@ impl Host for Desktop {
     /// No page embeds a native window to receive results.
     fn report(&self, _: &ResultRow) {}
 
-    /// The window's own clipboard serves it.
-    fn copy_text(&self, _: &str) {}
+    fn copy_text(&self, text: &str, ctx: &egui::Context) {
+        ctx.copy_text(text.to_owned());
+    }
 }
 
 impl Listener for saute_speaker::Speaker {

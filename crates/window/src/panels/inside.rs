@@ -22,7 +22,6 @@ use saute_controls::settings::Settings;
 use saute_sound::Snapshot;
 use saute_words::clock::clock;
 use saute_words::doneness_words;
-use saute_words::goal_words;
 
 /// Height of the picture of the cut at most [points].
 const CUT_HEIGHT: f32 = 42.0;
@@ -257,7 +256,7 @@ fn goal_hint(state: &PanelContext) -> String {
     let named = named_goal(state.session, state.settings);
     named.map_or_else(
         || l.text("inside.goals_hint").to_owned(),
-        |goal| l.fill("inside.goal_named", &[("goal", &goal_words::label(&goal.name, &goal.names, l))]),
+        |goal| l.fill("inside.goal_named", &[("goal", &l.named("goal", &goal.name, &goal.names))]),
     )
 }
 

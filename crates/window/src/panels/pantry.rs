@@ -187,7 +187,7 @@ fn pictured(ui: &mut Ui, still: Option<egui::TextureHandle>, [name, end]: [&str;
     ui.painter().rect(rect, 7.0, ground, egui::Stroke::new(2.0, edge), egui::StrokeKind::Inside);
     // Beside another one a row has room for the middle of its picture only.
     let is_tight = rect.width() < TIGHT;
-    let (wide, gap) = if is_tight { (1.0, 6.0) } else { (1.5, 9.0) };
+    let [wide, gap, edge] = if is_tight { [1.0, 6.0, 2.0] } else { [1.5, 9.0, 9.0] };
     let picture = egui::Rect::from_min_size(rect.min + vec2(3.0, 3.0), vec2(wide * (KIND - 6.0), KIND - 6.0));
     match still {
         Some(texture) => egui::Image::new((texture.id(), picture.size()))
@@ -198,7 +198,7 @@ fn pictured(ui: &mut Ui, still: Option<egui::TextureHandle>, [name, end]: [&str;
     }
     let at = egui::pos2(picture.right() + gap, rect.center().y);
     let font = |size: f32| egui::FontId::proportional(size);
-    let at_end = rect.right_center() - vec2(gap - 4.0, 0.0);
+    let at_end = rect.right_center() - vec2(edge, 0.0);
     let end = ui.painter().text(at_end, egui::Align2::RIGHT_CENTER, end, font(12.5), palette.quiet);
     let room = end.left() - at.x - if is_tight { 0.0 } else { 6.0 };
     let size = match room {

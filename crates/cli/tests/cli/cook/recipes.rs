@@ -19,6 +19,16 @@ fn takes_its_minutes(id: &str, summary: &serde_json::Value) {
     assert!((took - stated).abs() <= 0.6, "{id}: {took} min, {stated} stated");
 }
 
+/// The summary of a recipe, cooked; it ends by its last step, in its minutes.
+fn ended(id: &str) -> serde_json::Value {
+    let ran = run(&["cook", id, "--json"]);
+    assert_eq!(ran.code, Some(0), "{id}: {}", ran.err);
+    let summary: serde_json::Value = serde_json::from_str(&ran.out).unwrap();
+    assert_eq!(summary["stopped_by"], "end", "{id}");
+    takes_its_minutes(id, &summary);
+    summary
+}
+
 #[test]
 fn every_shipped_recipe_ends_by_its_last_step() {
     for id in SHIPPED {
@@ -94,11 +104,7 @@ fn the_same_recipe_gives_the_same_series_byte_for_byte() {
 #[test]
 fn the_dishes_with_many_foods_end_done_and_lose_hardly_anything() {
     for (id, most_lost, cores) in [("shrimp", 1, 45.0..=90.0), ("steak-carrots-leeks", 3, 50.0..=100.0)] {
-        let ran = run(&["cook", id, "--json"]);
-        assert_eq!(ran.code, Some(0), "{id}: {}", ran.err);
-        let summary: serde_json::Value = serde_json::from_str(&ran.out).unwrap();
-        assert_eq!(summary["stopped_by"], "end", "{id}");
-        takes_its_minutes(id, &summary);
+        let summary = ended(id);
         let foods = summary["foods"].as_array().unwrap();
         let lost = foods.iter().filter(|f| ["table", "glass"].contains(&f["place"].as_str().unwrap())).count();
         assert!(lost <= most_lost, "{id}: {lost} fell out");
@@ -117,10 +123,7 @@ const PANTRY_CLASSES: [&str; 5] = ["flaky", "hot", "juicy", "juicy", "silky"];
 #[test]
 fn the_recipes_of_the_pantry_end_in_the_class_of_their_goal_browned_and_not_burnt() {
     for (id, class) in PANTRY.into_iter().zip(PANTRY_CLASSES) {
-        let ran = run(&["cook", id, "--json"]);
-        let summary: serde_json::Value = serde_json::from_str(&ran.out).unwrap();
-        assert!(ran.code == Some(0) && summary["stopped_by"] == "end", "{id}: {}", ran.err);
-        takes_its_minutes(id, &summary);
+        let summary = ended(id);
         let food = &summary["foods"][0];
         let [(_, scale)] = food["doneness"].as_object().unwrap().iter().collect::<Vec<_>>()[..] else { panic!("{id}") };
         assert_eq!(scale["class"], class, "{id}");

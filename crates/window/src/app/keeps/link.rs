@@ -10,14 +10,14 @@ use saute_session::permits::Permit;
 
 impl SauteApp {
     /// Copies an address that contains the cook, and states how long it is; one that is too long to be sent is not copied.
-    pub(crate) fn copy_link(&mut self) {
+    pub(crate) fn copy_link(&mut self, ctx: &egui::Context) {
         let Some(address) = page_address() else { return };
         let link = format!("{address}#{}", fragment(&self.session.whole_recording()));
         let (l, length) = (self.settings.language, link.len());
         if length > LONGEST {
             return self.desk.notice.say(l.fill("link.too_long", &[("length", &length), ("most", &LONGEST)]));
         }
-        self.host.copy_text(&link);
+        self.host.copy_text(&link, ctx);
         self.desk.notice.say(l.fill("link.copied", &[("length", &length)]));
     }
 

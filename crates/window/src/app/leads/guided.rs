@@ -242,10 +242,7 @@ impl SauteApp {
 
     fn copy_result(&mut self, ctx: &egui::Context) {
         let Some((row, _)) = self.lesson_result() else { return };
-        let line = row.line();
-        // In a page the clipboard may be closed, and only its script can show the line instead.
-        ctx.copy_text(line.clone());
-        self.host.copy_text(&line);
+        self.host.copy_text(&row.line(), ctx);
         self.say("guided.copied");
     }
 

@@ -10,7 +10,6 @@ use saute_controls::act::{Act, Acts, AppAct, Card, Setting};
 use saute_controls::context::PanelContext;
 use saute_controls::goal_choice::{goals_for, named_goal};
 use saute_words::doneness_words;
-use saute_words::goal_words;
 
 /// Width of the card at most, and below which its names are above their choices [points].
 const WIDTH: f32 = 620.0;
@@ -41,7 +40,7 @@ fn goals(state: &PanelContext, ui: &mut Ui, acts: &mut Acts) {
     for goal in all {
         let is_on = chosen == Some(goal.id.as_str());
         let size = vec2(ui.available_width(), fingers::height(ui, HEIGHT));
-        let name = goal_words::label(&goal.name, &goal.names, l);
+        let name = l.named("goal", &goal.name, &goal.names);
         let button = ui.add(theme::of(ui).button(name, is_on).min_size(size));
         let spoken = l.fill("goals.spoken", &[("goal", &name)]);
         button.widget_info(|| egui::WidgetInfo::selected(egui::accesskit::Role::RadioButton, true, is_on, &spoken));

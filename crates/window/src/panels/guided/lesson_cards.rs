@@ -14,7 +14,6 @@ use saute_controls::act::{Act, Acts, LearnAct};
 use saute_controls::context::PanelContext;
 use saute_session::guided::LessonDesk;
 use saute_words::doneness_words;
-use saute_words::goal_words;
 use saute_words::guided_words;
 
 /// Shows the card that is due; returns false while the cook runs.
@@ -48,7 +47,7 @@ fn intro(state: &PanelContext, desk: &LessonDesk, ui: &Ui, acts: &mut Acts, whol
     let content = |ui: &mut Ui| {
         ui.label(scenario.intro.of(l.code()));
         ui.add_space(4.0);
-        let goal = goal_words::label(&scenario.goal.goal.name, &scenario.goal.goal.names, l);
+        let goal = l.named("goal", &scenario.goal.goal.name, &scenario.goal.goal.names);
         ui.label(RichText::new(l.fill("study.goal", &[("goal", &goal)])).strong());
         let locked = guided_words::locked(&scenario.locked, l);
         if !locked.is_empty() {

@@ -10,7 +10,6 @@ use saute_controls::act::GuidedAct;
 use saute_controls::act::{Act, Acts, LearnAct};
 use saute_controls::context::PanelContext;
 use saute_session::guided::{LessonDesk, StudyDesk};
-use saute_words::goal_words;
 use saute_words::language::Language;
 
 /// Names phase and trial; it never states which condition applies.
@@ -21,7 +20,7 @@ pub(super) fn of_study(state: &PanelContext, desk: &StudyDesk, ui: &Ui, layout: 
     let title = &desk.study().protocol().phases[phase].title;
     let at: [(&str, &dyn std::fmt::Display); 2] = [("trial", &trial), ("trials", &simulate.trials)];
     let where_ = format!("{title} · {}", l.fill("study.trial", &at));
-    let goal = goal_words::label(&simulate.goal.goal.name, &simulate.goal.goal.names, l).to_owned();
+    let goal = l.named("goal", &simulate.goal.goal.name, &simulate.goal.goal.names).to_owned();
     ribbon(ui, layout, (&where_, &goal), |_| {});
 }
 
@@ -32,7 +31,7 @@ pub(super) fn of_lesson(state: &PanelContext, desk: &LessonDesk, ui: &Ui, acts: 
     }
     let l = state.settings.language;
     let title = titled(desk, l);
-    let goal = goal_words::label(&desk.scenario().goal.goal.name, &desk.scenario().goal.goal.names, l).to_owned();
+    let goal = l.named("goal", &desk.scenario().goal.goal.name, &desk.scenario().goal.goal.names).to_owned();
     ribbon(ui, layout, (&title, &goal), |ui| {
         let leave = theme::of(ui).button(l.text("lesson.leave_short"), false);
         if !desk.is_locked() && ui.add(leave).on_hover_text(l.text("lesson.leave")).clicked() {

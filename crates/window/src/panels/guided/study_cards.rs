@@ -11,7 +11,6 @@ use saute_controls::act::GuidedAct;
 use saute_controls::act::{Act, Acts, LearnAct};
 use saute_controls::context::PanelContext;
 use saute_session::guided::{Readiness, StudyDesk, TrialRun};
-use saute_words::goal_words;
 use saute_words::guided_words;
 
 /// Shows the card of the stage.
@@ -112,7 +111,7 @@ fn next_trial(
     let content = |ui: &mut Ui| {
         told(state, desk.told(), ui);
         ui.label(RichText::new(l.fill("study.trial", &[("trial", &trial), ("trials", &simulate.trials)])).strong());
-        let goal = goal_words::label(&simulate.goal.goal.name, &simulate.goal.goal.names, l);
+        let goal = l.named("goal", &simulate.goal.goal.name, &simulate.goal.goal.names);
         ui.label(l.fill("study.goal", &[("goal", &goal)]));
         ui.label(l.fill("study.speed", &[("speed", &simulate.speed)]));
         if let Readiness::Holds(pace) = desk.readiness() {
