@@ -77,6 +77,7 @@ fn simulated_students_hand_in_what_is_collected() {
 #[test]
 fn questions_come_when_they_are_due_one_by_one_and_the_truth_is_that_of_the_cook() {
     let (mut lesson, mut kitchen) = lesson();
+    assert!(lesson.asks_ahead(), "what will be asked is not to be foretold");
     assert!((until_asked(&mut lesson, &mut kitchen) - 1.0).abs() < 0.11);
     assert_eq!((lesson.waiting(), lesson.answer(200.0)), (Some(0), None), "200 °C is no answer");
     assert_eq!(lesson.answer(7.0), Some(0));
@@ -88,7 +89,9 @@ fn questions_come_when_they_are_due_one_by_one_and_the_truth_is_that_of_the_cook
     lesson.answer(6.0);
     assert_eq!(lesson.asked()[1].truth, None, "it lies ahead");
     until_asked(&mut lesson, &mut kitchen);
+    assert!(lesson.asks_ahead(), "the last question has no answer yet");
     lesson.answer(1.0);
+    assert!(!lesson.asks_ahead(), "all is answered");
     while kitchen.time_s() < asked_s + 5.05 {
         kitchen.step();
         lesson.observe(&kitchen);
