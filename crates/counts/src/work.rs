@@ -106,6 +106,7 @@ fn food_model(_: &Path) -> Result<u32, Box<dyn Error>> {
         mesh: MeshSize::Default,
         rules: Rules::Full,
         outline: OutlineKind::Plain,
+        pool: None,
     };
     let mut model = Ok(());
     counted(&mut || model = FoodModel::build(food, kinetics, &library.components, &spec).map(|m| drop(black_box(m))));

@@ -23,8 +23,7 @@ pub(crate) fn individual(
     kinetics: &Kinetics,
     piece: &PieceSpec,
 ) -> Individual {
-    let (mut food, mut kinetics, mut piece, seed) = (food.clone(), kinetics.clone(), *piece, piece.seed);
-    piece.size[2] *= 1.0 + spread.thickness * bell(seed, 5);
+    let (mut food, mut kinetics, piece, seed) = (food.clone(), kinetics.clone(), as_cut(food, piece), piece.seed);
     food.lean = strayed(&food.lean, spread, bell(seed, 0), bell(seed, 1));
     food.anisotropy = food.anisotropy.as_ref().map(|mean| turned(mean, spread.fibre_deg * bell(seed, 2)));
     food.outline.wedge += spread.wedge * bell(seed, 3).abs();
@@ -33,6 +32,14 @@ pub(crate) fn individual(
     holding.drop = (holding.drop * released).min(1.0 - LEAST_SHARE);
     holding.change.values_mut().for_each(|share| *share *= released);
     (food, kinetics, piece)
+}
+
+/// What a piece is built from, with its thickness as cut.
+pub(crate) fn as_cut(food: &FoodDescription, piece: &PieceSpec) -> PieceSpec {
+    let spread = food.spread.as_ref().filter(|_| piece.is_individual());
+    let thicker = spread.map_or(1.0, |spread| 1.0 + spread.thickness * bell(piece.seed, 5));
+    let [length, width, thickness] = piece.size;
+    PieceSpec { size: [length, width, thickness * thicker], ..*piece }
 }
 
 /// A number with mean 0 and standard deviation 1, within ±3.

@@ -28,6 +28,7 @@
 //!     mesh: MeshSize::Default,
 //!     rules: Rules::Full,
 //!     outline: OutlineKind::Plain,
+//!     pool: None,
 //! };
 //! let model = FoodModel::build(&food, &kinetics, &components, &piece)?;
 //! let mut state = FoodState::raw(&model, ZERO_C + 5.0);

@@ -6,6 +6,7 @@
 use saute_heat::{BodyMesh, Outline};
 
 use crate::Lab;
+use crate::body::pool::Pool;
 use crate::body::rest_shape::RestShape;
 use crate::body::{Body, Patch, Surface};
 use crate::build_error::{BuildError, check_composition, check_size};
@@ -14,7 +15,7 @@ use crate::change::colour::{Appearance, Palette};
 use crate::change::response::HeatResponse;
 use crate::components::{Components, Masses, Properties};
 use crate::description::{FoodDescription, Kinetics, NaturalForm};
-use crate::individual::individual;
+use crate::individual::{as_cut, individual};
 use crate::paper_2013::{Rules, simplified};
 use crate::piece_spec::PieceSpec;
 use crate::state::FoodState;
@@ -92,6 +93,29 @@ impl FoodModel {
         };
         model.wet_faces();
         Ok(model)
+    }
+
+    /// Returns the same poured piece as it lies now; `piece` is what it was built from, with its present pool.
+    ///
+    /// # Errors
+    /// If meshing fails.
+    pub fn poured_as(&self, piece: &PieceSpec) -> Result<Self, BuildError> {
+        let piece = as_cut(&self.description, piece);
+        let shape = RestShape::new(Body::cut(&self.description, &piece)?, self.rules);
+        let tissue = NodeTissue::new(&self.description, &self.properties, &shape, self.seed);
+        let mut model = Self {
+            water: WaterTransport::new(&self.description, &self.kinetics, self.rules, &shape)?,
+            shape,
+            tissue,
+            ..self.clone()
+        };
+        model.wet_faces();
+        Ok(model)
+    }
+
+    /// How a poured piece lies; none of other foods.
+    pub fn pool(&self) -> Option<&Pool> {
+        self.shape.pool.as_ref()
     }
 
     /// Present masses of water, lean solids and fat of a node [kg].

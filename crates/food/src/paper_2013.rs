@@ -53,8 +53,8 @@ pub fn mesh_of(description: &FoodDescription) -> (Rings, usize) {
         Form::Ring => LEEK,
         Form::Shrimp => SHRIMP,
         Form::Steak if description.marbling.is_some() => MARBLED,
-        // The paper has no mesh for a closed surface or a patty; a closed surface keeps its own.
-        Form::Steak | Form::Patty | Form::Mesh => LEAN,
+        // The paper has no mesh for a closed surface, a patty or what is poured; a closed surface keeps its own.
+        Form::Steak | Form::Patty | Form::Poured | Form::Mesh => LEAN,
     }
 }
 

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::body::pool::Pool;
 use crate::description::{FoodDescription, NaturalForm, OutlineKind};
 use crate::paper_2013::{MeshSize, Rules};
 
@@ -20,6 +21,8 @@ pub struct PieceSpec {
     pub rules: Rules,
     /// Outline to be cut.
     pub outline: OutlineKind,
+    /// How a poured food lies, once it does; none before, and of other foods.
+    pub pool: Option<Pool>,
 }
 
 impl PieceSpec {

@@ -175,13 +175,18 @@ impl FoodModel {
         difference * self.shape.size[0] / if self.shape.is_slice() { self.shape.size[2] } else { self.shape.size[1] }
     }
 
+    /// Share of a change at each node [-]; none if the kinetics do not contain it.
+    pub fn changed<'a>(&self, state: &'a FoodState, name: &str) -> Option<&'a [f64]> {
+        let place = self.kinetics.change.iter().position(|c| c.name == name)?;
+        state.changed.get(place).map(Vec::as_slice)
+    }
+
     /// Field of the nodes that a scale measures [K or -]: the highest temperature so far, or the share of its change. Of a
     /// change that the kinetics do not contain the field is empty.
     pub fn measured<'a>(&self, state: &'a FoodState, scale: &Scale) -> &'a [f64] {
-        let place = || self.kinetics.change.iter().position(|c| c.name == scale.for_change);
         match scale.measure() {
             Measure::Peak => &state.peak,
-            Measure::Share => place().and_then(|k| state.changed.get(k)).map_or(&[], Vec::as_slice),
+            Measure::Share => self.changed(state, &scale.for_change).unwrap_or(&[]),
         }
     }
 
@@ -197,10 +202,17 @@ impl FoodModel {
         for level in 0..mesh.levels.len() - 1 {
             let (lower, upper) = field[level * n..(level + 2) * n].split_at(n);
             for i in 0..n {
-                scale.add_stretch(&mut sums, lower[i], upper[i], mesh.between(level, i));
+                let counts = self.counted(scale, [mesh.node(level, i), mesh.node(level + 1, i)]);
+                scale.add_stretch(&mut sums, lower[i], upper[i], counts * mesh.between(level, i));
             }
         }
         Shares::from_weights(sums)
+    }
+
+    /// Share of the stretch between two nodes that counts on a scale [-].
+    fn counted(&self, scale: &Scale, ends: [usize; 2]) -> f64 {
+        let second = |node: usize| self.tissue.second[node];
+        if scale.of_second { 0.5 * (second(ends[0]) + second(ends[1])) } else { 1.0 }
     }
 
     /// Returns the cut that shows the inside: of a slice across its longest axis, at the distance `x` from the centroid [m].
@@ -228,9 +240,12 @@ impl FoodModel {
         let lengths = cut.lengths();
         for (level, height) in mesh.levels.windows(2).map(|w| w[1] - w[0]).enumerate() {
             let (lower, upper) = field[level * n..(level + 2) * n].split_at(n);
+            let (below, above) = self.tissue.second[level * n..(level + 2) * n].split_at(n);
             let wide = 0.5 * (self.cut_breadth(cut, level) + self.cut_breadth(cut, level + 1));
             for (i, length) in lengths.iter().enumerate() {
-                scale.add_stretch(&mut sums, cut.sample(i, lower), cut.sample(i, upper), wide * length * height);
+                let counts = if scale.of_second { 0.5 * (cut.sample(i, below) + cut.sample(i, above)) } else { 1.0 };
+                let area = counts * wide * length * height;
+                scale.add_stretch(&mut sums, cut.sample(i, lower), cut.sample(i, upper), area);
             }
         }
         Shares::from_weights(sums)

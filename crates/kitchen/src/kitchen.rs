@@ -92,6 +92,7 @@ impl PieceOrder {
             mesh: self.mesh,
             rules: self.rules,
             outline: self.outline,
+            pool: None,
         }
     }
 }

@@ -19,6 +19,8 @@ pub enum Form {
     Stick,
     /// A tapering body on a curved spine with a tail fan; it lies on its side, and fibres run along it.
     Shrimp,
+    /// What runs over the pan's floor before it sets; its size is that of what lies on a level floor.
+    Poured,
     /// The inside of a closed surface from the user's own file.
     Mesh,
 }
@@ -29,6 +31,7 @@ impl Form {
         match self {
             Self::Steak | Self::Stick => &["length", "width", "thickness"],
             Self::Coin | Self::Ring | Self::Patty => &["diameter", "thickness"],
+            Self::Poured => &["diameter", "mean thickness"],
             Self::Shrimp => &["curve length", "thickest diameter"],
             Self::Mesh => &["longest edge"],
         }
@@ -45,7 +48,9 @@ impl Form {
     pub fn extent(self, size: &[f64]) -> Option<[f64; 3]> {
         match (self, size) {
             (Self::Steak | Self::Stick, &[length, width, thickness]) => Some([length, width, thickness]),
-            (Self::Coin | Self::Ring | Self::Patty, &[diameter, thickness]) => Some([diameter, diameter, thickness]),
+            (Self::Coin | Self::Ring | Self::Patty | Self::Poured, &[diameter, thickness]) => {
+                Some([diameter, diameter, thickness])
+            }
             (Self::Shrimp, &[length, diameter]) => Some([length, diameter, diameter]),
             (Self::Mesh, &[longest]) => Some([longest; 3]),
             _ => None,
@@ -56,7 +61,7 @@ impl Form {
     pub fn dimensions_of(self, [length, width, thickness]: [f64; 3]) -> Vec<f64> {
         match self {
             Self::Steak | Self::Stick => vec![length, width, thickness],
-            Self::Coin | Self::Ring | Self::Patty => vec![length, thickness],
+            Self::Coin | Self::Ring | Self::Patty | Self::Poured => vec![length, thickness],
             Self::Shrimp => vec![length, width],
             Self::Mesh => vec![length],
         }
@@ -66,7 +71,7 @@ impl Form {
     pub fn dimension_of(self, axis: usize) -> &'static str {
         let names = self.dimensions();
         match self {
-            Self::Coin | Self::Ring | Self::Patty => names[axis / 2],
+            Self::Coin | Self::Ring | Self::Patty | Self::Poured => names[axis / 2],
             Self::Shrimp => names[axis.min(1)],
             Self::Mesh => names[0],
             Self::Steak | Self::Stick => names[axis],
@@ -82,6 +87,7 @@ impl Form {
             Self::Ring => "ring",
             Self::Stick => "stick",
             Self::Shrimp => "shrimp",
+            Self::Poured => "poured",
             Self::Mesh => "mesh",
         }
     }

@@ -15,8 +15,11 @@ pub mod limp;
 mod natural;
 pub mod patch;
 pub mod patch_pose;
+pub mod pool;
+mod poured;
 pub mod present_shape;
 mod probing;
+mod repoured;
 pub(crate) mod rest_shape;
 pub mod rounded;
 pub mod shrimp;
@@ -29,6 +32,7 @@ pub mod surface;
 use saute_heat::{BodyMesh, Outline, Rule, SweptMesh};
 
 use crate::body::patch::patches;
+use crate::body::pool::Pool;
 use crate::build_error::BuildError;
 use crate::build_error::check_size;
 use crate::description::FoodDescription;
@@ -57,6 +61,8 @@ pub struct Body {
     pub contracts: bool,
     /// True if the body has the natural form of its food; false if it is plain.
     pub natural: bool,
+    /// How a poured food lies; none in other forms.
+    pub pool: Option<Pool>,
 }
 
 impl Body {
@@ -69,6 +75,7 @@ impl Body {
             Form::Steak | Form::Patty | Form::Coin | Form::Ring => Self::slice(description, piece),
             Form::Stick => Self::stick(description, piece),
             Form::Shrimp => Self::shrimp(description, piece),
+            Form::Poured => Self::poured(description, piece),
             Form::Mesh => Self::inside_surface(description, piece),
         };
         Ok(Self { natural: piece.natural(description).is_some(), ..body? })
@@ -84,7 +91,7 @@ impl Body {
             return Ok((rounded::node_count(rings) * levels) as f64);
         }
         match description.form {
-            Form::Steak | Form::Patty | Form::Coin | Form::Ring => Ok(slice::nodes(description, piece)),
+            Form::Steak | Form::Patty | Form::Coin | Form::Ring | Form::Poured => Ok(slice::nodes(description, piece)),
             Form::Stick => Ok(stick::nodes(piece)),
             Form::Shrimp => shrimp::nodes(description, piece),
             Form::Mesh => cell_body::nodes(description, piece),
@@ -92,7 +99,8 @@ impl Body {
     }
 
     pub(crate) fn swept(size: [f64; 3], mesh: SweptMesh, outline: Outline) -> Self {
-        Self { size, patches: patches(&mesh), mesh: BodyMesh::Swept(mesh), outline, contracts: true, natural: false }
+        let patches = patches(&mesh);
+        Self { size, patches, mesh: BodyMesh::Swept(mesh), outline, contracts: true, natural: false, pool: None }
     }
 }
 

@@ -64,9 +64,13 @@ impl FoodModel {
     fn upright(&self, mesh: &SweptMesh, state: &FoodState, positions: &mut [[f64; 3]]) {
         let n = mesh.nodes_per_level();
         let (half, lateral) = (0.5 * self.thickness(state), state.stretch.lateral);
+        let draped = state.stretch.draped;
         for (i, &[x, y]) in mesh.section.points.iter().enumerate() {
+            let top = if draped > 0.0 { column_heights(mesh, state, i).last().unwrap_or_default() } else { 0.0 };
+            // A draped piece lies flat on its upper face.
+            let low = if draped > 0.0 { draped * (half - top) - (1.0 - draped) * half } else { -half };
             for (level, z) in column_heights(mesh, state, i).enumerate() {
-                positions[level * n + i] = [x * lateral, y * lateral, z - half];
+                positions[level * n + i] = [x * lateral, y * lateral, z + low];
             }
         }
     }

@@ -17,7 +17,7 @@ impl FoodModel {
         let height = 0.5 * share * self.shape.size[2];
         let probe = match self.shape.mesh.layout() {
             Layout::Upright(mesh) => {
-                mesh.probe_at(&mesh.locate_or_nearest([0.0, 0.0]), 0.5 * (1.0 + share) * mesh.thickness())
+                mesh.probe_at(&mesh.locate_or_nearest(self.shape.middle()), 0.5 * (1.0 + share) * mesh.thickness())
             }
             Layout::Along(mesh, _) => mesh.probe_at(&mesh.locate_or_nearest([0.0, height]), self.shape.core_z),
             Layout::Cells(cells) => Probe::Cells(cells.weights([0.0, 0.0, height])),

@@ -4,6 +4,7 @@ use saute_heat::{BodyMesh, Layout, Outline, Probe, Station, SweptMesh};
 
 use crate::body::cell_body::{cell_core, middle_cut};
 use crate::body::halving::Halving;
+use crate::body::pool::Pool;
 use crate::body::{Body, Face, Patch, Surface};
 use crate::paper_2013::Rules;
 
@@ -33,14 +34,16 @@ pub(crate) struct RestShape {
     /// Area of the middle cut of a body of cells that belongs to each of its nodes [m²]; empty in a swept body.
     pub(crate) middle_cut: Vec<(u32, f64)>,
     pub(crate) halving: Option<Halving>,
+    /// How a poured food lies; none in other forms.
+    pub(crate) pool: Option<Pool>,
 }
 
 impl RestShape {
     /// The rest shape of a body; a body under the rules of 2013 does not contract.
     pub(crate) fn new(body: Body, rules: Rules) -> Self {
-        let Body { size, mesh, outline, patches, contracts, natural } = body;
+        let Body { size, mesh, outline, patches, contracts, natural, pool } = body;
         let closed_below = !patches.iter().any(|p| p.face == Face::Bottom && p.area > 0.0);
-        let (core, core_z) = core_of(&mesh, closed_below);
+        let (core, core_z) = core_of(&mesh, closed_below, middle(pool.as_ref()));
         let surface = mesh.swept().map(|swept| Surface::of(swept, &patches)).unwrap_or_default();
         let mut shape = Self {
             contracts: contracts && rules == Rules::Full,
@@ -48,6 +51,7 @@ impl RestShape {
             rest_normals: Vec::new(),
             outwards: Vec::new(),
             halving: None,
+            pool,
             natural,
             mesh,
             size,
@@ -62,6 +66,11 @@ impl RestShape {
         shape
     }
 
+    /// Place of the core in the section of a slice [m]: its middle, or that of its yolk.
+    pub(crate) fn middle(&self) -> [f64; 2] {
+        middle(self.pool.as_ref())
+    }
+
     /// Square of the distance of a point from the middle, relative to half the length and width [-].
     pub(crate) fn outwards_at(&self, [x, y, _]: [f64; 3]) -> f64 {
         4.0 * ((x / self.size[0]) * (x / self.size[0]) + (y / self.size[1]) * (y / self.size[1]))
@@ -74,9 +83,13 @@ impl RestShape {
     }
 }
 
+fn middle(pool: Option<&Pool>) -> [f64; 2] {
+    pool.map_or([0.0; 2], |pool| pool.dome.at)
+}
+
 /// The core and its distance along the path [m].
-fn core_of(mesh: &BodyMesh, closed_below: bool) -> (Probe, f64) {
-    let at = |swept: &SweptMesh, z: f64| (swept.probe_at(&swept.locate_or_nearest([0.0, 0.0]), z), z);
+fn core_of(mesh: &BodyMesh, closed_below: bool, middle: [f64; 2]) -> (Probe, f64) {
+    let at = |swept: &SweptMesh, z: f64| (swept.probe_at(&swept.locate_or_nearest(middle), z), z);
     match mesh.layout() {
         Layout::Upright(swept) => at(swept, if closed_below { 0.0 } else { 0.5 * swept.thickness() }),
         Layout::Along(swept, stations) => at(swept, deepest_level(swept, stations)),

@@ -45,13 +45,17 @@ fn outline(description: &FoodDescription, piece: &PieceSpec) -> Outline {
 }
 
 /// Spacing of the nodes inside the section [m].
-fn spacing(piece: &PieceSpec) -> f64 {
+pub(super) fn spacing(piece: &PieceSpec) -> f64 {
     (SPACING * piece.coarseness).min(piece.size[0].min(piece.size[1]) / 8.0)
 }
 
 fn graded(outline: &Outline, piece: &PieceSpec) -> Result<(Section, Vec<f64>), MeshError> {
-    let spacing = spacing(piece);
-    Ok((Section::mesh(outline, spacing, RIM * spacing)?, levels(piece)))
+    Ok((graded_by(outline, spacing(piece))?, levels(piece)))
+}
+
+/// A section with a ring of nodes below its rim, for nodes at a spacing [m].
+pub(super) fn graded_by(outline: &Outline, spacing: f64) -> Result<Section, MeshError> {
+    Section::mesh(outline, spacing, RIM * spacing)
 }
 
 fn levels(piece: &PieceSpec) -> Vec<f64> {

@@ -83,6 +83,11 @@ impl FoodModel {
                 Solid::Cuboid { half: [0.5 * length, 0.5 * lateral * self.shape.size[1], half_height] }
             }
             (Form::Steak, Layout::Upright(mesh) | Layout::Along(mesh, _)) => Solid::Hulls(self.strips(mesh, state)),
+            (Form::Poured, Layout::Upright(mesh)) => {
+                let mut hulls = self.strips(mesh, state);
+                hulls.extend(self.yolk_block(state));
+                Solid::Hulls(hulls)
+            }
             _ => Solid::Cylinder { radius: lateral * self.round_radius(), half_height },
         }
     }
@@ -120,6 +125,20 @@ impl FoodModel {
         let edges: Vec<Vec<[f64; 3]>> =
             (0..=STRIPS).map(|i| self.edge_at((mesh, &rim), cut(i), state, &flat)).collect();
         edges.windows(2).map(|pair| pair.concat()).collect()
+    }
+
+    /// A block in the yolk of a poured piece, from its lower face to the top of the yolk.
+    fn yolk_block(&self, state: &FoodState) -> Option<Vec<[f64; 3]>> {
+        let dome = &self.shape.pool.as_ref()?.dome;
+        let (lateral, half) = (state.stretch.lateral, 0.5 * self.thickness(state));
+        let height = dome.height.max(2.0 * half);
+        let low = state.stretch.draped * (half - height) - (1.0 - state.stretch.draped) * half;
+        let corner = |dx: f64, dy: f64, z: f64| {
+            [lateral * (dome.at[0] + dx * dome.radius), lateral * (dome.at[1] + dy * dome.radius), z]
+        };
+        // Half the radius to each side: round shoulders stay free.
+        let sides = [(-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5)];
+        Some(sides.into_iter().flat_map(|(dx, dy)| [low, low + height].map(|z| corner(dx, dy, z))).collect())
     }
 
     /// The four corners of the slice in a plane across its length [m].

@@ -106,6 +106,8 @@ pub struct Palette {
     colours: Colours,
     second: [f64; 3],
     shifts: [[f64; 3]; MOST_CHANGES],
+    /// The same in the second tissue.
+    second_shifts: [[f64; 3]; MOST_CHANGES],
 }
 
 impl Palette {
@@ -115,7 +117,11 @@ impl Palette {
     /// If the colours name a change that the kinetics lack.
     pub fn new(colours: &Colours, second: Option<[f64; 3]>, kinetics: &Kinetics) -> Result<Self, NoSuchChange> {
         let shifts = kinetics.in_order("colour", &colours.change)?;
-        Ok(Self { shifts, second: second.unwrap_or(colours.raw), colours: colours.clone() })
+        let second_shifts = match &colours.second_change {
+            Some(changes) => kinetics.in_order("colour", changes)?,
+            None => shifts,
+        };
+        Ok(Self { shifts, second_shifts, second: second.unwrap_or(colours.raw), colours: colours.clone() })
     }
 
     /// Colour of lean flesh: the raw colour shifted by the changes, then from golden to crust and char.
@@ -130,9 +136,20 @@ impl Palette {
 
     /// Colour of lean flesh without browning.
     pub fn lean_unbrowned(&self, a: Appearance) -> Lab {
-        let shifted = |i: usize| a.changed.iter().zip(&self.shifts).map(|(x, shift)| x * shift[i]).sum::<f64>();
-        let second = self.second_tissue();
-        Lab([0, 1, 2].map(|i| self.colours.raw[i] + a.tissue * second[i] + shifted(i)))
+        let (Lab(before), second) = (self.without_second(a), self.second_tissue());
+        Lab([0, 1, 2].map(|i| before[i] + a.tissue * second[i]))
+    }
+
+    /// Colour of lean flesh without browning and without what the second tissue adds to it, which is known more finely than at nodes.
+    pub fn without_second(&self, a: Appearance) -> Lab {
+        let shifts = self.shifts.iter().zip(&self.second_shifts);
+        let shifted = |i: usize| {
+            let shift = |(x, (first, second)): (&f64, (&[f64; 3], &[f64; 3]))| {
+                x * (first[i] + a.tissue * (second[i] - first[i]))
+            };
+            a.changed.iter().zip(shifts.clone()).map(shift).sum::<f64>()
+        };
+        Lab([0, 1, 2].map(|i| self.colours.raw[i] + shifted(i)))
     }
 
     /// Difference of L*, a*, b* between raw second tissue and raw flesh [-].

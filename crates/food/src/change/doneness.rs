@@ -82,6 +82,9 @@ pub struct Scale {
     #[serde(default)]
     #[schemars(extend("examples" = [["shrimp"]]))]
     pub for_kinetics: Vec<String>,
+    /// True if it is about the second tissue alone, such as the yolk of an egg.
+    #[serde(default)]
+    pub of_second: bool,
     /// True if the file of a food states it: it is that food's own. The reader of the files sets it.
     #[serde(skip)]
     pub is_of_one_food: bool,
@@ -196,6 +199,7 @@ mod tests {
             class: bounds.iter().map(class).collect(),
             for_change: "myosin".into(),
             for_kinetics: Vec::new(),
+            of_second: false,
             is_of_one_food: false,
             goal: None,
             source: String::new(),

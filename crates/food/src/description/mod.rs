@@ -2,6 +2,7 @@
 
 mod kinetics;
 mod lab_colour;
+mod pour;
 mod properties;
 mod relations;
 mod shape;
@@ -24,6 +25,7 @@ pub use kinetics::{
     NoSuchChange, PerChange, Shrinkage, Texture, WaterHolding,
 };
 pub use lab_colour::{LabColour, LabShift};
+pub use pour::{Pour, Yolk};
 pub use properties::{Anisotropy, Colours, Crust, FatMelting, Freezing, Sorption, SurfaceProperties};
 pub use shape::{NaturalForm, OutlineKind, OutlineShape, PieceSpread, SizeRange, Spine, SurfaceFile};
 pub use tissue::{Composition, Core, FatCap, Marbling, Sheaths};
@@ -140,6 +142,10 @@ pub struct FoodDescription {
     pub core: Option<Core>,
     /// Sheaths of a shaft; absent in other foods.
     pub sheaths: Option<Sheaths>,
+    /// Yolk of a poured food; absent in other foods.
+    pub yolk: Option<Yolk>,
+    /// How a poured food runs and stands; absent in other foods.
+    pub pour: Option<Pour>,
     /// What the flesh consists of: mass fractions that add up to 1.
     pub lean: Composition,
     /// Fat tissue; absent in foods without it.
@@ -189,13 +195,15 @@ impl FoodDescription {
     /// Raw colour of the second tissue, L*, a*, b*; none in foods without it.
     pub fn second_colour(&self) -> Option<[f64; 3]> {
         let sheaths = || self.sheaths.as_ref().map(|s| s.colour);
-        self.core.as_ref().map(|c| c.colour).or_else(sheaths)
+        let yolk = || self.yolk.as_ref().map(|y| y.colour);
+        self.core.as_ref().map(|c| c.colour).or_else(sheaths).or_else(yolk)
     }
 
     /// Composition of the second tissue; the lean tissue unless stated.
     pub fn second_tissue(&self) -> &Composition {
         let core = self.core.as_ref().and_then(|c| c.tissue.as_ref());
         let sheaths = || self.sheaths.as_ref().and_then(|s| s.tissue.as_ref());
-        core.or_else(sheaths).unwrap_or(&self.lean)
+        let yolk = || self.yolk.as_ref().and_then(|y| y.tissue.as_ref());
+        core.or_else(sheaths).or_else(yolk).unwrap_or(&self.lean)
     }
 }

@@ -93,6 +93,9 @@ sourced_table! {
         /// Shift by a complete change, by the name of the change.
         #[schemars(with = "BTreeMap<String, LabShift>", extend("examples" = [{ "myosin": [14.0, -9.0, 3.5] }]))]
         change: BTreeMap<String, [f64; 3]>,
+        /// The same in the second tissue, such as a yolk; without it as in the first.
+        #[schemars(with = "Option<BTreeMap<String, LabShift>>", extend("examples" = [{ "yolk_setting": [9.0, -7.0, -8.0] }]))]
+        second_change: Option<BTreeMap<String, [f64; 3]>>,
         /// The same of a piece that follows the rules of 2013, which keeps the colours that this program had first; as
         /// `change` by default.
         #[schemars(with = "Option<BTreeMap<String, LabShift>>", extend("examples" = [{ "myosin": [14.0, -9.0, 3.5] }]))]

@@ -68,6 +68,7 @@ impl Reduction {
         let body = Body {
             contracts: shape.contracts,
             natural: shape.natural,
+            pool: shape.pool,
             ..Body::swept(shape.size, coarse, shape.outline.clone())
         };
         let mut shape = RestShape::new(body, fine.rules);

@@ -50,7 +50,7 @@ impl NodeTissue {
         let cap = food.fat_cap.as_ref().filter(|_| shape.natural);
         let cap = cap.map(|cap| FatCap::new(cap, &shape.outline, shape.size, seed));
         let marbling = MarblingVolume::with_cap(food.marbling.as_ref(), cap.as_ref(), seed, &shape.mesh);
-        let field = TissueField::new(food, shape.size, seed);
+        let field = TissueField::new(food, shape.size, seed, shape.pool.as_ref());
         let adipose = Self::adipose_shares(&marbling, shape);
         let second = node_means(&shape.mesh, Some(&field).filter(|field| !field.is_plain()), TISSUE_SAMPLES);
         let lean = &food.lean;
@@ -68,6 +68,9 @@ impl NodeTissue {
             field,
         };
         tissue.fill(food, properties, shape.mesh.volumes());
+        if let Some(yolk) = &food.yolk {
+            tissue.portion(food, properties, yolk.share, shape.mesh.volumes().iter().sum());
+        }
         tissue
     }
 
@@ -92,6 +95,20 @@ impl NodeTissue {
         }
         let all = [&self.initial_water, &self.lean_solids, &self.initial_fat];
         self.raw_mass = all.iter().map(|m| m.iter().sum::<f64>()).sum();
+    }
+
+    /// Scales the masses of a poured piece to those of its volumes of white and yolk, whatever its shape.
+    fn portion(&mut self, food: &FoodDescription, properties: &Properties, share: f64, volume: f64) {
+        let parts = [1.0 - share, share].map(|part| part * volume);
+        let tissues = [0.0, 1.0].map(|second| mixed(food, 0.0, second));
+        let mass = |k: usize| parts[k] / properties.volume(&tissues[k], ZERO_C + 20.0);
+        let whole: Masses = core::array::from_fn(|i| (0..2).map(|k| mass(k) * tissues[k][i]).sum());
+        let fields = [&mut self.initial_water, &mut self.lean_solids, &mut self.initial_fat];
+        for (field, whole) in fields.into_iter().zip(whole) {
+            let scale = whole / field.iter().sum::<f64>();
+            field.iter_mut().for_each(|mass| *mass *= scale);
+        }
+        self.raw_mass = whole.iter().sum();
     }
 
     /// Lean solids of a node that can char, over those of lean flesh [-].

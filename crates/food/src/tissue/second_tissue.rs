@@ -1,6 +1,7 @@
-//! The second tissue of a plant: the core of a root, or the green of a shaft's sheaths.
+//! The second tissue of a food: the core of a root, the green of a shaft's sheaths, or the yolk of an egg.
 
 use crate::body::form::Form;
+use crate::body::pool::{Dome, Pool};
 use crate::description::{Core, FoodDescription, Sheaths};
 use crate::tissue::node_means::Grown;
 use crate::tissue::noise::{fractal, uniform};
@@ -33,6 +34,7 @@ enum Parts {
         /// Conductance of the border between two sheaths [W/(m²·K)].
         conductance: f64,
     },
+    Yolk(Dome),
 }
 
 /// Waviness of the sheaths' borders relative to their radius [-] (chosen: slightly out of round).
@@ -40,14 +42,15 @@ const SHEATH_WAVE: f64 = 0.04;
 
 impl TissueField {
     /// The seeded field of a piece of the given size [m].
-    pub fn new(description: &FoodDescription, size: [f64; 3], seed: u64) -> Self {
+    pub(crate) fn new(description: &FoodDescription, size: [f64; 3], seed: u64, pool: Option<&Pool>) -> Self {
         let across = if description.form.grown_along() == 0 { [1, 2] } else { [0, 1] };
         let half = across.map(|axis| 0.5 * size[axis]);
         let radius = 0.5 * (half[0] + half[1]);
-        let kind = match (&description.core, &description.sheaths) {
-            (Some(core), _) => core_of(core, radius, half, seed),
-            (None, Some(sheaths)) => sheaths_of(sheaths, radius, seed),
-            (None, None) => Parts::Plain,
+        let kind = match (&description.core, &description.sheaths, pool) {
+            (Some(core), ..) => core_of(core, radius, half, seed),
+            (None, Some(sheaths), _) => sheaths_of(sheaths, radius, seed),
+            (None, None, Some(pool)) => Parts::Yolk(pool.dome),
+            (None, None, None) => Parts::Plain,
         };
         Self { seed, across, kind }
     }
@@ -67,6 +70,7 @@ impl TissueField {
                 smooth_step((reach - libm::hypot(q[0], q[1])) / edge + 0.5)
             }
             Parts::Sheaths { shares, .. } => shares[self.sheath(p)],
+            Parts::Yolk(dome) => f64::from(u8::from(dome.depth(p) > 0.0)),
         }
     }
 
@@ -89,6 +93,7 @@ impl TissueField {
                 let distance = self.off_axis(p);
                 radii.iter().map(|r| libm::fabs(r - distance)).fold(f64::INFINITY, f64::min)
             }
+            Parts::Yolk(dome) => libm::fabs(dome.depth(p)),
         }
     }
 
@@ -169,6 +174,6 @@ impl Grown for TissueField {
 impl Form {
     /// Returns true if a piece of this form can have a second tissue.
     pub fn may_hold_tissues(self) -> bool {
-        !matches!(self, Self::Shrimp | Self::Mesh)
+        !matches!(self, Self::Shrimp | Self::Mesh | Self::Poured)
     }
 }

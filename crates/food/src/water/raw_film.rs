@@ -27,11 +27,13 @@ impl FoodModel {
         self.tissue.raw_film = film;
     }
 
-    /// Film that belongs to a face of raw food, relative to the largest, by its peak temperature [K] [-]: none to one that has set.
+    /// Film that belongs to a face of raw food, relative to the largest, by its peak temperature [K] [-]: none to one that has set, and to
+    /// what is poured, which is liquid all through.
     pub(crate) fn raw_film_left(&self, peak: f64) -> f64 {
         let set = ((peak - SETS[0]) / (SETS[1] - SETS[0])).clamp(0.0, 1.0);
         let level = if let Layout::Upright(_) = self.shape.mesh.layout() { 1.0 } else { ON_A_SKIN };
-        if self.rules == Rules::Full { level * RAW_FILM * (1.0 - set) } else { 0.0 }
+        let has_film = self.rules == Rules::Full && self.shape.pool.is_none();
+        if has_film { level * RAW_FILM * (1.0 - set) } else { 0.0 }
     }
 
     /// Share of the film on a node's face that counts as rising juice [-]: it stays on the face that it is on.

@@ -80,6 +80,7 @@ fn fat_chars_later_than_lean_flesh() {
         mesh: MeshSize::Default,
         rules: Rules::Full,
         outline: OutlineKind::Natural,
+        pool: None,
     };
     let capped = piece("beef-lean", &spec);
     let mut run = Run::new(&capped, 20.0);

@@ -25,6 +25,7 @@ pub fn model(kind: &str, coarseness: f64, size: [f64; 3]) -> FoodModel {
             mesh: MeshSize::Default,
             rules: Rules::Full,
             outline: OutlineKind::Plain,
+            pool: None,
         },
     )
 }

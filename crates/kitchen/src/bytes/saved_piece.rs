@@ -17,6 +17,7 @@ use crate::piece::medium::Media;
 use crate::piece::pan_contact::PanContact;
 use crate::piece::piece_shape::PieceShape;
 use crate::piece::piece_state::{Piece, Place};
+use crate::piece::running::Running;
 use crate::piece::sear_lines::SearRecord;
 
 /// What of a piece does not follow from its order.
@@ -42,6 +43,7 @@ pub(super) struct SavedPiece<'a> {
     board: Cow<'a, Board>,
     touch: Cow<'a, [Touch]>,
     media: Cow<'a, Media>,
+    running: Cow<'a, Option<Running>>,
 }
 
 impl<'a> SavedPiece<'a> {
@@ -67,13 +69,15 @@ impl<'a> SavedPiece<'a> {
             board: Cow::Borrowed(&piece.board),
             touch: Cow::Borrowed(&piece.touch),
             media: Cow::Borrowed(&piece.media),
+            running: Cow::Borrowed(&piece.running),
         }
     }
 
-    /// Returns what its model is built from, given the hash of its data; `None` if its mesh would be too fine.
+    /// Returns what its model is built from, given the hash of its data; `None` if its mesh would be too fine, or its pool is none.
     pub(super) fn food_key(&self, data_hash: u64) -> Option<FoodKey> {
         let key = FoodKey { kind: self.kind.clone().into_owned(), data_hash, spec: self.spec, cut: self.cut };
-        PieceOrder::COARSENESS.contains(&self.spec.coarseness).then_some(key)
+        let lies = self.spec.pool.as_ref().is_none_or(|pool| pool.is_sound());
+        (lies && PieceOrder::COARSENESS.contains(&self.spec.coarseness)).then_some(key)
     }
 
     /// Returns the piece again; `None` if its fields are not those of its model in this pan.
@@ -106,6 +110,7 @@ impl<'a> SavedPiece<'a> {
             board: self.board.into_owned(),
             touch: self.touch.into_owned(),
             media: self.media.into_owned(),
+            running: self.running.into_owned(),
         };
         is_sound(&piece, pan).then_some(piece)
     }
@@ -121,4 +126,5 @@ fn is_sound(piece: &Piece, pan: &PanModel) -> bool {
         && piece.shape.fits(&piece.model)
         && piece.sear.fits(patches)
         && piece.media.fits(patches, nodes)
+        && piece.running.as_ref().is_none_or(|running| piece.model.pool().is_some() && running.fits(nodes))
 }

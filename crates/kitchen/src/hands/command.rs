@@ -206,6 +206,9 @@ pub enum Refused {
         /// Piece in the way.
         other: String,
     },
+    /// Liquid still.
+    #[error("\"{0}\" still runs: wait until it has set below")]
+    StillRuns(String),
     /// Waiting: the piece has no rigid body yet.
     #[error("\"{0}\" is not on the board or in the pan yet: put it in before you use a tool on it")]
     Waiting(String),

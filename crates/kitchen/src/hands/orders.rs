@@ -17,6 +17,7 @@ use crate::kitchen::Kitchen;
 use crate::pan::cloth::Cloth;
 use crate::pan::hold::Hold;
 use crate::piece::piece_state::{Piece, Place};
+use crate::piece::running::Running;
 
 /// Largest displacement and lift of the pan [m] (chosen: within reach).
 const FARTHEST_PAN: f64 = 0.5;
@@ -73,7 +74,7 @@ impl Kitchen {
                 Ok(())
             }
             Command::Toss { .. } if !self.pieces.iter().any(Piece::in_pan) => Err(Refused::EmptyPan),
-            Command::Toss { height } => self.begin(Gesture::Toss { height: *height }),
+            Command::Toss { height } => self.toss(*height),
             Command::Shake { amplitude, hz, for_s } => {
                 self.begin(Gesture::Shake { amplitude: *amplitude, hz: *hz, for_s: *for_s })
             }
@@ -172,6 +173,14 @@ impl Kitchen {
         [held.position.x, held.position.y, held.position.z - shape.thickness - shape.raise(held.rotation)]
     }
 
+    /// Tosses what is in the pan, unless something in it still runs.
+    fn toss(&mut self, height: f64) -> Result<(), Refused> {
+        if let Some(piece) = self.pieces.iter().find(|piece| piece.runs()) {
+            return Err(Refused::StillRuns(piece.id.clone()));
+        }
+        self.begin(Gesture::Toss { height })
+    }
+
     fn begin(&mut self, gesture: Gesture) -> Result<(), Refused> {
         self.pan_hold.gesture = Some((gesture, 0.0));
         Ok(())
@@ -184,6 +193,7 @@ impl Kitchen {
             return Err(Refused::NotInPan(food.into()));
         }
         let task = task(piece.key);
+        self.check_set(food)?;
         self.hand_over(task);
         Ok(())
     }
@@ -200,6 +210,7 @@ impl Kitchen {
         if piece.place == Place::Waiting {
             return Err(Refused::NotInPan(food.into()));
         }
+        self.check_set(food)?;
         let to = self.free_board(piece);
         let key = piece.key;
         self.pieces[index].resting_on = on;
@@ -261,6 +272,8 @@ impl Kitchen {
             self.hand_over(Task::PutBack { key, to: at });
             return Ok(());
         }
+        self.pour_out(index, at);
+        let piece = &self.pieces[index];
         let solid = piece.model.solid(&piece.state);
         let below = reach(&solid, -DVec3::Z);
         let height = if heap { self.heap_height(at, radius(&solid)) + HEAP } else { LAY };
@@ -274,6 +287,16 @@ impl Kitchen {
         (piece.pose, piece.place, piece.on_pan.since) = (pose, Place::Pan(at), 0.0);
         piece.lie();
         Ok(())
+    }
+
+    /// A poured food lands at a place and begins to run; other food stays as it is.
+    fn pour_out(&mut self, index: usize, at: [f64; 2]) {
+        let fixed = Arc::clone(&self.fixed);
+        let piece = &mut self.pieces[index];
+        let Some(running) = Running::landed(&piece.model, at, &fixed.pan) else { return };
+        if piece.repour(&running, &fixed.pan, &fixed.room).is_some() {
+            piece.running = Some(running);
+        }
     }
 
     /// Checks that a piece fits onto the floor without overlap.

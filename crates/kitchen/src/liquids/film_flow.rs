@@ -81,6 +81,8 @@ struct Passed {
 pub struct FilmFlow {
     /// One over the kinematic viscosity at each node [s/m²]; set by the liquid before it runs.
     pub fluidity: Vec<f64>,
+    /// Equilibrium thickness of a puddle at each node [m]; that of the liquid unless it differs from node to node.
+    pub puddle: Vec<f64>,
     /// Flows in the last sweep in order; edges without flow are left out.
     passed: Vec<Passed>,
     /// Share of its node's liquid that each rim face spilled after them [-].
@@ -107,11 +109,17 @@ impl FilmFlow {
         self.lip.extend(bed.rim.iter().map(|rim| -along(&rim.lip)));
     }
 
+    /// Raises the bed at a node by what stands on it [m].
+    pub fn raise(&mut self, node: usize, by: f64) {
+        self.potential[node] += self.pressing[node] * by;
+    }
+
     /// Sweeps a liquid of this `mass` at each node [kg] through `dt` [s]; returns the largest change of thickness [m]. The
     /// mass itself is moved by [`Self::carry`].
     pub fn sweep(&mut self, bed: &Bed, manner: &Manner, mass: &[f64], sweep: Sweep, dt: f64) -> f64 {
         self.thickness.clear();
         self.thickness.extend(mass.iter().zip(&bed.areas).map(|(m, a)| m / (manner.density * a)));
+        self.puddle.resize(mass.len(), manner.puddle);
         self.passed.clear();
         self.spilled.resize(bed.rim.len(), 0.0);
         for e in sweep.order(bed.edges.len()) {
@@ -124,8 +132,8 @@ impl FilmFlow {
         self.thickness.iter().zip(before).map(|(now, before)| libm::fabs(now - before)).fold(0.0, f64::max)
     }
 
-    fn surface(&self, manner: &Manner, node: usize) -> f64 {
-        self.potential[node] + self.pressing[node] * self.thickness[node].max(manner.puddle)
+    fn surface(&self, node: usize) -> f64 {
+        self.potential[node] + self.pressing[node] * self.thickness[node].max(self.puddle[node])
     }
 
     /// Passes liquid through an edge.
@@ -136,7 +144,7 @@ impl FilmFlow {
         if self.thickness[a] <= manner.clinging && self.thickness[b] <= manner.clinging {
             return;
         }
-        let drop = self.surface(manner, a) - self.surface(manner, b);
+        let drop = self.surface(a) - self.surface(b);
         let (from, to) = if drop > 0.0 { (a, b) } else { (b, a) };
         let stiffness = self.stiffness[a] + self.stiffness[b];
         let drive = Driven { drop: libm::fabs(drop), stiffness, dt };
@@ -160,7 +168,7 @@ impl FilmFlow {
     fn spill(&mut self, bed: &Bed, manner: &Manner, r: usize, dt: f64) {
         let (rim, lip) = (&bed.rim[r], self.lip[r]);
         let i = rim.node as usize;
-        let drop = self.surface(manner, i) - lip - self.pressing[i] * manner.puddle;
+        let drop = self.surface(i) - lip - self.pressing[i] * self.puddle[i];
         self.spilled[r] = self.give(bed, manner, i, Driven { drop, stiffness: self.stiffness[i], dt }, rim.mouth).0;
     }
 
@@ -175,7 +183,7 @@ impl FilmFlow {
         if mobile <= 0.0 || by.drop < LEAST_DROP {
             return (0.0, 0.0);
         }
-        let depth = thickness.max(manner.puddle);
+        let depth = thickness.max(self.puddle[from]);
         let viscous = depth * depth * self.fluidity[from];
         let length = 3.0 * mouth.length;
         let falling = length * libm::sqrt(2.0 * by.drop);

@@ -14,6 +14,8 @@ pub mod memory;
 pub(crate) mod pan_contact;
 pub(crate) mod piece_shape;
 pub mod piece_state;
+mod repour;
+pub(crate) mod running;
 pub mod sear_lines;
 pub(crate) mod work;
 

@@ -24,6 +24,7 @@ use crate::piece::layout::Footprint;
 use crate::piece::medium::Media;
 use crate::piece::pan_contact::PanContact;
 use crate::piece::piece_shape::PieceShape;
+use crate::piece::running::Running;
 use crate::piece::sear_lines::SearRecord;
 
 /// Place of a piece.
@@ -115,6 +116,8 @@ pub struct Piece {
     pub(crate) board: Board,
     pub(crate) touch: Vec<Touch>,
     pub(crate) media: Media,
+    /// A poured food that still runs.
+    pub(crate) running: Option<Running>,
 }
 
 impl Piece {
@@ -144,6 +147,7 @@ impl Piece {
             board: Board::at(room.temperature()),
             touch: Vec::new(),
             media: Media::default(),
+            running: None,
             id: order.id.clone(),
             kind: order.kind.clone(),
             seed: order.seed,
@@ -158,6 +162,11 @@ impl Piece {
     /// Returns true if it is in or above the pan.
     pub fn in_pan(&self) -> bool {
         matches!(self.place, Place::Pan(_))
+    }
+
+    /// Returns true if it was poured and still runs.
+    pub fn runs(&self) -> bool {
+        self.running.is_some()
     }
 
     /// Returns true if it rests on the board, with or without foil.
@@ -206,6 +215,9 @@ impl Piece {
     /// Friction coefficient of its lower face on metal with a film of oil [-]; browning and oil reduce it.
     pub(crate) fn friction(&self, film: f64, room: &Room) -> f64 {
         let data = &room.friction;
+        if self.running.is_some() {
+            return CLINGS;
+        }
         let crust = self.model.face_browning(&self.state, self.up()).min(1.0);
         let dry = data.raw + crust * (data.crust - data.raw);
         let oiled = film / (film + 1e-3 * data.film_mm);
@@ -293,7 +305,20 @@ impl Piece {
 
     /// Updates the geometry from the food's shape when due; returns true if it did.
     pub(crate) fn follow_shape(&mut self) -> bool {
-        self.shape.follow(&self.model, &self.state)
+        // What is held keeps its shape.
+        let lies = self.on_pan.force > 0.0 || matches!(self.place, Place::Rest(_));
+        (lies && self.drape()) || self.shape.follow(&self.model, &self.state)
+    }
+
+    /// Lets a poured piece sink onto its lower face; returns true if that changed its shape.
+    pub(crate) fn drape(&mut self) -> bool {
+        let draped = f64::from(u8::from(self.upside_down()));
+        let sinks = self.model.pool().is_some() && self.state.stretch.draped != draped;
+        if sinks {
+            self.state.stretch.draped = draped;
+            self.shape.update(&self.model, &self.state);
+        }
+        sinks
     }
 
     /// Replaces the wood below it by wood at room temperature [K].
@@ -509,6 +534,9 @@ impl Piece {
         self.solver.give(&mut self.state, node, heat);
     }
 }
+
+/// Friction of what runs [-] (chosen: it does not slide as a whole; its film flows).
+const CLINGS: f64 = 4.0;
 
 /// Share of a patch that is lifted off the pan by more than the gap of a face that lies, given how far it is lifted [m] [-].
 fn lifted_share(lift: f64, room: &Room) -> f64 {

@@ -38,6 +38,7 @@ impl Piece {
         let flat = DVec3::new(long.x, long.y, 0.0);
         let axis = if flat.length() > 0.2 { flat.normalize() } else { DVec3::X };
         self.pose = self.pose.turned(axis, PI);
+        self.drape();
         self.level(pan);
         self.lower_to(0.0, surface, pan);
     }

@@ -78,6 +78,7 @@ impl Reductions {
             media: piece.media.on_other_mesh(),
             contacts: piece.contacts.clone(),
             board: piece.board.clone(),
+            running: None,
             touch: Vec::new(),
             model,
             state,

@@ -60,6 +60,7 @@ impl Kitchen {
     pub(crate) fn step_pan(&mut self, fixed: &Fixed, lapse: Lapse) {
         self.load.covered.iter_mut().for_each(|c| *c = c.min(1.0));
         let gravity = self.felt_gravity();
+        self.run_poured(fixed, gravity);
         self.hold_pan_temperature(fixed, lapse);
         let load = PanLoad {
             hob: &fixed.hob,

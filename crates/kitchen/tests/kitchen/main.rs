@@ -16,6 +16,7 @@ mod hobs;
 mod inside_colour;
 mod kitchen;
 mod liquids;
+mod poured;
 mod properties;
 mod reduced;
 mod ridges;

@@ -36,6 +36,7 @@ impl FoodBody {
             patches,
             contracts: case.shape != Shape::Sphere,
             natural: false,
+            pool: None,
         };
         let CookingCase { food, kinetics, components, .. } = cooking;
         let model = FoodModel::fill_body(food, kinetics, components, body, 1, Rules::Full)?;

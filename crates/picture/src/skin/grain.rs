@@ -1,5 +1,6 @@
 //! Sub-mesh structure of a food as the renderer reads it: seams of fat, second tissues, borders.
 
+use crate::skin::poured::yolk_seen;
 use glam::Vec3;
 use saute_kitchen::food::FoodModel;
 use saute_kitchen::food::description::Flesh;
@@ -8,6 +9,8 @@ use saute_scene::input::{BORDER_RANGE, BrowningPalette, FleshTexture, GrainVolum
 
 /// Cells across a body whose tissues are along its axis (chosen: 0.2 mm cells in a leek ring).
 const TISSUE_CELLS: u32 = 112;
+/// Cells through the height of what was poured (chosen: half a millimetre).
+const POURED_CELLS: u32 = 40;
 
 /// Kind of texture of a food's flesh.
 pub(crate) fn flesh_texture(model: &FoodModel) -> FleshTexture {
@@ -43,7 +46,7 @@ pub(crate) fn grain_volume(model: &FoodModel) -> GrainVolume {
     let grown = model.description().form.grown_along();
     if !marbling.holds_fat() && !model.tissue_field().is_plain() {
         size = [TISSUE_CELLS; 3];
-        size[grown] = 1;
+        size[grown] = if model.pool().is_some() { POURED_CELLS } else { 1 };
         // What grew along its length is in the middle of its frame.
         if grown == 0 {
             (low, extent) = (model.size().map(|v| -0.5 * v), model.size());
@@ -68,7 +71,7 @@ fn cell(model: &FoodModel, p: [f64; 3]) -> [u8; 4] {
     let sheath = model.tissue_field().sheath(p) as u64;
     [
         byte(0.5 + 0.5 * within),
-        byte(model.tissue_field().at(p)),
+        byte(yolk_seen(model, p).unwrap_or_else(|| model.tissue_field().at(p))),
         byte(model.tissue_field().border(p) / f64::from(BORDER_RANGE)),
         byte(uniform(0x51ea7, sheath)),
     ]

@@ -5,6 +5,7 @@ pub(crate) mod fine;
 pub(crate) mod grain;
 pub(crate) mod halves;
 pub(crate) mod pool;
+pub(crate) mod poured;
 pub(crate) mod sheaths;
 mod side;
 pub mod surface;

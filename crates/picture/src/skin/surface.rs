@@ -15,6 +15,7 @@ use crate::colour::map::ColourMap;
 use crate::skin::cells::CellLook;
 use crate::skin::fine::{Fine, Reads};
 use crate::skin::grain::{browning_palette, flesh_texture, grain_volume};
+use crate::skin::poured;
 use crate::skin::sheaths::sheathed;
 use crate::skin::side::bulge;
 use crate::view::View;
@@ -62,9 +63,9 @@ impl Skin {
     pub fn new(piece: &Piece) -> Self {
         let model = &piece.model;
         match model.mesh().layout() {
-            Layout::Upright(mesh) => {
-                sheathed(model).map_or_else(|| Self::with_rims(piece, mesh), |fine| Self::fine(piece, fine))
-            }
+            Layout::Upright(mesh) => poured::fine(model)
+                .or_else(|| sheathed(model))
+                .map_or_else(|| Self::with_rims(piece, mesh), |fine| Self::fine(piece, fine)),
             Layout::Along(..) => Fine::of(model).map_or_else(|| Self::smooth(piece), |fine| Self::fine(piece, fine)),
             // Its vertices read several nodes each: see [`CellLook`].
             Layout::Cells(cells) => Self::empty(food_mesh(piece, cells.skin.triangles.clone())),
@@ -221,7 +222,8 @@ impl Skin {
             let field = map.map_or(0.0, |m| m.coordinate(view.value(model, state, node, m.change())));
             let moisture = state.water[node] / model.initial_water()[node];
             let seen = vertex(model, model.appearance(state, node), moisture, field, place, normal);
-            FoodVertex { seared: seared(node) as f32, juice: juice[node] as f32, ..seen }
+            let lean = poured::seen(model, state, node, seen.lean);
+            FoodVertex { lean, seared: seared(node) as f32, juice: juice[node] as f32, ..seen }
         };
         // The side of a slice shows the browning of its faces: it creeps over the edge.
         let crept = |k: usize| self.edges[k].map(|nodes| nodes.map(|node| state.browning[node as usize] as f32));
@@ -236,6 +238,8 @@ impl Skin {
             };
             return (0..self.nodes.len()).map(vertex).collect();
         }
+        let sunk = (state.stretch.draped > 0.0).then(|| poured::draped(&self.normals));
+        let normals = sunk.as_ref().unwrap_or(&self.normals);
         let nowhere = Place { rest: [0.0; 3], now: [0.0; 3], body: [0.0; 2] };
         let coarse: Vec<FoodVertex> = (0..self.nodes.len()).map(|k| state_of(k, nowhere, [0.0; 3])).collect();
         let vertex = |k: usize| {
@@ -245,7 +249,7 @@ impl Skin {
                 blend.iter().map(part).fold([0.0; 3], |sum, v| [0, 1, 2].map(|axis| sum[axis] + v[axis]))
             };
             let place = Place { rest, now: shape.moved(rest, mean), body: body(k) };
-            blended(blend.map(|(i, w)| (&coarse[i as usize], w)), place, self.normals[k])
+            blended(blend.map(|(i, w)| (&coarse[i as usize], w)), place, normals[k])
         };
         (0..self.blends.len()).map(vertex).collect()
     }
@@ -337,7 +341,6 @@ pub(crate) fn vertex(
     place: Place,
     normal: [f32; 3],
 ) -> FoodVertex {
-    let first_tissue = Appearance { tissue: 0.0, ..a };
     let lab = |lab: saute_kitchen::food::Lab| lab.0.map(|v| 0.01 * v as f32);
     // A film of water is on raw flesh; cooked flesh is matt, and fried flesh sheds it (chosen).
     let done = a.changed[model.change_count() - 1];
@@ -347,7 +350,7 @@ pub(crate) fn vertex(
         rest: place.rest,
         position: place.now,
         normal,
-        lean: lab(model.palette().lean_unbrowned(first_tissue)),
+        lean: lab(model.palette().without_second(a)),
         fat: lab(model.palette().fat_unbrowned(a)),
         browning: a.browning as f32,
         charring: a.charring as f32,
@@ -373,6 +376,10 @@ pub(crate) fn on_body(model: &FoodModel, node: usize) -> [f32; 2] {
 
 /// A hand-cut surface: faces undulate, and the side with them. Where both meet, both give the same.
 pub(crate) fn uneven(p: Vec3, model: &FoodModel, mesh: &SweptMesh) -> Vec3 {
+    // A liquid sets smooth.
+    if model.pool().is_some() {
+        return Vec3::ZERO;
+    }
     let (thickness, [height, run]) = (mesh.thickness() as f32, UNEVEN.map(|v| v * fineness(model)));
     let own = model.natural().map_or(0, |_| mix(model.seed()));
     let wave = |seed: u64| (height * fractal(seed ^ own, p.to_array().map(|v| f64::from(v) / run))) as f32;
@@ -396,6 +403,8 @@ fn key(piece: &Piece) -> u64 {
     let bits =
         piece.model.size().into_iter().map(f64::to_bits).chain([piece.seed, piece.model.mesh().node_count() as u64]);
     let bits = bits.chain([u64::from(piece.model.natural().is_some())]);
+    let reach = piece.model.pool().map_or(&[][..], |pool| &pool.reach[..]);
+    let bits = bits.chain(reach.iter().map(|reach| reach.to_bits()));
     let text = piece.kind.bytes().map(u64::from);
     bits.chain(text).fold(0x5a07e, |hash, v| mix(hash ^ mix(v)))
 }

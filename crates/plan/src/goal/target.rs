@@ -155,6 +155,7 @@ impl Goal {
             class: vec![class("colder", 0.0), class("on target", low), class("hotter", high)],
             for_change: String::new(),
             for_kinetics: Vec::new(),
+            of_second: false,
             is_of_one_food: false,
             goal: None,
             source: "the cook's".to_owned(),

@@ -15,6 +15,7 @@ impl Format for FoodDescription {
     fn relations(&self, file: &DataFile) -> Checked {
         shape(self, file)?;
         spine(self, file)?;
+        poured(self, file)?;
         tissues(self, file)?;
         natural(self, file)?;
         sizes(self, file)?;
@@ -26,6 +27,7 @@ impl Format for FoodDescription {
             ("adipose", self.adipose.as_ref()),
             ("core.tissue", core),
             ("sheaths.tissue", sheaths),
+            ("yolk.tissue", self.yolk.as_ref().and_then(|y| y.tissue.as_ref())),
         ];
         tissues.into_iter().try_for_each(|(table, tissue)| tissue.map_or(Ok(()), |t| composition(table, t, file)))
     }
@@ -66,6 +68,31 @@ fn spine(food: &FoodDescription, file: &DataFile) -> Checked {
         (None, true) => {
             let message = "form = \"shrimp\" needs a table [spine] with turn_deg, turn_varies_deg and flattening";
             Err(file.error("form", message))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// What is poured has a yolk and states how it runs, and nothing else does.
+fn poured(food: &FoodDescription, file: &DataFile) -> Checked {
+    let is_poured = food.form == Form::Poured;
+    for (table, stated, keys) in [
+        ("yolk", food.yolk.is_some(), "share, height_mm and colour"),
+        ("pour", food.pour.is_some(), "thick_share, thick_height_mm, edge_mm, viscosity_mpa_s and sets_by"),
+    ] {
+        match (stated, is_poured) {
+            (true, false) => {
+                return Err(file.error(table, format!("[{table}] belongs to form = \"poured\": leave it out")));
+            }
+            (false, true) => {
+                return Err(file.error("form", format!("form = \"poured\" needs a table [{table}] with {keys}")));
+            }
+            _ => {}
+        }
+    }
+    match &food.natural {
+        Some(_) if is_poured => {
+            Err(file.error("natural", "[natural] does not go with form = \"poured\": leave it out"))
         }
         _ => Ok(()),
     }

@@ -11,7 +11,15 @@ use crate::run::{Run, UP, kitchen_air, varied};
 const SIZE: [f64; 3] = [0.06, 0.04, 0.02];
 
 fn spec(size: [f64; 3], coarseness: f64) -> PieceSpec {
-    PieceSpec { size, seed: 1, coarseness, mesh: MeshSize::Default, rules: Rules::Full, outline: OutlineKind::Plain }
+    PieceSpec {
+        size,
+        seed: 1,
+        coarseness,
+        mesh: MeshSize::Default,
+        rules: Rules::Full,
+        outline: OutlineKind::Plain,
+        pool: None,
+    }
 }
 
 fn brick() -> Surface {

@@ -16,7 +16,7 @@ const FOODS: [(&str, [f64; 3], usize); 7] = [
 ];
 
 fn spec(size: [f64; 3], seed: u64, mesh: MeshSize, rules: Rules) -> PieceSpec {
-    PieceSpec { size, seed, coarseness: 1.0, mesh, rules, outline: OutlineKind::Plain }
+    PieceSpec { size, seed, coarseness: 1.0, mesh, rules, outline: OutlineKind::Plain, pool: None }
 }
 
 fn volume(model: &FoodModel) -> f64 {
@@ -305,7 +305,15 @@ fn meshes_of_all_sizes_allow_long_steps() {
             {
                 let piece = piece(
                     kind,
-                    &PieceSpec { size, seed, coarseness, mesh, rules: Rules::Full, outline: OutlineKind::Plain },
+                    &PieceSpec {
+                        size,
+                        seed,
+                        coarseness,
+                        mesh,
+                        rules: Rules::Full,
+                        outline: OutlineKind::Plain,
+                        pool: None,
+                    },
                 );
                 assert!(shortest_step(&piece) > 0.02, "{kind} {size:?} {mesh:?}: {}", shortest_step(&piece));
             }

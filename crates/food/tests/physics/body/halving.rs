@@ -182,6 +182,7 @@ fn a_piece_of_2013_can_be_cut_too() {
             mesh: MeshSize::Paper2013,
             rules: Rules::Paper2013,
             outline: OutlineKind::Plain,
+            pool: None,
         };
         let halves = piece(kind, &spec).halved(0.0).expect(kind);
         let area: f64 = halves.fresh_faces().map(|p| 0.5 * halves.patches()[p].area).sum();

@@ -4,4 +4,5 @@ pub mod cells;
 mod forms;
 mod halving;
 mod natural;
+mod poured;
 mod shrinking;

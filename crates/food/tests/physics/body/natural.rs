@@ -16,7 +16,7 @@ const FOODS: [(&str, [f64; 3]); 7] = [
 ];
 
 fn spec(size: [f64; 3], seed: u64, coarseness: f64, outline: OutlineKind) -> PieceSpec {
-    PieceSpec { size, seed, coarseness, mesh: MeshSize::Default, rules: Rules::Full, outline }
+    PieceSpec { size, seed, coarseness, mesh: MeshSize::Default, rules: Rules::Full, outline, pool: None }
 }
 
 fn natural(kind: &str, size: [f64; 3], seed: u64) -> FoodModel {

@@ -89,6 +89,7 @@ impl FoodReport {
                 mesh: MeshSize::Default,
                 rules: Rules::Full,
                 outline: OutlineKind::Plain,
+                pool: None,
             };
             FoodModel::build(food, &library.kinetics[&food.kinetics], &library.components, &spec)
         };

@@ -1,0 +1,139 @@
+//! The body of a poured food takes the shape of its film.
+
+use std::sync::Arc;
+
+use glam::DVec3;
+use saute_food::body::pool::{DIRECTIONS, Dome, Pool, RINGS};
+use saute_food::{FoodSolver, PieceSpec};
+use saute_heat::Located;
+
+use crate::TICK_S;
+use crate::data::room::Room;
+use crate::dynamics::Pose;
+use crate::dynamics::extent::reach;
+use crate::hands::command::Refused;
+use crate::kitchen::{Fixed, Kitchen};
+use crate::pan::near_pan::uneven_of;
+use crate::pan::pan_model::PanModel;
+use crate::piece::medium::Media;
+use crate::piece::piece_state::Piece;
+use crate::piece::running::{Lies, Running, has_set};
+use crate::piece::sear_lines::SearRecord;
+
+/// Step along a ray to the edge of the film, and the farthest edge [m] (chosen: finer than the pan's mesh; the largest floor).
+const RAY: f64 = 1.5e-3;
+const FARTHEST: f64 = 0.16;
+/// Share of the edge's height at which the film ends [-].
+const EDGE: f64 = 0.4;
+/// Least reach of a piece [m] (chosen: smaller than what is poured).
+const LEAST_REACH: f64 = 0.012;
+
+impl Kitchen {
+    /// Refuses what a piece that still runs cannot bear.
+    pub(crate) fn check_set(&self, food: &str) -> Result<(), Refused> {
+        let runs = self.piece(food).is_some_and(Piece::runs);
+        if runs { Err(Refused::StillRuns(food.into())) } else { Ok(()) }
+    }
+
+    /// Lets what was poured run, and gives it its shape.
+    pub(crate) fn run_poured(&mut self, fixed: &Fixed, gravity: [f64; 3]) {
+        let pan_pose = self.world.motion.pose;
+        for index in 0..self.pieces.len() {
+            let piece = &mut self.pieces[index];
+            let Some(mut running) = piece.running.take() else { continue };
+            if !piece.in_pan() || !piece.state.healthy {
+                continue;
+            }
+            let seen = piece.pose.seen_from(&pan_pose);
+            let lies = Lies { model: &piece.model, state: &piece.state, seen, gravity };
+            running.run(&lies, &fixed.pan, TICK_S);
+            let sets = has_set(&piece.model, &piece.state);
+            if running.has_moved()
+                && let Some(pose) = piece.repour(&running, &fixed.pan, &fixed.room)
+            {
+                running.moved = 0.0;
+                piece.pose = pan_pose.then(&pose);
+                let (key, mass) = (piece.key, piece.mass());
+                let film = fixed.pan.film_at(&self.pan, [pose.position.x, pose.position.y]);
+                let (solid, placed) = (piece.model.solid(&piece.state), piece.pose);
+                self.touching.retain(|touching| !touching.pair.contains(&key));
+                self.world.remove(key);
+                self.world.add(key, solid, mass, &placed);
+                self.world.set_friction(key, piece.friction(film, &fixed.room));
+            }
+            if !sets {
+                self.pieces[index].running = Some(running);
+            }
+        }
+    }
+}
+
+impl Piece {
+    /// Gives the body the shape of its film; returns its pose in the pan's frame, or none if it cannot be meshed and keeps its shape.
+    pub(crate) fn repour(&mut self, running: &Running, pan: &PanModel, room: &Room) -> Option<Pose> {
+        let (pool, middle) = running.pool(pan, self.model.description().pour.as_ref()?.edge_mm)?;
+        let spec = PieceSpec { pool: Some(pool), ..self.spec };
+        let model = self.model.poured_as(&spec).ok()?;
+        let state = model.repoured(&self.model, &self.state);
+        self.uneven = Arc::new(uneven_of(&model, spec.seed, room));
+        self.touch.clear();
+        self.touch.resize(model.patches().len(), saute_food::Touch::default());
+        (self.model, self.state, self.spec) = (Arc::new(model), state, spec);
+        (self.solver, self.sear, self.media) = (FoodSolver::default(), SearRecord::default(), Media::default());
+        self.shape.update(&self.model, &self.state);
+        self.on_pan.near.forget();
+        let below = reach(&self.model.solid(&self.state), -DVec3::Z);
+        Some(Pose::at(middle[0], middle[1], below))
+    }
+}
+
+impl Running {
+    /// The shape of the film about its middle, and that middle in the pan's frame [m]; none if there is no film.
+    fn pool(&self, pan: &PanModel, edge_mm: f64) -> Option<(Pool, [f64; 2])> {
+        let bed = &pan.liquids.bed;
+        let height: Vec<f64> = (0..self.thin.len()).map(|i| self.white(i) * bed.per_area[i]).collect();
+        let least = EDGE * 1e-3 * edge_mm;
+        let middle = self.middle(pan, &height, least)?;
+        let at = |p: [f64; 2]| -> f64 {
+            let Located { nodes, weights } = pan.locator.locate_or_nearest(&pan.section, p);
+            (0..3).map(|k| weights[k] * height[nodes[k] as usize]).sum()
+        };
+        let towards = |k: usize, r: f64| {
+            let angle = core::f64::consts::TAU * k as f64 / DIRECTIONS as f64;
+            [middle[0] + r * libm::cos(angle), middle[1] + r * libm::sin(angle)]
+        };
+        let wet = |p: [f64; 2]| at(p) > least || self.dome.top(p).is_some();
+        let edge = |k: usize| {
+            let steps = (FARTHEST / RAY) as usize;
+            let dry = (1..steps).find(|i| !wet(towards(k, *i as f64 * RAY))).unwrap_or(steps);
+            (dry as f64 * RAY).max(LEAST_REACH)
+        };
+        let raw: [f64; DIRECTIONS] = core::array::from_fn(edge);
+        let reach: [f64; DIRECTIONS] = core::array::from_fn(|k| {
+            let [before, after] = [(k + DIRECTIONS - 1) % DIRECTIONS, (k + 1) % DIRECTIONS].map(|j| raw[j]);
+            0.25 * (before + 2.0 * raw[k] + after)
+        });
+        let place = |k: usize, ring: usize| towards(k, reach[k] * ring as f64 / (RINGS - 1) as f64);
+        let ring = |k: usize, ring: usize| {
+            // Up to the yolk the white is as high as round it.
+            let inside = (ring..RINGS).take_while(|r| self.dome.top(place(k, *r)).is_some()).count();
+            let [near, far] = [ring, ring + inside].map(|r| at(place(k, r.min(RINGS - 1))));
+            if inside > 0 { near.max(far).max(least) } else { near.max(least) }
+        };
+        let heights = core::array::from_fn(|k| core::array::from_fn(|r| ring(k, r)));
+        let dome = Dome { at: [0, 1].map(|axis| self.dome.at[axis] - middle[axis]), ..self.dome };
+        Some((Pool { reach, height: heights, dome }, middle))
+    }
+
+    /// Centroid of what is wet [m].
+    fn middle(&self, pan: &PanModel, height: &[f64], least: f64) -> Option<[f64; 2]> {
+        let wet = (0..pan.floor_nodes).filter(|i| height[*i] > least);
+        let (mut moment, mut area) = ([0.0; 2], 0.0);
+        for i in wet {
+            let ([x, y], share) = (pan.section.points[i], pan.section.areas[i]);
+            moment = [moment[0] + share * x, moment[1] + share * y];
+            area += share;
+        }
+        (area > 0.0).then(|| moment.map(|m| m / area))
+    }
+}

@@ -1,0 +1,146 @@
+//! Promise: an egg spreads until it has set below, as a liquid does; then it is a body that is turned, tossed and taken out. Its energy
+//! and mass balance all the way, and a kitchen stored while it runs goes on bit by bit.
+
+use saute_kitchen::{Command, Kitchen, Library, MeshSize, OutlineKind, PieceOrder, Refused, RestOn, kelvin};
+
+use crate::stove::library;
+
+const EGG: &str = "egg";
+
+fn order(library: &Library) -> PieceOrder {
+    let food = &library.foods[EGG];
+    PieceOrder {
+        id: EGG.into(),
+        kind: EGG.into(),
+        size: food.form.extent(&food.size.default_mm).expect("a size").map(|mm| 1e-3 * mm),
+        temperature: kelvin(8.0),
+        seed: 4,
+        coarseness: 1.5,
+        rules: saute_kitchen::food::Rules::Full,
+        mesh: MeshSize::Default,
+        outline: OutlineKind::Natural,
+    }
+}
+
+/// A pan at a temperature [°C] with a film of oil, kept warm, and a cold egg poured into its middle.
+fn poured(library: &Library, pan_c: f64) -> Kitchen {
+    let mut kitchen = Kitchen::with_oil(library, "carbon-steel-26", kelvin(pan_c), 0.005).expect("kitchen");
+    kitchen.add(library, &order(library)).expect("is added");
+    kitchen.apply(&Command::Hob(if pan_c > 50.0 { 400.0 } else { 0.0 })).expect("hob");
+    kitchen.apply(&Command::Put { food: EGG.into(), at: [0.0, 0.0], heap: false }).expect("is poured");
+    kitchen
+}
+
+fn run(kitchen: &mut Kitchen, seconds: f64) {
+    let end = kitchen.time_s() + seconds;
+    while kitchen.time_s() < end - 1e-9 {
+        kitchen.step();
+    }
+}
+
+/// Area under the egg [m²].
+fn area(kitchen: &Kitchen) -> f64 {
+    kitchen.pieces()[0].model.outline().area()
+}
+
+fn imbalance(kitchen: &Kitchen) -> f64 {
+    let e = kitchen.energy();
+    let moved = e.hob.abs() + e.pan_stored.abs() + e.evaporation.abs() + e.air.abs() + e.other.abs();
+    e.imbalance.abs() / moved.max(1.0)
+}
+
+#[test]
+fn energy_and_mass_balance_while_it_runs_sets_and_is_turned() {
+    let mut kitchen = poured(&library(), 140.0);
+    let (mut worst, mut flipped) = (0.0_f64, false);
+    for tick in 0..1200 {
+        kitchen.step();
+        worst = worst.max(imbalance(&kitchen));
+        let piece = &kitchen.pieces()[0];
+        let off = (piece.mass() - piece.state.mass_left(&piece.model)).abs();
+        assert!(off < 1e-9 * piece.mass(), "tick {tick}: {off} kg");
+        if tick == 900 {
+            flipped = kitchen.apply(&Command::Flip { food: EGG.into() }).is_ok();
+        }
+    }
+    assert!(flipped && worst < 1e-9, "energy: {worst}");
+    assert!(kitchen.pieces()[0].upside_down(), "lies on its other face");
+    assert!(kitchen.pieces()[0].is_near_pan());
+}
+
+#[test]
+fn it_runs_on_a_cold_pan_and_has_set_within_seconds_on_a_hot_one() {
+    let library = library();
+    let mut cold = poured(&library, 20.0);
+    let heap = area(&cold);
+    run(&mut cold, 60.0);
+    assert!(cold.pieces()[0].runs(), "a cold pan sets nothing");
+    assert!(area(&cold) > 1.5 * heap, "{heap} m² became {}", area(&cold));
+    let before = area(&cold);
+    run(&mut cold, 10.0);
+    assert!((area(&cold) / before - 1.0).abs() < 0.02, "it has come to rest");
+    let mut hot = poured(&library, 150.0);
+    run(&mut hot, 20.0);
+    assert!(!hot.pieces()[0].runs(), "a hot pan sets it");
+}
+
+/// Thick white of an old egg stands half as high: it lies wider.
+#[test]
+fn an_old_egg_runs_farther_than_a_fresh_one() {
+    let mut library = library();
+    let mut fresh = poured(&library, 20.0);
+    run(&mut fresh, 10.0);
+    let food = library.foods.get_mut(EGG).expect("is shipped");
+    let pour = food.pour.as_mut().expect("is poured");
+    (pour.thick_height_mm, pour.thick_share) = (3.2, 0.40);
+    let mut old = poured(&library, 20.0);
+    run(&mut old, 10.0);
+    assert!(area(&old) > 1.08 * area(&fresh), "{} and {}", area(&old), area(&fresh));
+}
+
+#[test]
+fn it_runs_downhill_on_a_tilted_pan_and_stays_once_it_has_set() {
+    let library = library();
+    let moved = |pan_c: f64, sets: bool| {
+        let mut kitchen = poured(&library, pan_c);
+        if sets {
+            run(&mut kitchen, 30.0);
+        }
+        let from = kitchen.pieces()[0].pose.position;
+        kitchen.apply(&Command::Tilt { angle: 0.17, towards: 0.0 }).expect("tilts");
+        run(&mut kitchen, 4.0);
+        kitchen.pieces()[0].pose.position.x - from.x
+    };
+    assert!(moved(20.0, false) > 0.01, "{}", moved(20.0, false));
+    assert!(moved(140.0, true).abs() < 0.01, "{}", moved(140.0, true));
+}
+
+#[test]
+fn what_still_runs_is_not_turned_taken_out_or_tossed() {
+    let mut kitchen = poured(&library(), 20.0);
+    let runs = Err(Refused::StillRuns(EGG.into()));
+    for command in [
+        Command::Flip { food: EGG.into() },
+        Command::Rest { food: EGG.into(), on: RestOn::Board },
+        Command::Toss { height: 0.1 },
+    ] {
+        assert_eq!(kitchen.apply(&command), runs, "{command:?}");
+    }
+}
+
+#[test]
+fn a_kitchen_stored_while_it_runs_and_after_it_has_set_goes_on_bit_by_bit() {
+    let library = library();
+    let mut kitchen = poured(&library, 120.0);
+    for seconds in [0.5, 3.0, 40.0] {
+        run(&mut kitchen, seconds);
+        let bytes = kitchen.to_bytes();
+        let mut again = Kitchen::from_bytes(&bytes, &library).expect("is restored");
+        let mut same = kitchen.clone();
+        (0..30).for_each(|_| {
+            same.step();
+            again.step();
+        });
+        assert!(again.to_bytes() == same.to_bytes(), "after {seconds} s");
+    }
+}
