@@ -190,6 +190,18 @@ impl FoodModel {
         }
     }
 
+    /// Share of a change by which a scale calls a piece [-]: at the core, or the mean over the second tissue where the scale is about it.
+    pub fn core_share(&self, field: &[f64], scale: &Scale) -> f64 {
+        if !scale.of_second {
+            return self.at_core(field);
+        }
+        let weights = self.shape.mesh.volumes().iter().zip(&self.tissue.second);
+        let (sum, weight) = field.iter().zip(weights).fold((0.0, 0.0), |(sum, all), (x, (volume, second))| {
+            (sum + x * volume * second, all + volume * second)
+        });
+        if weight > 0.0 { sum / weight } else { 0.0 }
+    }
+
     /// Shares of doneness by volume [%].
     pub fn volume_shares(&self, state: &FoodState, scale: &Scale) -> Shares {
         let field = self.measured(state, scale);

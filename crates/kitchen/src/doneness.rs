@@ -64,13 +64,13 @@ impl ScaleChoice {
 }
 
 /// Returns what a scale measures at the core of a piece [K or -]: the highest temperature so far, or the share of a
-/// change; 0 for a change that the food's kinetics do not contain.
+/// change, which a scale of the second tissue takes as the mean over it; 0 for a change that the food's kinetics do not contain.
 pub fn at_core(piece: &Piece, scale: &Scale) -> f64 {
     let field = piece.model.measured(&piece.state, scale);
     match scale.measure() {
         Measure::Peak => piece.core_peak.0,
         Measure::Share if field.is_empty() => 0.0,
-        Measure::Share => piece.model.at_core(field),
+        Measure::Share => piece.model.core_share(field, scale),
     }
 }
 

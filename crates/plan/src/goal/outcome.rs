@@ -88,7 +88,7 @@ pub(crate) fn at_core<'a>(
         Measure::Peak => celsius(temperature(piece)),
         Measure::Share => match piece.model.measured(&piece.state, &goal.scale) {
             [] => 0.0,
-            field => 100.0 * piece.model.at_core(field),
+            field => 100.0 * piece.model.core_share(field, &goal.scale),
         },
     };
     let count = pieces.len();
