@@ -13,9 +13,19 @@ pub const SHIPPED: [&str; 4] = ["flip-every-30-s", "medium", "rare", "well-done"
 /// Ids of the shipped recipes with many foods or another pan.
 pub const DISHES: [&str; 4] = ["fried-potatoes", "grill-pan-steak", "shrimp", "steak-carrots-leeks"];
 
-/// Ids of the shipped recipes with one piece of another food.
-pub const PANTRY: [&str; 5] =
-    ["cod-in-butter", "crisp-tofu", "fried-chicken-breast", "fried-pork-chop", "fried-salmon"];
+/// Ids of the shipped recipes with another food.
+pub const PANTRY: [&str; 10] = [
+    "cod-in-butter",
+    "crisp-bacon",
+    "crisp-tofu",
+    "fried-chicken-breast",
+    "fried-mushrooms",
+    "fried-peppers",
+    "fried-pork-chop",
+    "fried-salmon",
+    "golden-onions",
+    "sunny-side-up",
+];
 
 /// Output and files of a cook with `--json --out`.
 #[derive(Debug)]

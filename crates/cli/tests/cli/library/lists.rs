@@ -26,9 +26,14 @@ fn the_foods_are_those_of_the_paper_and_of_a_tuesday() {
     let mut expected =
         vec!["beef-lean", "beef-marbled", "beef-patty", "carrot-coin", "carrot-stick", "leek-ring", "shrimp"];
     expected.extend([
+        "bacon",
         "chicken-breast",
         "cod-fillet",
         "egg",
+        "mushroom-slice",
+        "onion-dice",
+        "onion-ring",
+        "pepper-strip",
         "pork-chop",
         "potato-dice",
         "potato-slice",
@@ -50,7 +55,7 @@ fn every_view_is_listed_with_the_unit_of_its_colours() {
 #[test]
 fn the_scales_of_doneness_are_listed_with_their_classes_and_sources() {
     let of_the_paper = ["paper-2013", "chefs", "academic", "shrimp", "ground-beef", "vegetables"];
-    assert_eq!(ids("scales"), [of_the_paper, ["chicken", "pork", "cod", "salmon", "tofu", "potato", "egg"]].concat());
+    assert_eq!(ids("scales"), [of_the_paper, ["chicken", "pork", "cod", "salmon", "tofu", "potato", "egg", "onion", "pepper", "bacon", "mushroom"]].concat());
     let scales: Value = serde_json::from_str(&run(&["list", "scales", "--json"]).out).unwrap();
     let classes = |i: usize| -> Vec<(String, f64)> {
         let class = scales[i]["class"].as_array().unwrap().iter();
@@ -58,7 +63,7 @@ fn the_scales_of_doneness_are_listed_with_their_classes_and_sources() {
     };
     let expected = [("raw", 0.0), ("rare", 50.0), ("medium", 60.0), ("well-done", 70.0)];
     assert_eq!(classes(0), expected.map(|(name, c)| (name.to_owned(), c)));
-    assert!((0..13).all(|i| !scales[i]["source"].as_str().unwrap().is_empty()));
+    assert!((0..17).all(|i| !scales[i]["source"].as_str().unwrap().is_empty()));
     let text = run(&["list", "scales"]).out;
     assert!(text.contains("medium-rare 55–60 °C") && text.contains("tender 40–85 %"), "{text}");
 }
@@ -115,11 +120,11 @@ fn the_goals_are_listed_with_what_they_want_and_their_sources() {
     let of_the_paper =
         ["study-2013", "rare", "medium-rare", "medium", "well-done", "crust", "vegetables", "shrimp", "burger"];
     let of_a_tuesday =
-        ["chicken", "pork", "cod", "salmon", "tofu", "potato", "egg-runny", "egg-jammy", "egg-firm"];
+        ["chicken", "pork", "cod", "salmon", "tofu", "potato", "egg-runny", "egg-jammy", "egg-firm", "onion", "pepper", "bacon", "mushroom"];
     assert_eq!(ids("goals"), [&of_the_paper[..], &of_a_tuesday].concat());
     let goals: Value = serde_json::from_str(&run(&["list", "goals", "--json"]).out).unwrap();
     let of_2013 = &goals[0]["goal"];
     assert_eq!((of_2013["least_share_pct"].as_f64(), of_2013["class"].as_str()), (Some(40.0), Some("medium")));
-    assert!((0..18).all(|i| !goals[i]["source"].as_str().unwrap().is_empty()));
+    assert!((0..22).all(|i| !goals[i]["source"].as_str().unwrap().is_empty()));
     assert!(run(&["list", "goals"]).out.contains("40 % medium on paper-2013"));
 }
