@@ -196,9 +196,10 @@ impl FoodModel {
             return self.at_core(field);
         }
         let weights = self.shape.mesh.volumes().iter().zip(&self.tissue.second);
-        let (sum, weight) = field.iter().zip(weights).fold((0.0, 0.0), |(sum, all), (x, (volume, second))| {
-            (sum + x * volume * second, all + volume * second)
-        });
+        let (sum, weight) = field
+            .iter()
+            .zip(weights)
+            .fold((0.0, 0.0), |(sum, all), (x, (volume, second))| (sum + x * volume * second, all + volume * second));
         if weight > 0.0 { sum / weight } else { 0.0 }
     }
 

@@ -55,7 +55,14 @@ fn every_view_is_listed_with_the_unit_of_its_colours() {
 #[test]
 fn the_scales_of_doneness_are_listed_with_their_classes_and_sources() {
     let of_the_paper = ["paper-2013", "chefs", "academic", "shrimp", "ground-beef", "vegetables"];
-    assert_eq!(ids("scales"), [of_the_paper, ["chicken", "pork", "cod", "salmon", "tofu", "potato", "egg", "onion", "pepper", "bacon", "mushroom"]].concat());
+    assert_eq!(
+        ids("scales"),
+        [
+            of_the_paper,
+            ["chicken", "pork", "cod", "salmon", "tofu", "potato", "egg", "onion", "pepper", "bacon", "mushroom"]
+        ]
+        .concat()
+    );
     let scales: Value = serde_json::from_str(&run(&["list", "scales", "--json"]).out).unwrap();
     let classes = |i: usize| -> Vec<(String, f64)> {
         let class = scales[i]["class"].as_array().unwrap().iter();
@@ -119,8 +126,21 @@ fn the_actions_are_listed_with_the_keys_of_their_tables_their_ranges_and_default
 fn the_goals_are_listed_with_what_they_want_and_their_sources() {
     let of_the_paper =
         ["study-2013", "rare", "medium-rare", "medium", "well-done", "crust", "vegetables", "shrimp", "burger"];
-    let of_a_tuesday =
-        ["chicken", "pork", "cod", "salmon", "tofu", "potato", "egg-runny", "egg-jammy", "egg-firm", "onion", "pepper", "bacon", "mushroom"];
+    let of_a_tuesday = [
+        "chicken",
+        "pork",
+        "cod",
+        "salmon",
+        "tofu",
+        "potato",
+        "egg-runny",
+        "egg-jammy",
+        "egg-firm",
+        "onion",
+        "pepper",
+        "bacon",
+        "mushroom",
+    ];
     assert_eq!(ids("goals"), [&of_the_paper[..], &of_a_tuesday].concat());
     let goals: Value = serde_json::from_str(&run(&["list", "goals", "--json"]).out).unwrap();
     let of_2013 = &goals[0]["goal"];
