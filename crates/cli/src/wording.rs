@@ -36,6 +36,7 @@ pub fn mark(step: &StepRecord) -> Option<&'static str> {
         | ActionKind::Rest
         | ActionKind::Halve
         | ActionKind::Press
+        | ActionKind::Baste
         | ActionKind::Move
         | ActionKind::Toss
         | ActionKind::Shake

@@ -128,6 +128,7 @@ pub fn needs(command: &Command) -> &'static [Permit] {
         | Command::Shake { .. }
         | Command::Tilt { .. }
         | Command::Press { .. }
+        | Command::Baste { .. }
         | Command::Move { .. }
         | Command::Lead { .. }
         | Command::LetGo

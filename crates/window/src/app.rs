@@ -310,6 +310,7 @@ fn takes_time(command: &Command) -> bool {
             | Command::Toss { .. }
             | Command::Shake { .. }
             | Command::Press { .. }
+            | Command::Baste { .. }
             | Command::Move { .. }
             | Command::Tilt { .. }
     )

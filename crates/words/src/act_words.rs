@@ -33,6 +33,7 @@ pub fn command_words(command: &Command, l: Language) -> String {
         Command::Shake { .. } => "mark.shake",
         Command::Tilt { .. } => "mark.tilt",
         Command::Press { .. } => "mark.press",
+        Command::Baste { .. } => "mark.baste",
         Command::Move { .. } => "mark.move",
         Command::Oil { .. } => "mark.oil",
         Command::Butter(_) => "mark.butter",

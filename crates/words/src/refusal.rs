@@ -24,6 +24,7 @@ pub fn words(refused: &Refused, library: &Library, l: Language) -> String {
         Refused::Occupied { food, other } => {
             l.fill("refused.occupied", &[("food", &name(food, library, l)), ("other", &name(other, library, l))])
         }
+        Refused::TooLittleFat { least_g } => l.fill("refused.too_little_fat", &[("least", least_g)]),
         Refused::StillRuns(food) => of("refused.still_runs", food),
         Refused::Waiting(food) => of("refused.waiting", food),
         Refused::EmptyPan => l.text("refused.empty_pan").to_owned(),

@@ -94,6 +94,12 @@ impl PyKitchen {
         self.apply(&Command::Press { food, newtons, for_s })
     }
 
+    /// Spoons hot fat of the pan over a piece for a time [s].
+    #[pyo3(signature = (food, for_s = None))]
+    fn baste(&mut self, food: String, for_s: Option<f64>) -> PyResult<()> {
+        self.apply(&Command::Baste { food, for_s: limited(for_s, "for_s", FOR_S)? })
+    }
+
     /// Pushes or carries a piece to a place in the pan [mm].
     #[pyo3(name = "move")]
     fn move_food(&mut self, food: String, to_mm: &Bound<'_, PyAny>) -> PyResult<()> {

@@ -168,6 +168,13 @@ pub const CHANGES: &[Change] = &[
         ..IN_PAN
     },
     Change {
+        name: "baste: duration [s]",
+        recipe: step("baste = { food = \"steak\", for_s = # }", &["baste.for_s"], within(FOR_S)),
+        entry: entry(|v| done(Command::Baste { food: food(), for_s: v }), &["baste.for_s", "too little fat"], within(FOR_S)),
+        python: Some(("baste(for_s)", within(FOR_S))),
+        ..IN_PAN
+    },
+    Change {
         name: "move food: place [mm]",
         recipe: step("move = { food = \"steak\", to_mm = [#, 0] }", &["move.to_mm"], within(PLACE_MM)),
         entry: entry(|v| done(Command::Move { food: food(), to: [1e-3 * v, 0.0] }), &["move.to_mm"], within(PLACE_MM)),

@@ -104,7 +104,6 @@ cases! {
     hotter_pan_browns_more = "hotter-pan-browns-more",
     leek_rings_brown_at_190_c = "leek-rings-brown-at-190-c",
     lid_cooks_faster = "lid-cooks-faster",
-    mushroom_larger_is_slower = "mushroom-larger-is-slower",
     mushroom_under_a_lid = "mushroom-under-a-lid",
     mushroom_weeps_before_it_browns = "mushroom-weeps-before-it-browns",
     new_foods_covered_are_moister = "new-foods-covered-are-moister",

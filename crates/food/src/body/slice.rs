@@ -40,6 +40,10 @@ impl Body {
 }
 
 fn outline(description: &FoodDescription, piece: &PieceSpec) -> Outline {
+    let corners = &description.outline.corners;
+    if !corners.is_empty() {
+        return Outline::polygon(corners, piece.size[0], piece.size[1]);
+    }
     let exponent = description.outline.exponent;
     Outline::superellipse(piece.size[0], piece.size[1], exponent, &harmonics(description, piece))
 }

@@ -43,6 +43,11 @@ sourced_table! {
         /// Amplitude of the natural waviness relative to the radius [-].
         #[schemars(range(min = 0.0, max = 0.1), example = 0.02)]
         ripple: f64,
+        /// Corners of an outline of its own, counter-clockwise and relative to half of length and width [-]; it takes the place of
+        /// exponent and ripple in a steak.
+        #[serde(default)]
+        #[schemars(length(max = 200), inner(inner(range(min = -1.0, max = 1.0))), extend("examples" = [[[-1.0, -1.0], [1.0, -1.0], [0.0, 1.0]]]))]
+        corners: Vec<[f64; 2]>,
         /// Largest difference of the thickness between two ends, relative to its mean [-].
         #[serde(default)]
         #[schemars(range(min = 0.0, max = 0.3), example = 0.05)]
@@ -170,7 +175,7 @@ impl SizeRange {
 impl OutlineShape {
     /// No outline: the file does not state one.
     pub(super) fn unset() -> Self {
-        Self { exponent: 2.0, ripple: 0.0, wedge: 0.0, bumps: 0.0, source: String::new(), confidence: Confidence::Low }
+        Self { exponent: 2.0, ripple: 0.0, corners: Vec::new(), wedge: 0.0, bumps: 0.0, source: String::new(), confidence: Confidence::Low }
     }
 
     /// Returns true if the file states an outline.

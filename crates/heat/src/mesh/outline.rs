@@ -40,6 +40,11 @@ impl Outline {
         Self { points: vec![[-a, -b], [a, -b], [a, b], [-a, b]] }
     }
 
+    /// Returns a polygon of the given corners, stretched to `length` along x and `width` along y [m].
+    pub fn polygon(corners: &[[f64; 2]], length: f64, width: f64) -> Self {
+        Self { points: corners.to_vec() }.scaled_to(length, width).centred()
+    }
+
     fn scaled_to(mut self, length: f64, width: f64) -> Self {
         for (axis, extent) in [(0, length), (1, width)] {
             let low = self.points.iter().map(|p| p[axis]).fold(f64::INFINITY, f64::min);

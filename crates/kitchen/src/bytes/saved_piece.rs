@@ -44,6 +44,7 @@ pub(super) struct SavedPiece<'a> {
     touch: Cow<'a, [Touch]>,
     media: Cow<'a, Media>,
     running: Cow<'a, Option<Running>>,
+    basted_s: f64,
 }
 
 impl<'a> SavedPiece<'a> {
@@ -70,6 +71,7 @@ impl<'a> SavedPiece<'a> {
             touch: Cow::Borrowed(&piece.touch),
             media: Cow::Borrowed(&piece.media),
             running: Cow::Borrowed(&piece.running),
+            basted_s: piece.basted_s,
         }
     }
 
@@ -111,6 +113,8 @@ impl<'a> SavedPiece<'a> {
             touch: self.touch.into_owned(),
             media: self.media.into_owned(),
             running: self.running.into_owned(),
+            basted_s: self.basted_s,
+            basted: Vec::new(),
         };
         is_sound(&piece, pan).then_some(piece)
     }

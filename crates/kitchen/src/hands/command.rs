@@ -99,6 +99,13 @@ pub enum Command {
         /// Duration [s].
         for_s: f64,
     },
+    /// Spoons hot fat of the pan over a piece.
+    Baste {
+        /// Which piece.
+        food: String,
+        /// Duration [s].
+        for_s: f64,
+    },
     /// Pushes or carries a piece to a place in the pan [m].
     Move {
         /// Which piece.
@@ -150,7 +157,7 @@ impl Command {
     pub fn needs_open_pan(&self) -> bool {
         match self {
             Self::Put { .. } | Self::Flip { .. } | Self::Rest { .. } => true,
-            Self::Press { .. } | Self::Move { .. } | Self::Toss { .. } => true,
+            Self::Press { .. } | Self::Baste { .. } | Self::Move { .. } | Self::Toss { .. } => true,
             Self::Oil { .. } | Self::Butter(_) | Self::Water(_) => true,
             Self::Shake { .. } | Self::Tilt { .. } | Self::HoldPan { .. } | Self::LetGo => false,
             Self::Lead { .. } | Self::Wipe => true,
@@ -209,6 +216,12 @@ pub enum Refused {
     /// Liquid still.
     #[error("\"{0}\" still runs: wait until it has set below")]
     StillRuns(String),
+    /// Too little fat to spoon.
+    #[error("there is too little fat in the pan to spoon over food: pour in {least_g} g of oil or more")]
+    TooLittleFat {
+        /// Least fat in the pan [g].
+        least_g: i64,
+    },
     /// Waiting: the piece has no rigid body yet.
     #[error("\"{0}\" is not on the board or in the pan yet: put it in before you use a tool on it")]
     Waiting(String),

@@ -87,6 +87,7 @@ impl Kitchen {
             Command::Press { food, newtons, for_s } => {
                 self.order(food, |key| Task::Press { key, newtons: *newtons, for_s: *for_s })
             }
+            Command::Baste { food, for_s } => self.baste(food, *for_s),
             Command::Move { food, to } => self.order(food, |key| Task::Move { key, to: *to }),
             Command::Lead { tool, to, grip } => self.lead(*tool, to, grip.as_deref()),
             Command::LetGo => {

@@ -112,6 +112,7 @@ impl Command {
             Self::Press { newtons, for_s, .. } => {
                 PRESS_N.check("press.n", *newtons).and(FOR_S.check("press.for_s", *for_s))
             }
+            Self::Baste { for_s, .. } => FOR_S.check("baste.for_s", *for_s),
             Self::Lead { .. } | Self::HoldPan { .. } => Ok(()),
             Self::Hob(_) | Self::HobHold { .. } | Self::MovePan { .. } => Ok(()),
             Self::Oil { .. } | Self::Butter(_) | Self::Water(_) => Ok(()),

@@ -1,5 +1,6 @@
 //! A piece of food in the kitchen: its place, its contacts and their heat transfer.
 
+pub(crate) mod basting;
 pub mod board;
 pub mod building_time;
 pub mod carry_over;

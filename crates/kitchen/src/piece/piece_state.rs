@@ -118,6 +118,10 @@ pub struct Piece {
     pub(crate) media: Media,
     /// A poured food that still runs.
     pub(crate) running: Option<Running>,
+    /// Time for which it is still basted [s].
+    pub(crate) basted_s: f64,
+    /// Patches over which spooned fat runs in this tick; not stored.
+    pub(crate) basted: Vec<u32>,
 }
 
 impl Piece {
@@ -148,6 +152,8 @@ impl Piece {
             touch: Vec::new(),
             media: Media::default(),
             running: None,
+            basted_s: 0.0,
+            basted: Vec::new(),
             id: order.id.clone(),
             kind: order.kind.clone(),
             seed: order.seed,
@@ -368,6 +374,7 @@ impl Piece {
     /// Ends the contact with the pan.
     pub(crate) fn leave_pan(&mut self) {
         self.sear.leave();
+        self.basted_s = 0.0;
         self.media = Media::default();
         self.on_pan.leave();
     }

@@ -79,6 +79,7 @@ impl Reductions {
             contacts: piece.contacts.clone(),
             board: piece.board.clone(),
             running: None,
+            basted: Vec::new(),
             touch: Vec::new(),
             model,
             state,

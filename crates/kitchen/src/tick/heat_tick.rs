@@ -290,6 +290,7 @@ impl Kitchen {
             let seen = piece.pose.seen_from(&pan_pose);
             piece.meet_pan(&fixed.pan, &surface, &seen, force, time, lapse.s());
             piece.touch_pan((&fixed.pan, &self.pan), (&surface, &seen), &fixed.room, lapse.s());
+            piece.touch_spoon(&self.pan, lapse);
         }
         piece.touch_ground(under, &fixed.room);
     }
@@ -311,6 +312,7 @@ impl Kitchen {
         // Steam that boils off at the lower face rises through the oil there.
         let boiled = exchange.evaporated.min(taken.max(0.0) / latent_heat(kelvin(100.0))).max(0.0);
         self.load_pan(fixed, index, (boiled, lapse), [&exchange.drip, condensed]);
+        self.take_from_fat(index, lapse);
         self.pieces[index].average_steam(boiled, lapse.s());
         let latent = self.pieces[index].model.description().fat_melting.latent_j_kg;
         self.account.flows.other += fixed.pan.render(&mut self.pan, &exchange.rendered, latent);

@@ -128,6 +128,31 @@ fn what_still_runs_is_not_turned_taken_out_or_tossed() {
     }
 }
 
+/// Hot fat over the veil of a sunny egg sets it from above, and the pan's fat gives that heat.
+#[test]
+fn basting_heats_the_upper_face_with_the_heat_of_the_fat() {
+    let library = library();
+    let fried = |bastes: bool| {
+        let mut kitchen = poured(&library, 150.0);
+        kitchen.apply(&Command::Oil { kind: None, mass: 0.010 }).expect("oil");
+        run(&mut kitchen, 60.0);
+        if bastes {
+            kitchen.apply(&Command::Baste { food: EGG.into(), for_s: 30.0 }).expect("bastes");
+        }
+        run(&mut kitchen, 30.0);
+        assert!(imbalance(&kitchen) < 1e-9, "{}", imbalance(&kitchen));
+        (kitchen.pieces()[0].face(false), kitchen.pieces()[0].heat_taken, kitchen.pan_temperature())
+    };
+    let (plain, basted) = (fried(false), fried(true));
+    assert!(basted.0 > plain.0 + 10.0, "{} K and {} K", basted.0, plain.0);
+    assert!(basted.1 > plain.1 + 2e3 && basted.2 < plain.2 - 2.0, "{basted:?} {plain:?}");
+    let mut dry = Kitchen::with_oil(&library, "stainless-clad-26", kelvin(150.0), 0.0).expect("kitchen");
+    dry.add(&library, &order(&library)).expect("is added");
+    dry.apply(&Command::Put { food: EGG.into(), at: [0.0, 0.0], heap: false }).expect("is poured");
+    let refused = dry.apply(&Command::Baste { food: EGG.into(), for_s: 5.0 });
+    assert_eq!(refused, Err(Refused::TooLittleFat { least_g: 4 }));
+}
+
 #[test]
 fn a_kitchen_stored_while_it_runs_and_after_it_has_set_goes_on_bit_by_bit() {
     let library = library();

@@ -32,6 +32,11 @@ pub enum FoodAction {
         /// Duration [s].
         for_s: f64,
     },
+    /// Spoons hot fat over it.
+    Baste {
+        /// Duration [s].
+        for_s: f64,
+    },
     /// Moves it to a place in the pan; several foods are laid around that place [m].
     Move([f64; 2]),
 }
@@ -65,6 +70,7 @@ impl FoodAction {
             Self::Rest(_) => ActionKind::Rest,
             Self::Halve { .. } => ActionKind::Halve,
             Self::Press { .. } => ActionKind::Press,
+            Self::Baste { .. } => ActionKind::Baste,
             Self::Move(_) => ActionKind::Move,
         }
     }
@@ -78,6 +84,7 @@ impl FoodAction {
             Self::Rest(on) => Command::Rest { food, on },
             Self::Halve { at } => Command::Halve { food, at },
             Self::Press { newtons, for_s } => Command::Press { food, newtons, for_s },
+            Self::Baste { for_s } => Command::Baste { food, for_s },
             Self::Move(_) => Command::Move { food, to: at },
         }
     }
@@ -90,6 +97,7 @@ impl FoodAction {
             Command::Rest { food, on } => (food, Self::Rest(*on)),
             Command::Halve { food, at } => (food, Self::Halve { at: *at }),
             Command::Press { food, newtons, for_s } => (food, Self::Press { newtons: *newtons, for_s: *for_s }),
+            Command::Baste { food, for_s } => (food, Self::Baste { for_s: *for_s }),
             Command::Move { food, to } => (food, Self::Move(*to)),
             _ => return None,
         };
@@ -101,7 +109,7 @@ impl FoodAction {
         match self {
             Self::Put { .. } => Requirement::OutsidePan,
             Self::Halve { .. } => Requirement::WholeOnBoard,
-            Self::Flip | Self::Rest(_) | Self::Press { .. } | Self::Move(_) => Requirement::InPan,
+            Self::Flip | Self::Rest(_) | Self::Press { .. } | Self::Baste { .. } | Self::Move(_) => Requirement::InPan,
         }
     }
 
@@ -110,7 +118,7 @@ impl FoodAction {
         match self {
             Self::Put { at, heap } => Some(Destination { at, side_by_side: !heap }),
             Self::Move(at) => Some(Destination { at, side_by_side: true }),
-            Self::Flip | Self::Rest(_) | Self::Halve { .. } | Self::Press { .. } => None,
+            Self::Flip | Self::Rest(_) | Self::Halve { .. } | Self::Press { .. } | Self::Baste { .. } => None,
         }
     }
 
@@ -123,6 +131,7 @@ impl FoodAction {
             Self::Rest(on) => json!(on),
             Self::Halve { at } => json!({ "at_mm": mm(at) }),
             Self::Press { newtons, for_s } => json!({ "n": newtons, "for_s": for_s }),
+            Self::Baste { for_s } => json!({ "for_s": for_s }),
             Self::Move(to) => json!(to.map(mm)),
         }
     }
@@ -137,6 +146,7 @@ impl FoodAction {
             Self::Rest(RestOn::Foil) => format!("rest {food} on the board under foil"),
             Self::Halve { .. } => format!("halve {food}"),
             Self::Press { newtons, for_s } => format!("press {food} with {newtons} N for {for_s} s"),
+            Self::Baste { for_s } => format!("baste {food} for {for_s} s"),
             Self::Move(_) => format!("move {food} to {} mm", self.value()),
         }
     }
@@ -144,7 +154,7 @@ impl FoodAction {
     /// Returns the time for which the next step waits at least [s].
     pub fn duration_s(self) -> f64 {
         match self {
-            Self::Press { for_s, .. } => for_s,
+            Self::Press { for_s, .. } | Self::Baste { for_s } => for_s,
             Self::Put { .. } | Self::Flip | Self::Rest(_) | Self::Halve { .. } | Self::Move(_) => 0.0,
         }
     }

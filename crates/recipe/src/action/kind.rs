@@ -6,7 +6,7 @@ use schemars::{Schema, SchemaGenerator};
 use serde::de::MapAccess;
 
 use crate::file::action_file::{
-    ButterTable, CoolTable, FlipTable, HalveTable, HobTable, LidTable, MovePanTable, MoveTable, OilTable, PressTable,
+    BasteTable, ButterTable, CoolTable, FlipTable, HalveTable, HobTable, LidTable, MovePanTable, MoveTable, OilTable, PressTable,
     PutTable, RestTable, ShakeTable, TiltTable, TossTable, TrueValue, WaterTable,
 };
 use crate::file::repeat_file::RepeatEntry;
@@ -90,6 +90,7 @@ actions! {
     Tilt "tilt" ShortOrTable<TiltTable>, "15",
         "tilts the pan until it is tilted otherwise; a bare number is the angle [°], 0 levels it.";
     Press "press" ShortOrTable<PressTable>, "\"steak\"", "presses foods onto the floor with the turner.";
+    Baste "baste" ShortOrTable<BasteTable>, "\"steak\"", "spoons hot fat of the pan over foods in it.";
     Move "move" ShortOrTable<MoveTable>, "{ food = \"steak\", to_mm = [30, 0] }",
         "pushes or carries foods to a place in the pan.";
     Lid "lid" ShortOrTable<LidTable>, "true", "lays the lid on (true, \"on\") or takes it off (false, \"off\").";

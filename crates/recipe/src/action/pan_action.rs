@@ -120,7 +120,7 @@ impl PanAction {
             Command::Lid(on) => Self::Lid(*on),
             Command::Wipe => Self::Wipe,
             Command::Put { .. } | Command::Flip { .. } | Command::Rest { .. } | Command::Halve { .. } => return None,
-            Command::Press { .. } | Command::Move { .. } => return None,
+            Command::Press { .. } | Command::Baste { .. } | Command::Move { .. } => return None,
             Command::Lead { .. } | Command::LetGo | Command::HoldPan { .. } => return None,
         })
     }

@@ -6,7 +6,7 @@ use crate::action::kind::{ActionEntry, ActionKind};
 use crate::action::{Action, FoodAction, PanAction};
 use crate::check::recipe_check::{Check, Checked, FoodNames};
 use crate::file::action_file::{
-    CoolTable, HalveTable, HobTable, MovePanTable, OilTable, PressTable, PutTable, RestTable, ShakeTable, TiltTable,
+    BasteTable, CoolTable, HalveTable, HobTable, MovePanTable, OilTable, PressTable, PutTable, RestTable, ShakeTable, TiltTable,
     TossTable,
 };
 use crate::file::step_file::{StepEntry, StepKeys};
@@ -43,6 +43,7 @@ impl Check<'_> {
             ActionEntry::Rest(e) => return each(&e.table.food, rest(&e.table, keys.on.as_ref())),
             ActionEntry::Halve(e) => return each(&e.table.food, halve(&e.table)),
             ActionEntry::Press(e) => return each(&e.table.food, press(&e.table)),
+            ActionEntry::Baste(e) => return each(&e.table.food, baste(&e.table)),
             ActionEntry::Move(e) => return each(&e.table.food, FoodAction::Move(place(e.table.to_mm.as_ref()))),
             ActionEntry::Repeat(repeat) => return self.repeat(repeat, names),
             ActionEntry::End(done) => return self.done("end", &done.0).map(|()| Action::End),
@@ -175,6 +176,10 @@ fn put(put: &PutTable, companion: Option<&Spanned<[f64; 2]>>) -> FoodAction {
 
 fn halve(halve: &HalveTable) -> FoodAction {
     FoodAction::Halve { at: 1e-3 * stated(halve.at_mm.as_ref(), HALVE_AT_MM) }
+}
+
+fn baste(baste: &BasteTable) -> FoodAction {
+    FoodAction::Baste { for_s: stated(baste.for_s.as_ref(), FOR_S) }
 }
 
 fn press(press: &PressTable) -> FoodAction {

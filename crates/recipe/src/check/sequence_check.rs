@@ -39,7 +39,7 @@ impl FoodState {
             FoodAction::Put { .. } => Self { at: At::Pan, ..self },
             FoodAction::Rest(on) => Self { at: At::Resting(on), ..self },
             FoodAction::Halve { .. } => Self { halved: true, ..self },
-            FoodAction::Flip | FoodAction::Press { .. } | FoodAction::Move(_) => self,
+            FoodAction::Flip | FoodAction::Press { .. } | FoodAction::Baste { .. } | FoodAction::Move(_) => self,
         }
     }
 }

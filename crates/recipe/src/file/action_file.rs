@@ -188,6 +188,18 @@ pub struct PressTable {
     pub for_s: Option<Spanned<f64>>,
 }
 
+/// Spoons hot fat of the pan over foods in it.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct BasteTable {
+    /// A food, a group, or "all"; of several those that are in the pan.
+    #[schemars(with = "String")]
+    pub food: Spanned<String>,
+    /// How long [s]; 5 by default.
+    #[schemars(with = "Option<f64>", range(min = FOR_S.low, max = FOR_S.high), extend("default" = FOR_S.default))]
+    pub for_s: Option<Spanned<f64>>,
+}
+
 /// Pushes or carries foods to a place in the pan.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -280,6 +292,7 @@ shorthand! {
     ShakeTable: f64 [Some("for_s")] = |for_s| Ok(Self { for_s: Some(for_s), ..Self::default() });
     TiltTable: f64 [Some("deg")] = |deg| Ok(Self { deg, towards_deg: None });
     PressTable: String [Some("food")] = |food| Ok(Self { food, n: None, for_s: None });
+    BasteTable: String [Some("food")] = |food| Ok(Self { food, for_s: None });
     MoveTable: String [Some("food")] = |food| Ok(Self { food, to_mm: None });
     LidTable: OnOff [Some("on")] = |on| Ok(Self { on: on.into_inner() });
 }

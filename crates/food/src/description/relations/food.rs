@@ -16,6 +16,7 @@ impl Format for FoodDescription {
         shape(self, file)?;
         spine(self, file)?;
         poured(self, file)?;
+        corners(self, file)?;
         tissues(self, file)?;
         natural(self, file)?;
         sizes(self, file)?;
@@ -71,6 +72,35 @@ fn spine(food: &FoodDescription, file: &DataFile) -> Checked {
         }
         _ => Ok(()),
     }
+}
+
+/// An outline of its own belongs to steaks; its corners go round a simple polygon, counter-clockwise.
+fn corners(food: &FoodDescription, file: &DataFile) -> Checked {
+    let corners = &food.outline.corners;
+    if corners.is_empty() {
+        return Ok(());
+    }
+    let error = |message: &str| Err(file.error("outline.corners", message));
+    if food.form != Form::Steak {
+        return error("corners belong to form = \"steak\": leave them out");
+    }
+    let next = |i: usize| corners[(i + 1) % corners.len()];
+    let doubled: f64 = (0..corners.len()).map(|i| corners[i][0] * next(i)[1] - next(i)[0] * corners[i][1]).sum();
+    if doubled < LEAST_DOUBLED {
+        return error("these corners span no area counter-clockwise: list three or more of them in that order");
+    }
+    let sides = |i: usize, j: usize| crosses([corners[i], next(i)], [corners[j], next(j)]);
+    let crossing = (0..corners.len()).any(|i| (i + 1..corners.len()).any(|j| sides(i, j)));
+    if crossing { error("the outline crosses itself: list its corners in order") } else { Ok(()) }
+}
+
+/// Twice the least area of an outline of its own, relative to half of length and width [-] (chosen: an eighth of the box).
+const LEAST_DOUBLED: f64 = 1.0;
+
+/// Returns true if two sides cross between their ends.
+fn crosses([a, b]: [[f64; 2]; 2], [c, d]: [[f64; 2]; 2]) -> bool {
+    let turn = |p: [f64; 2], q: [f64; 2], r: [f64; 2]| (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
+    turn(a, b, c) * turn(a, b, d) < 0.0 && turn(c, d, a) * turn(c, d, b) < 0.0
 }
 
 /// What is poured has a yolk and states how it runs, and nothing else does.
