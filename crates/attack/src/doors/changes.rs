@@ -170,7 +170,11 @@ pub const CHANGES: &[Change] = &[
     Change {
         name: "baste: duration [s]",
         recipe: step("baste = { food = \"steak\", for_s = # }", &["baste.for_s"], within(FOR_S)),
-        entry: entry(|v| done(Command::Baste { food: food(), for_s: v }), &["baste.for_s", "too little fat"], within(FOR_S)),
+        entry: entry(
+            |v| done(Command::Baste { food: food(), for_s: v }),
+            &["baste.for_s", "too little fat"],
+            within(FOR_S),
+        ),
         python: Some(("baste(for_s)", within(FOR_S))),
         ..IN_PAN
     },

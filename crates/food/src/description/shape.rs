@@ -175,7 +175,15 @@ impl SizeRange {
 impl OutlineShape {
     /// No outline: the file does not state one.
     pub(super) fn unset() -> Self {
-        Self { exponent: 2.0, ripple: 0.0, corners: Vec::new(), wedge: 0.0, bumps: 0.0, source: String::new(), confidence: Confidence::Low }
+        Self {
+            exponent: 2.0,
+            ripple: 0.0,
+            corners: Vec::new(),
+            wedge: 0.0,
+            bumps: 0.0,
+            source: String::new(),
+            confidence: Confidence::Low,
+        }
     }
 
     /// Returns true if the file states an outline.

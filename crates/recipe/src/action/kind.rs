@@ -6,8 +6,8 @@ use schemars::{Schema, SchemaGenerator};
 use serde::de::MapAccess;
 
 use crate::file::action_file::{
-    BasteTable, ButterTable, CoolTable, FlipTable, HalveTable, HobTable, LidTable, MovePanTable, MoveTable, OilTable, PressTable,
-    PutTable, RestTable, ShakeTable, TiltTable, TossTable, TrueValue, WaterTable,
+    BasteTable, ButterTable, CoolTable, FlipTable, HalveTable, HobTable, LidTable, MovePanTable, MoveTable, OilTable,
+    PressTable, PutTable, RestTable, ShakeTable, TiltTable, TossTable, TrueValue, WaterTable,
 };
 use crate::file::repeat_file::RepeatEntry;
 use crate::file::shorthand::{ShortOrTable, Written};

@@ -6,8 +6,8 @@ use crate::action::kind::{ActionEntry, ActionKind};
 use crate::action::{Action, FoodAction, PanAction};
 use crate::check::recipe_check::{Check, Checked, FoodNames};
 use crate::file::action_file::{
-    BasteTable, CoolTable, HalveTable, HobTable, MovePanTable, OilTable, PressTable, PutTable, RestTable, ShakeTable, TiltTable,
-    TossTable,
+    BasteTable, CoolTable, HalveTable, HobTable, MovePanTable, OilTable, PressTable, PutTable, RestTable, ShakeTable,
+    TiltTable, TossTable,
 };
 use crate::file::step_file::{StepEntry, StepKeys};
 use saute_kitchen::hands::command::RestOn;
