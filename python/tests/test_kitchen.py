@@ -209,6 +209,7 @@ DOORS = [
     (lambda k, v: k.halve("steak", at_mm=v), "-150 to 150"),
     (lambda k, v: k.press("steak", n=v), "0 to 100"),
     (lambda k, v: k.press("steak", for_s=v), "0.1 to 600"),
+    (lambda k, v: k.baste("steak", for_s=v), "0.1 to 600"),
     (lambda k, v: k.move("steak", to_mm=(v, 0)), "finite|-200 to 200"),
     (lambda k, v: k.move_pan(at_mm=(v, 0)), "finite|moved and lifted by up to"),
     (lambda k, v: k.move_pan(lift_mm=v), "0 to 500"),

@@ -51,7 +51,7 @@ fn every_action_has_words_and_an_action_on_a_food_names_it() {
             on_foods.push(kind.name());
         }
     }
-    assert_eq!(on_foods, ["put", "flip", "rest", "halve", "press", "move"]);
+    assert_eq!(on_foods, ["put", "flip", "rest", "halve", "press", "baste", "move"]);
 }
 
 #[test]
