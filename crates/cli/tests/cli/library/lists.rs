@@ -86,8 +86,8 @@ fn the_shipped_recipes_are_listed_by_id_and_title() {
 
 /// Every action of a step.
 pub const ACTIONS: [&str; 20] = [
-    "baste", "butter_g", "cool", "end", "flip", "halve", "hob_w", "lid", "move", "move_pan", "oil_g", "press", "put", "repeat",
-    "rest", "shake", "tilt", "toss", "water_g", "wipe",
+    "baste", "butter_g", "cool", "end", "flip", "halve", "hob_w", "lid", "move", "move_pan", "oil_g", "press", "put",
+    "repeat", "rest", "shake", "tilt", "toss", "water_g", "wipe",
 ];
 
 #[test]
