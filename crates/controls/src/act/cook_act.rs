@@ -41,6 +41,8 @@ pub enum CookAct {
     Portion,
     /// Lid on or off.
     Lid,
+    /// Spoons hot fat of the pan over the piece in hand.
+    Baste,
     /// Wipes the empty pan.
     Wipe,
     /// The other tool.
@@ -87,6 +89,7 @@ impl CookAct {
             Self::Pour(Pourable::Water) => does(Subject::Food, "key.water"),
             Self::Portion => holds(Subject::Food, "key.portion"),
             Self::Lid => does(Subject::Food, "key.lid"),
+            Self::Baste => does(Subject::Food, "key.baste"),
             Self::Wipe => does(Subject::Food, "key.wipe"),
             Self::Tool => holds(Subject::Tool, "key.tool"),
             Self::ToolBy(by) => holds(Subject::Tool, if *by > 0.0 { "key.tool_up" } else { "key.tool_down" }),

@@ -64,6 +64,7 @@ fn cook() -> Vec<CookAct> {
         CookAct::Pour(_) => CookAct::Pour(Pourable::Oil),
         CookAct::Portion => CookAct::Portion,
         CookAct::Lid => CookAct::Lid,
+        CookAct::Baste => CookAct::Baste,
         CookAct::Wipe => CookAct::Wipe,
         CookAct::Tool => CookAct::Tool,
         CookAct::ToolBy(_) => CookAct::ToolBy(0.01),

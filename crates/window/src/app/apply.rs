@@ -16,6 +16,9 @@ use crate::system::IS_PAGE;
 use saute_controls::act::{Act, AppAct, Card, CookAct, LearnAct, Setting, TimeAct, ViewAct};
 use saute_controls::input::tool_hand::TurnerPose;
 
+/// How long the button bastes [s] (chosen: three or four spoonfuls).
+const BASTE_S: f64 = 10.0;
+
 impl SauteApp {
     /// Carries out an act. Only this function lets acts change the window; the matches are exhaustive, one line per act.
     pub fn act(&mut self, act: Act, ctx: &egui::Context) {
@@ -50,6 +53,7 @@ impl SauteApp {
             CookAct::Pour(what) => self.pour(what),
             CookAct::Portion => self.next_portion(),
             CookAct::Lid => self.turn_lid(),
+            CookAct::Baste => self.command(&Command::Baste { food: self.handled_id(), for_s: BASTE_S }),
             CookAct::Wipe => self.command(&Command::Wipe),
             CookAct::Tool => self.choose_tool(),
             CookAct::ToolBy(by) => self.with_turner(|turner| turner.shift(glam::DVec3::Z * by)),

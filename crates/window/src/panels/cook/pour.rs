@@ -24,7 +24,9 @@ pub fn show(state: &CookState, ui: &mut Ui, acts: &mut Acts) {
     let portion = state.portion.name(l);
     button(state, ui, acts, portion, false, true, Act::Cook(CookAct::Portion));
     button(state, ui, acts, l.text("pour.lid"), lid, true, Act::Cook(CookAct::Lid));
-    let is_empty = !state.session.kitchen.pieces().iter().any(Piece::in_pan);
+    let holds = state.session.kitchen.pieces().iter().any(Piece::in_pan);
+    button(state, ui, acts, l.text("pour.baste"), false, holds, Act::Cook(CookAct::Baste));
+    let is_empty = !holds;
     button(state, ui, acts, l.text("pour.wipe"), false, is_empty, Act::Cook(CookAct::Wipe));
     let tool = match state.tool {
         Tool::Tongs => "pour.tongs",
