@@ -189,7 +189,7 @@ fn ranges_and_defaults_of_the_schema_are_those_that_are_checked() {
             }
         }
     }
-    assert_eq!((ranges, defaults), (16, 15));
+    assert_eq!((ranges, defaults), (17, 16));
 }
 
 /// `at_mm`, `on` and `for_s` are accepted next to a bare value, too.

@@ -46,6 +46,6 @@ mod tests {
         let ctx = Context::default();
         let mut stills = Stills::default();
         assert!(stills.of(&ctx, "leek-ring").is_some() && stills.of(&ctx, "leek-ring").is_some());
-        assert!(stills.of(&ctx, "egg").is_none());
+        assert!(stills.of(&ctx, "dumpling").is_none());
     }
 }
