@@ -42,7 +42,7 @@ fn a_food_is_drawn_from_raw_to_burnt_with_its_numbers() {
 
 #[test]
 fn a_figure_that_there_is_not_is_refused_with_those_there_are() {
-    let asked = [["--looks", "egg", "beef-lean, beef-marbled"], ["--figure", "7-tofu", "1-one-side, 2-turned"]];
+    let asked = [["--looks", "dumpling", "beef-lean, beef-marbled"], ["--figure", "7-tofu", "1-one-side, 2-turned"]];
     for [option, name, those] in asked {
         let ran = run(&["gallery", option, name, "--out", "never"]);
         assert_eq!(ran.code, Some(2));

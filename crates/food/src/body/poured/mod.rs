@@ -1,5 +1,8 @@
 //! The body of a poured food: columns of the height at which it lies.
 
+pub mod pool;
+mod repoured;
+
 use saute_heat::{Section, SweptMesh, graded_levels};
 
 use crate::body::pool::Pool;
