@@ -149,7 +149,7 @@ fn a_food_of_a_users_own_kinetics_has_the_scales_of_the_changes_in_them() {
 fn a_mistake_in_a_foods_own_scale_is_named_with_file_line_and_remedy() {
     let shipped = &Library::embedded_files()["doneness.toml"];
     for (from, to, parts) in [
-        ("for_kinetics = [\"shrimp\"]", "for_kinetics = [\"prawn\"]", ["prawn", "there are: beef"]),
+        ("for_kinetics = [\"shrimp\"]", "for_kinetics = [\"prawn\"]", ["prawn", "there are: bacon, beef"]),
         ("for_kinetics = [\"shrimp\"]", "for_kinetics = [\"carrot\"]", ["no change \"myosin\"", "turgor, pectin"]),
         ("\"tender\", from_pct = 40.0", "\"tender\", from_c = 40.0", ["tender", "in all of them"]),
         ("\"opaque\", from_c = 55.0", "\"opaque\"", ["opaque", "write from_c"]),

@@ -14,7 +14,7 @@ fn refused(from: &str, to: &str) -> String {
 fn a_goal_that_cannot_be_judged_is_refused_with_its_line_and_what_there_is() {
     let cases = [
         ("least_share_pct = 40.0", "least_share_pct = 140.0", "least_share_pct"),
-        ("kinetics = [\"beef\"]", "kinetics = [\"beef\", \"egg\"]", "\"egg\" is unknown"),
+        ("kinetics = [\"beef\"]", "kinetics = [\"beef\", \"dumpling\"]", "\"dumpling\" is unknown"),
         ("scale = \"paper-2013\"", "scale = \"paper-1913\"", "paper-1913 has no class \"medium\""),
         ("class = \"medium\"\n", "class = \"pink\"\n", "paper-2013 has no class \"pink\""),
         ("counts = \"faces\"\n", "counts = \"section\"\n", "write class"),

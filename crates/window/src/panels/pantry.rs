@@ -20,8 +20,13 @@ const MOST_AT_ONCE: usize = 35;
 /// Height of what comes below what was set out [points]: a row of buttons, or three lines of words.
 const NEXT: f32 = 46.0;
 
-/// Height of a food with its picture [points] (chosen: for a finger).
+/// Height of a food with its picture [points] (chosen: for a finger), and where a mouse is likely, so that all are seen at once.
 const KIND: f32 = 44.0;
+const SMALL_KIND: f32 = 30.0;
+/// Width of a window that has room for the scene beside its panels [points].
+const WIDE: f32 = 900.0;
+/// Largest value that is chosen by tenths.
+const THIN: f64 = 10.0;
 /// Foods beside each other, so that all of them are seen at once.
 const COLUMNS: usize = 2;
 /// Width below which a row has a narrow picture and small letters [points].
@@ -172,7 +177,8 @@ fn kinds(ui: &mut Ui, library: &Library, choice: &mut FoodChoice, stills: &mut S
 /// A row with a picture, a name and a quiet word at its end, which is chosen or not, or acts; returns true if it was clicked.
 fn pictured(ui: &mut Ui, still: Option<egui::TextureHandle>, [name, end]: [&str; 2], chosen: Option<bool>) -> bool {
     let palette = theme::of(ui);
-    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width() - 4.0, KIND), egui::Sense::click());
+    let tall = if ui.ctx().content_rect().width() < WIDE { KIND } else { SMALL_KIND };
+    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width() - 4.0, tall), egui::Sense::click());
     let (on, enabled) = (chosen == Some(true), response.enabled());
     response.widget_info(|| match chosen {
         Some(on) => egui::WidgetInfo::selected(egui::accesskit::Role::RadioButton, enabled, on, name),
@@ -188,7 +194,7 @@ fn pictured(ui: &mut Ui, still: Option<egui::TextureHandle>, [name, end]: [&str;
     // Beside another one a row has room for the middle of its picture only.
     let is_tight = rect.width() < TIGHT;
     let [wide, gap, edge] = if is_tight { [1.0, 6.0, 2.0] } else { [1.5, 9.0, 9.0] };
-    let picture = egui::Rect::from_min_size(rect.min + vec2(3.0, 3.0), vec2(wide * (KIND - 6.0), KIND - 6.0));
+    let picture = egui::Rect::from_min_size(rect.min + vec2(3.0, 3.0), vec2(wide * (tall - 6.0), tall - 6.0));
     match still {
         Some(texture) => egui::Image::new((texture.id(), picture.size()))
             .uv(egui::Rect::from_center_size(egui::pos2(0.5, 0.5), vec2(wide / 1.5, 1.0)))
@@ -284,10 +290,12 @@ fn recipes(state: &PanelContext, memory: &mut PantryMemory, ui: &mut Ui, acts: &
 
 pub(super) fn slider(ui: &mut Ui, name: &str, value: &mut f64, low: f64, high: f64, suffix: &str) {
     ui.label(RichText::new(name).size(13.0).color(theme::of(ui).quiet));
-    let response = ui.add(egui::Slider::new(value, low..=high).fixed_decimals(0).suffix(suffix));
+    // Thin food is cut by tenths of a millimetre.
+    let decimals = usize::from(high <= THIN);
+    let response = ui.add(egui::Slider::new(value, low..=high).fixed_decimals(decimals).suffix(suffix));
     let shown = *value;
     response.widget_info(|| egui::WidgetInfo::slider(true, shown, name));
-    spoken_value(ui, &response, format!("{shown:.0}{suffix}"));
+    spoken_value(ui, &response, format!("{shown:.decimals$}{suffix}"));
 }
 
 /// Coldest start of a food [°C]: below 0 only where its file states how it freezes.
