@@ -73,6 +73,9 @@ impl FoodModel {
         check_composition("lean", description.lean.total())?;
         description.adipose.iter().try_for_each(|a| check_composition("adipose", a.total()))?;
         check_composition("second", description.second_tissue().total())?;
+        if let Some(pour) = &description.pour {
+            kinetics.in_order("pour.sets_by", &[(pour.sets_by.clone(), 1.0)].into())?;
+        }
         let simple = (rules == Rules::Paper2013).then(|| simplified(description, kinetics, components));
         let (description, kinetics) = simple.as_ref().map_or((description, kinetics), |(d, k)| (d, k));
         let mut shape = RestShape::new(body, rules);

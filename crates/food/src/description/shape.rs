@@ -43,8 +43,8 @@ sourced_table! {
         /// Amplitude of the natural waviness relative to the radius [-].
         #[schemars(range(min = 0.0, max = 0.1), example = 0.02)]
         ripple: f64,
-        /// Corners of an outline of its own, counter-clockwise and relative to half of length and width [-]; it takes the place of
-        /// exponent and ripple in a steak.
+        /// Corners of an outline of its own, counter-clockwise, which are stretched to length and width [-]; it takes the place
+        /// of exponent and ripple in a steak.
         #[serde(default)]
         #[schemars(length(max = 200), inner(inner(range(min = -1.0, max = 1.0))), extend("examples" = [[[-1.0, -1.0], [1.0, -1.0], [0.0, 1.0]]]))]
         corners: Vec<[f64; 2]>,

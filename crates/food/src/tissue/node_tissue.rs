@@ -105,7 +105,8 @@ impl NodeTissue {
         let whole: Masses = core::array::from_fn(|i| (0..2).map(|k| mass(k) * tissues[k][i]).sum());
         let fields = [&mut self.initial_water, &mut self.lean_solids, &mut self.initial_fat];
         for (field, whole) in fields.into_iter().zip(whole) {
-            let scale = whole / field.iter().sum::<f64>();
+            let sum: f64 = field.iter().sum();
+            let scale = if sum > 0.0 { whole / sum } else { 1.0 };
             field.iter_mut().for_each(|mass| *mass *= scale);
         }
         self.raw_mass = whole.iter().sum();

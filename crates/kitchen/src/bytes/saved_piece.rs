@@ -10,6 +10,7 @@ use serde::{Deserialize, Serialize};
 use crate::bytes::models::{FoodKey, FoodParts};
 use crate::dynamics::{Contact, Pose};
 use crate::hands::command::RestOn;
+use crate::hands::ranges::FOR_S;
 use crate::kitchen::PieceOrder;
 use crate::pan::pan_model::PanModel;
 use crate::piece::board::Board;
@@ -17,6 +18,7 @@ use crate::piece::medium::Media;
 use crate::piece::pan_contact::PanContact;
 use crate::piece::piece_shape::PieceShape;
 use crate::piece::piece_state::{Piece, Place};
+use crate::piece::repour::WIDEST;
 use crate::piece::running::Running;
 use crate::piece::sear_lines::SearRecord;
 
@@ -75,10 +77,14 @@ impl<'a> SavedPiece<'a> {
         }
     }
 
-    /// Returns what its model is built from, given the hash of its data; `None` if its mesh would be too fine, or its pool is none.
+    /// Returns what its model is built from, given the hash of its data; `None` if its mesh would be too fine, or its pool is not
+    /// sound.
     pub(super) fn food_key(&self, data_hash: u64) -> Option<FoodKey> {
         let key = FoodKey { kind: self.kind.clone().into_owned(), data_hash, spec: self.spec, cut: self.cut };
-        let lies = self.spec.pool.as_ref().is_none_or(|pool| pool.is_sound());
+        let lies =
+            self.spec.pool.as_ref().is_none_or(|pool| {
+                pool.is_sound() && pool.most_area() <= WIDEST * self.spec.size[0] * self.spec.size[1]
+            });
         (lies && PieceOrder::COARSENESS.contains(&self.spec.coarseness)).then_some(key)
     }
 
@@ -130,5 +136,6 @@ fn is_sound(piece: &Piece, pan: &PanModel) -> bool {
         && piece.shape.fits(&piece.model)
         && piece.sear.fits(patches)
         && piece.media.fits(patches, nodes)
+        && (0.0..=FOR_S.high).contains(&piece.basted_s)
         && piece.running.as_ref().is_none_or(|running| piece.model.pool().is_some() && running.fits(nodes))
 }

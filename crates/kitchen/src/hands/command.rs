@@ -217,7 +217,7 @@ pub enum Refused {
     #[error("\"{0}\" still runs: wait until it has set below")]
     StillRuns(String),
     /// Too little fat to spoon.
-    #[error("there is too little fat in the pan to spoon over food: pour in {least_g} g of oil or more")]
+    #[error("there is too little fat in the pan to spoon over food: it needs {least_g} g")]
     TooLittleFat {
         /// Least fat in the pan [g].
         least_g: i64,

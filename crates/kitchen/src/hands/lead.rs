@@ -42,6 +42,7 @@ impl Kitchen {
         let to = &within_reach(&usable(to)?);
         let key = match grip {
             Some(food) => {
+                self.check_set(food)?;
                 let piece = self.piece_mut(food)?;
                 if piece.place == Place::Waiting {
                     return Err(Refused::Waiting(food.into()));

@@ -273,7 +273,7 @@ impl Kitchen {
             self.hand_over(Task::PutBack { key, to: at });
             return Ok(());
         }
-        self.pour_out(index, at);
+        let at = if heap { at } else { self.pour_out(index, at) };
         let piece = &self.pieces[index];
         let solid = piece.model.solid(&piece.state);
         let below = reach(&solid, -DVec3::Z);
@@ -290,14 +290,14 @@ impl Kitchen {
         Ok(())
     }
 
-    /// A poured food lands at a place and begins to run; other food stays as it is.
-    fn pour_out(&mut self, index: usize, at: [f64; 2]) {
+    /// A poured food lands at a place and begins to run; other food stays as it is. Returns where its middle is.
+    fn pour_out(&mut self, index: usize, at: [f64; 2]) -> [f64; 2] {
         let fixed = Arc::clone(&self.fixed);
         let piece = &mut self.pieces[index];
-        let Some(running) = Running::landed(&piece.model, at, &fixed.pan) else { return };
-        if piece.repour(&running, &fixed.pan, &fixed.room).is_some() {
-            piece.running = Some(running);
-        }
+        let Some(running) = Running::landed(&piece.model, at, &fixed.pan) else { return at };
+        let Some(pose) = piece.repour(&running, &fixed.pan, &fixed.room) else { return at };
+        piece.running = Some(running);
+        [pose.position.x, pose.position.y]
     }
 
     /// Checks that a piece fits onto the floor without overlap.

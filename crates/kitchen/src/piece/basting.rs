@@ -33,10 +33,15 @@ impl Kitchen {
         Ok(())
     }
 
+    /// Heat that spooned fat gave to a piece in this tick [J].
+    pub(crate) fn spooned(&self, index: usize) -> f64 {
+        let piece = &self.pieces[index];
+        piece.basted.iter().map(|patch| piece.solver.contact_heat[*patch as usize]).sum()
+    }
+
     /// Takes the heat that spooned fat gave to a piece in this tick out of the fat in the pan.
     pub(crate) fn take_from_fat(&mut self, index: usize, lapse: Lapse) {
-        let piece = &self.pieces[index];
-        let heat: f64 = piece.basted.iter().map(|patch| piece.solver.contact_heat[*patch as usize]).sum();
+        let heat = self.spooned(index);
         let (fat, whole) = (&self.pan.liquids.oil.mass, self.pan.oil_mass());
         if heat == 0.0 || whole <= 0.0 {
             return;
@@ -52,11 +57,11 @@ impl Piece {
     pub(crate) fn touch_spoon(&mut self, pan: &PanState, lapse: Lapse) {
         self.basted.clear();
         let fat = pan.oil_mass();
-        if self.basted_s <= 0.0 || fat < LEAST_FAT {
+        if self.basted_s <= 0.0 || fat < LEAST_FAT || pan.lid.is_some() {
             self.basted_s = 0.0;
             return;
         }
-        self.basted_s -= lapse.s();
+        self.basted_s = (self.basted_s - lapse.s()).max(0.0);
         let heat: f64 = pan.liquids.oil.mass.iter().zip(&pan.temperature).map(|(m, t)| m * t).sum();
         let (touch, up) = (Touch::Contact { conductance: SPOONED, temperature: heat / fat }, self.up());
         for (index, patch) in self.model.patches().iter().enumerate() {

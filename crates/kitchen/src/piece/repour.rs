@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use glam::DVec3;
-use saute_food::body::pool::{DIRECTIONS, Dome, Pool, RINGS};
+use saute_food::body::pool::{DIRECTIONS, Dome, HEIGHTS, Pool, RINGS};
 use saute_food::{FoodSolver, PieceSpec};
 use saute_heat::Located;
 
@@ -19,12 +19,17 @@ use crate::piece::medium::Media;
 use crate::piece::piece_state::Piece;
 use crate::piece::running::{Lies, Running, has_set};
 use crate::piece::sear_lines::SearRecord;
+use crate::piece::work;
 
 /// Step along a ray to the edge of the film, and the farthest edge [m] (chosen: finer than the pan's mesh; the largest floor).
 const RAY: f64 = 1.5e-3;
 const FARTHEST: f64 = 0.16;
 /// Share of the edge's height at which the film ends [-].
 const EDGE: f64 = 0.4;
+/// Share of a node at a patch from which the node is under its piece [-] (chosen).
+const UNDER: f64 = 0.3;
+/// Largest area of a pool over the square of its ordered diameter [-] (chosen: a film of a tenth of its mean thickness).
+pub(crate) const WIDEST: f64 = 8.0;
 /// Least reach of a piece [m] (chosen: smaller than what is poured).
 const LEAST_REACH: f64 = 0.012;
 
@@ -37,34 +42,55 @@ impl Kitchen {
 
     /// Lets what was poured run, and gives it its shape.
     pub(crate) fn run_poured(&mut self, fixed: &Fixed, gravity: [f64; 3]) {
-        let pan_pose = self.world.motion.pose;
         for index in 0..self.pieces.len() {
-            let piece = &mut self.pieces[index];
-            let Some(mut running) = piece.running.take() else { continue };
+            let Some(mut running) = self.pieces[index].running.take() else { continue };
+            let piece = &self.pieces[index];
             if !piece.in_pan() || !piece.state.healthy {
                 continue;
             }
-            let seen = piece.pose.seen_from(&pan_pose);
-            let lies = Lies { model: &piece.model, state: &piece.state, seen, gravity };
+            let taken = self.under_others(index, fixed.pan.section.points.len());
+            let seen = piece.pose.seen_from(&self.world.motion.pose);
+            let lies = Lies { model: &piece.model, state: &piece.state, seen, gravity, taken: &taken };
             running.run(&lies, &fixed.pan, TICK_S);
             let sets = has_set(&piece.model, &piece.state);
-            if running.has_moved()
-                && let Some(pose) = piece.repour(&running, &fixed.pan, &fixed.room)
-            {
+            let takes_shape = running.has_moved();
+            if takes_shape {
                 running.moved = 0.0;
-                piece.pose = pan_pose.then(&pose);
-                let (key, mass) = (piece.key, piece.mass());
-                let film = fixed.pan.film_at(&self.pan, [pose.position.x, pose.position.y]);
-                let (solid, placed) = (piece.model.solid(&piece.state), piece.pose);
-                self.touching.retain(|touching| !touching.pair.contains(&key));
-                self.world.remove(key);
-                self.world.add(key, solid, mass, &placed);
-                self.world.set_friction(key, piece.friction(film, &fixed.room));
             }
-            if !sets {
-                self.pieces[index].running = Some(running);
+            let piece = &mut self.pieces[index];
+            let pose = if takes_shape { piece.repour(&running, &fixed.pan, &fixed.room) } else { None };
+            piece.running = (!sets).then_some(running);
+            if let Some(pose) = pose {
+                self.lay_poured(index, &pose);
+            }
+            if sets || takes_shape {
+                let piece = &self.pieces[index];
+                let film = fixed.pan.film_at(&self.pan, [seen.position.x, seen.position.y]);
+                self.world.set_friction(piece.key, piece.friction(film, &fixed.room));
             }
         }
+    }
+
+    /// Lays a piece in its new shape at a pose in the pan's frame.
+    fn lay_poured(&mut self, index: usize, pose: &Pose) {
+        let piece = &mut self.pieces[index];
+        piece.pose = self.world.motion.pose.then(pose);
+        let (key, mass, solid, placed) = (piece.key, piece.mass(), piece.model.solid(&piece.state), piece.pose);
+        self.touching.retain(|touching| !touching.pair.contains(&key));
+        self.world.remove(key);
+        self.world.add(key, solid, mass, &placed);
+    }
+
+    /// Nodes of the pan under other pieces, where nothing runs.
+    fn under_others(&self, index: usize, nodes: usize) -> Vec<bool> {
+        let mut taken = vec![false; nodes];
+        for (_, other) in self.pieces.iter().enumerate().filter(|(k, _)| *k != index) {
+            for near in other.near_patches() {
+                let located = near.located.nodes.iter().zip(near.located.weights);
+                located.filter(|(_, weight)| *weight > UNDER).for_each(|(node, _)| taken[*node as usize] = true);
+            }
+        }
+        taken
     }
 }
 
@@ -72,8 +98,13 @@ impl Piece {
     /// Gives the body the shape of its film; returns its pose in the pan's frame, or none if it cannot be meshed and keeps its shape.
     pub(crate) fn repour(&mut self, running: &Running, pan: &PanModel, room: &Room) -> Option<Pose> {
         let (pool, middle) = running.pool(pan, self.model.description().pour.as_ref()?.edge_mm)?;
+        let widest = WIDEST * self.spec.size[0] * self.spec.size[1];
+        if !pool.is_sound() || pool.most_area() > widest {
+            return None;
+        }
         let spec = PieceSpec { pool: Some(pool), ..self.spec };
         let model = self.model.poured_as(&spec).ok()?;
+        work::check(&model, spec.coarseness).ok()?;
         let state = model.repoured(&self.model, &self.state);
         self.uneven = Arc::new(uneven_of(&model, spec.seed, room));
         self.touch.clear();
@@ -118,7 +149,8 @@ impl Running {
             // Up to the yolk the white is as high as round it.
             let inside = (ring..RINGS).take_while(|r| self.dome.top(place(k, *r)).is_some()).count();
             let [near, far] = [ring, ring + inside].map(|r| at(place(k, r.min(RINGS - 1))));
-            if inside > 0 { near.max(far).max(least) } else { near.max(least) }
+            let height = if inside > 0 { near.max(far) } else { near };
+            height.clamp(least, *HEIGHTS.end())
         };
         let heights = core::array::from_fn(|k| core::array::from_fn(|r| ring(k, r)));
         let dome = Dome { at: [0, 1].map(|axis| self.dome.at[axis] - middle[axis]), ..self.dome };

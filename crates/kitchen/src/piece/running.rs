@@ -29,6 +29,11 @@ const WALL: f64 = 1.0;
 const STEPS: usize = 4;
 /// Gas constant [J/(mol·K)].
 const GAS: f64 = 8.314_462_618;
+/// Most white at a node [m³] (chosen: a litre).
+const MOST: f64 = 1e-3;
+/// Movement in a tick below which it lies still, and ticks between two looks at what lies still [-] (chosen).
+const STILL: f64 = 1e-6;
+const LOOKS: u64 = 10;
 /// Share of the volume that has to move before the body takes the new shape [-] (chosen: a millimetre of the outline).
 const MOVED: f64 = 0.02;
 
@@ -43,6 +48,8 @@ pub struct Running {
     pub(crate) dome: Dome,
     /// Share of the volume that has moved since the body took its shape [-].
     pub(crate) moved: f64,
+    /// Share that moved in the last tick that it ran [-], and gravity in it [m/s²].
+    last: (f64, [f64; 3]),
 }
 
 /// Where what runs is and how it is inclined.
@@ -53,6 +60,8 @@ pub(crate) struct Lies<'a> {
     pub(crate) seen: Pose,
     /// Gravity in the pan's frame [m/s²].
     pub(crate) gravity: [f64; 3],
+    /// Nodes of the pan under other pieces.
+    pub(crate) taken: &'a [bool],
 }
 
 impl Running {
@@ -78,15 +87,14 @@ impl Running {
             thick: heap(LANDS[0], thick),
             dome: Dome { at, ..Dome::of(yolk, volume) },
             moved: 1.0,
+            last: (1.0, [0.0; 3]),
         })
     }
 
     /// Returns true if it has a sound amount at each node of a pan.
     pub(crate) fn fits(&self, nodes: usize) -> bool {
-        let sound = |field: &[f64]| field.len() == nodes && field.iter().all(|v| v.is_finite() && *v >= 0.0);
-        let Dome { at, radius, height } = self.dome;
-        let finite = [at[0], at[1], radius, height, self.moved].iter().all(|v| v.is_finite());
-        sound(&self.thin) && sound(&self.thick) && finite && radius > 0.0
+        let sound = |field: &[f64]| field.len() == nodes && field.iter().all(|v| (0.0..=MOST).contains(v));
+        sound(&self.thin) && sound(&self.thick) && self.dome.is_sound() && self.moved.is_finite()
     }
 
     /// Volume of white at a node [m³].
@@ -102,6 +110,10 @@ impl Running {
     /// Lets it run for `dt` [s].
     pub(crate) fn run(&mut self, lies: &Lies<'_>, pan: &PanModel, dt: f64) {
         let Some(pour) = lies.model.description().pour.as_ref() else { return };
+        let still = self.last.0 < STILL && self.last.1 == lies.gravity;
+        if still && !lies.state.ticks.is_multiple_of(LOOKS) {
+            return;
+        }
         let bed = &pan.liquids.bed;
         let columns = self.columns(lies, pan, pour);
         let manner = Manner { density: 1.0, puddle: 1e-3 * pour.edge_mm, clinging: CLINGING };
@@ -111,19 +123,36 @@ impl Running {
             let mut flow = FilmFlow::default();
             flow.lean(bed, lies.gravity);
             flow.fluidity = columns.iter().map(|column| column.fluidity).collect();
-            let standing = self.stand(&mut flow, bed, pan.floor_nodes, pour, &columns);
+            let standing = self.stand(&mut flow, (bed, pan.floor_nodes, lies.taken), pour, &columns);
             self.flow(&flow, bed, &manner, standing, Sweep::BOTH[step % 2], dt / STEPS as f64);
         }
         let moved: f64 = before.iter().enumerate().map(|(i, v)| libm::fabs(self.white(i) - v)).sum();
-        self.moved += 0.5 * moved / whole;
+        self.hold_yolk(pan);
+        self.last = (0.5 * moved / whole, lies.gravity);
+        self.moved += self.last.0;
+    }
+
+    /// Keeps the yolk on the floor.
+    fn hold_yolk(&mut self, pan: &PanModel) {
+        let [x, y] = self.dome.at;
+        let (away, most) = (libm::hypot(x, y), 1e-3 * pan.description.floor.radius_mm - self.dome.radius);
+        if away > most && most > 0.0 {
+            self.dome.at = [x, y].map(|v| v * most / away);
+        }
     }
 
     /// Raises the bed by what stands at each node; returns the height of white that runs on it [m].
-    fn stand(&self, flow: &mut FilmFlow, bed: &Bed, floor: usize, pour: &Pour, columns: &[Column]) -> Vec<f64> {
+    fn stand(
+        &self,
+        flow: &mut FilmFlow,
+        (bed, floor, taken): (&Bed, usize, &[bool]),
+        pour: &Pour,
+        columns: &[Column],
+    ) -> Vec<f64> {
         let [mound, edge] = [pour.thick_height_mm, pour.edge_mm].map(|mm| 1e-3 * mm);
         flow.puddle = vec![edge; self.thin.len()];
         let runs = |i: usize| {
-            if i >= floor {
+            if i >= floor || taken[i] {
                 flow.raise(i, WALL);
                 return 0.0;
             }
@@ -179,13 +208,13 @@ impl Running {
         let Layout::Upright(mesh) = model.mesh().layout() else { return vec![Column::default(); self.thin.len()] };
         let set = model.changed(state, &pour.sets_by);
         let runs = |celsius: f64| viscosity(pour, kelvin(celsius));
+        let (heights, whole) = (mesh.layer_heights(), mesh.thickness());
         let column = |i: usize| {
             let [x, y, z] = pan.liquids.bed.places[i];
             let p = lies.seen.to_body(glam::DVec3::new(x, y, z));
             let found = mesh.locate_or_nearest([p.x, p.y]);
             let (mut warm, mut below) = (0.0, 0.0);
-            let whole = mesh.thickness();
-            for (level, height) in mesh.layer_heights().into_iter().enumerate() {
+            for (level, height) in heights.iter().enumerate() {
                 let at = |field: &[f64]| -> f64 {
                     (0..3).map(|k| found.weights[k] * field[mesh.node(level, found.nodes[k] as usize)]).sum()
                 };
@@ -194,7 +223,7 @@ impl Running {
             }
             Column { fluidity: DENSITY / runs(crate::celsius(warm)), set: below.min(1.0) }
         };
-        let wet = |i: usize| pan.liquids.bed.places[i][2] <= 0.0;
+        let wet = |i: usize| pan.liquids.bed.places[i][2] <= 0.0 && self.white(i) > 0.0;
         (0..self.thin.len()).map(|i| if wet(i) { column(i) } else { Column::default() }).collect()
     }
 }

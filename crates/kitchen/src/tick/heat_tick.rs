@@ -310,7 +310,8 @@ impl Kitchen {
         self.account.flows.air += air;
         self.account.flows.evaporation += evaporation;
         // Steam that boils off at the lower face rises through the oil there.
-        let boiled = exchange.evaporated.min(taken.max(0.0) / latent_heat(kelvin(100.0))).max(0.0);
+        let below = (taken - self.spooned(index)).max(0.0);
+        let boiled = exchange.evaporated.min(below / latent_heat(kelvin(100.0))).max(0.0);
         self.load_pan(fixed, index, (boiled, lapse), [&exchange.drip, condensed]);
         self.take_from_fat(index, lapse);
         self.pieces[index].average_steam(boiled, lapse.s());

@@ -1,6 +1,7 @@
 //! Promise: an egg spreads until it has set below, as a liquid does; then it is a body that is turned, tossed and taken out. Its energy
 //! and mass balance all the way, and a kitchen stored while it runs goes on bit by bit.
 
+use saute_kitchen::dynamics::{Pose, Tool};
 use saute_kitchen::{Command, Kitchen, Library, MeshSize, OutlineKind, PieceOrder, Refused, RestOn, kelvin};
 
 use crate::stove::library;
@@ -119,7 +120,9 @@ fn it_runs_downhill_on_a_tilted_pan_and_stays_once_it_has_set() {
 fn what_still_runs_is_not_turned_taken_out_or_tossed() {
     let mut kitchen = poured(&library(), 20.0);
     let runs = Err(Refused::StillRuns(EGG.into()));
+    let to = Pose::at(0.0, 0.0, 0.1);
     for command in [
+        Command::Lead { tool: Tool::Tongs, to, grip: Some(EGG.into()) },
         Command::Flip { food: EGG.into() },
         Command::Rest { food: EGG.into(), on: RestOn::Board },
         Command::Toss { height: 0.1 },
@@ -167,5 +170,59 @@ fn a_kitchen_stored_while_it_runs_and_after_it_has_set_goes_on_bit_by_bit() {
             again.step();
         });
         assert!(again.to_bytes() == same.to_bytes(), "after {seconds} s");
+    }
+}
+
+/// Narrow yolks, white at the floor's edge and eggs on eggs: whatever shape they take is stored and comes back.
+#[test]
+fn an_egg_in_any_place_and_of_any_yolk_is_stored_and_comes_back() {
+    let mut library = library();
+    for (share, height_mm, at, heap) in
+        [(0.05, 30.0, 0.0, false), (0.6, 5.0, 0.05, false), (0.34, 17.0, 0.12, true), (0.34, 17.0, 0.135, true)]
+    {
+        let yolk = library.foods.get_mut(EGG).and_then(|food| food.yolk.as_mut()).expect("has a yolk");
+        (yolk.share, yolk.height_mm) = (share, height_mm);
+        let mut kitchen = Kitchen::new(&library, "carbon-steel-26", kelvin(20.0)).expect("kitchen");
+        for id in ["one", "two"] {
+            kitchen.add(&library, &PieceOrder { id: id.into(), ..order(&library) }).expect("is added");
+        }
+        let put = |food: &str, heap| Command::Put { food: food.into(), at: [at, 0.0], heap };
+        if kitchen.apply(&put("one", heap)).is_err() {
+            kitchen.apply(&put("one", true)).expect("is dropped");
+        }
+        kitchen.apply(&put("two", true)).expect("is dropped");
+        for tick in 0..20 {
+            kitchen.step();
+            assert!(kitchen.pieces().iter().all(|piece| piece.state.healthy), "{share} {at} {tick}");
+            let again = Kitchen::from_bytes(&kitchen.to_bytes(), &library).expect("comes back");
+            assert!(again.to_bytes() == kitchen.to_bytes());
+        }
+    }
+}
+
+#[test]
+fn a_file_whose_tables_do_not_belong_to_its_form_is_refused_with_a_remedy() {
+    let files = Library::embedded_files();
+    let corners = |list: &str| format!("[outline]\ncorners = [{list}]\n");
+    for (file, from, to, words) in [
+        ("egg", "form = \"poured\"".to_owned(), "form = \"steak\"".to_owned(), "belongs to form = \"poured\""),
+        ("tofu", "form = \"steak\"".to_owned(), "form = \"poured\"".to_owned(), "needs a table [yolk]"),
+        ("egg", "sets_by = \"clouding\"".to_owned(), "sets_by = \"clouds\"".to_owned(), "clouds"),
+        ("tofu", "[outline]\n".to_owned(), corners("[-1, -1], [1, 1], [1, -1], [-1, 1]"), "corners"),
+        ("tofu", "[outline]\n".to_owned(), corners("[-1, -1], [1, -1], [1, -1], [0, 1]"), "lie on each other"),
+        ("carrot-coin", "[outline]\n".to_owned(), corners("[-1, -1], [1, -1], [0, 1]"), "belong to form = \"steak\""),
+    ] {
+        let name = format!("foods/{file}.toml");
+        let shipped = &files[name.as_str()];
+        assert!(shipped.contains(&from), "{from}");
+        let own = [(name.clone(), shipped.replacen(&from, &to, 1))];
+        let error = match Library::with(&own) {
+            Err(error) => error.to_string(),
+            Ok(library) => {
+                let mut kitchen = Kitchen::new(&library, "carbon-steel-26", kelvin(20.0)).expect("kitchen");
+                kitchen.add(&library, &order(&library)).expect_err("is refused").to_string()
+            }
+        };
+        assert!(error.contains(words), "{name}: {error}");
     }
 }

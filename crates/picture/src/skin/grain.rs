@@ -9,8 +9,8 @@ use saute_scene::input::{BORDER_RANGE, BrowningPalette, FleshTexture, GrainVolum
 
 /// Cells across a body whose tissues are along its axis (chosen: 0.2 mm cells in a leek ring).
 const TISSUE_CELLS: u32 = 112;
-/// Cells through the height of what was poured (chosen: half a millimetre).
-const POURED_CELLS: u32 = 40;
+/// Cells across and through the height of what was poured (chosen: 2 mm, which the reading smooths, and half a millimetre).
+const POURED_CELLS: [u32; 2] = [72, 36];
 
 /// Kind of texture of a food's flesh.
 pub(crate) fn flesh_texture(model: &FoodModel) -> FleshTexture {
@@ -45,8 +45,8 @@ pub(crate) fn grain_volume(model: &FoodModel) -> GrainVolume {
     let ([mut low, mut extent], mut size) = ([marbling.low, marbling.extent], marbling.size);
     let grown = model.description().form.grown_along();
     if !marbling.holds_fat() && !model.tissue_field().is_plain() {
-        size = [TISSUE_CELLS; 3];
-        size[grown] = if model.pool().is_some() { POURED_CELLS } else { 1 };
+        size = [if model.pool().is_some() { POURED_CELLS[0] } else { TISSUE_CELLS }; 3];
+        size[grown] = if model.pool().is_some() { POURED_CELLS[1] } else { 1 };
         // What grew along its length is in the middle of its frame.
         if grown == 0 {
             (low, extent) = (model.size().map(|v| -0.5 * v), model.size());

@@ -27,7 +27,8 @@ pub(crate) fn yolk_seen(model: &FoodModel, p: [f64; 3]) -> Option<f64> {
 pub(crate) fn seen(model: &FoodModel, state: &FoodState, node: usize, own: [f32; 3]) -> [f32; 3] {
     let (Some(pool), Some(mesh)) = (model.pool(), model.mesh().swept()) else { return own };
     let [x, y, _] = mesh.position(node);
-    let cloudy = state.changed.first().map_or(1.0, |clouding| clouding[node]) as f32;
+    let sets = model.description().pour.as_ref().and_then(|pour| model.changed(state, &pour.sets_by));
+    let cloudy = sets.map_or(1.0, |sets| sets[node]) as f32;
     let away = (x - pool.dome.at[0]).hypot(y - pool.dome.at[1]) / pool.dome.radius;
     let beside = ((away - BESIDE[0]) / (BESIDE[1] - BESIDE[0])).clamp(0.0, 1.0) as f32;
     let above = node >= (mesh.levels.len() - 1) * mesh.nodes_per_level();

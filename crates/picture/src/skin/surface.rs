@@ -404,7 +404,8 @@ fn key(piece: &Piece) -> u64 {
         piece.model.size().into_iter().map(f64::to_bits).chain([piece.seed, piece.model.mesh().node_count() as u64]);
     let bits = bits.chain([u64::from(piece.model.natural().is_some())]);
     let reach = piece.model.pool().map_or(&[][..], |pool| &pool.reach[..]);
-    let bits = bits.chain(reach.iter().map(|reach| reach.to_bits()));
+    let dome = piece.model.pool().map(|pool| [pool.dome.at[0], pool.dome.at[1], pool.dome.height, pool.height[0][0]]);
+    let bits = bits.chain(reach.iter().chain(dome.iter().flatten()).map(|v| v.to_bits()));
     let text = piece.kind.bytes().map(u64::from);
     bits.chain(text).fold(0x5a07e, |hash, v| mix(hash ^ mix(v)))
 }

@@ -31,7 +31,7 @@ pub struct Dome {
     pub height: f64,
 }
 
-/// How a poured food lies; its middle is the centroid of its outline.
+/// How a poured food lies, about the middle of what it wets.
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
 pub struct Pool {
     /// Distance of the outline from the middle, in directions evenly from +x on [m].
@@ -42,11 +42,20 @@ pub struct Pool {
     pub dome: Dome,
 }
 
-/// Largest and smallest reach, and largest height, of a pool [m] (chosen: from a coat button to the largest pan).
+/// Reaches of a pool [m] (chosen: from a coat button to the largest pan).
 const REACHES: core::ops::RangeInclusive<f64> = 5.0e-3..=0.25;
-const HEIGHTS: core::ops::RangeInclusive<f64> = 0.0..=0.08;
+/// Heights of its white [m] (chosen: no pan is deeper).
+pub const HEIGHTS: core::ops::RangeInclusive<f64> = 0.0..=0.08;
+/// Radii of a yolk [m] (chosen: from a quail's egg cut small to an ostrich's).
+const RADII: core::ops::RangeInclusive<f64> = 1.0e-3..=0.1;
 
 impl Dome {
+    /// Returns true if its numbers are those of a yolk in a pan.
+    pub fn is_sound(&self) -> bool {
+        let near = self.at.iter().all(|v| libm::fabs(*v) <= *REACHES.end());
+        near && RADII.contains(&self.radius) && HEIGHTS.contains(&self.height) && self.height > 0.0
+    }
+
     /// The yolk of a piece of a volume [m³], in its middle: V = 2/3 π r² h.
     pub fn of(yolk: &Yolk, volume: f64) -> Self {
         let height = 1e-3 * yolk.height_mm;
@@ -92,14 +101,15 @@ impl Pool {
 
     /// Returns true if its numbers are those of a pool in a pan.
     pub fn is_sound(&self) -> bool {
-        let within = |v: f64| REACHES.contains(&libm::fabs(v));
-        let Dome { at, radius, height } = self.dome;
         self.reach.iter().all(|r| REACHES.contains(r))
             && self.height.iter().flatten().all(|h| HEIGHTS.contains(h))
-            && at.iter().all(|v| libm::fabs(*v) <= *REACHES.end())
-            && within(radius)
-            && HEIGHTS.contains(&height)
-            && height > 0.0
+            && self.dome.is_sound()
+    }
+
+    /// Largest area that it may have [m²].
+    pub fn most_area(&self) -> f64 {
+        let reach = self.reach.iter().copied().fold(0.0, f64::max);
+        core::f64::consts::PI * reach * reach
     }
 
     /// The same with the tongues in which the rim of its seed runs out.

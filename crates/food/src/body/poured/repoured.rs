@@ -45,6 +45,13 @@ impl FoodModel {
             stretch: Stretch { axial: read(&state.stretch.axial), ..state.stretch },
             ..*state
         };
+        // Juice is a part of the water, and what rises of the juice.
+        for (part, whole) in poured.juice.iter_mut().zip(&poured.water) {
+            *part = part.min(*whole);
+        }
+        for (part, whole) in poured.rising.iter_mut().zip(&poured.juice) {
+            *part = part.min(*whole);
+        }
         self.warm(&mut poured, state.total_enthalpy());
         poured
     }

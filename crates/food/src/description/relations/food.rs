@@ -89,18 +89,26 @@ fn corners(food: &FoodDescription, file: &DataFile) -> Checked {
     if doubled < LEAST_DOUBLED {
         return error("these corners span no area counter-clockwise: list three or more of them in that order");
     }
+    let short = |i: usize| libm::hypot(next(i)[0] - corners[i][0], next(i)[1] - corners[i][1]) < SHORTEST;
+    if (0..corners.len()).any(short) {
+        return error("two corners lie on each other: leave one of them out");
+    }
     let sides = |i: usize, j: usize| crosses([corners[i], next(i)], [corners[j], next(j)]);
-    let crossing = (0..corners.len()).any(|i| (i + 1..corners.len()).any(|j| sides(i, j)));
+    let apart = |i: usize, j: usize| j > i + 1 && (i > 0 || j + 1 < corners.len());
+    let crossing = (0..corners.len()).any(|i| (i + 1..corners.len()).any(|j| apart(i, j) && sides(i, j)));
     if crossing { error("the outline crosses itself: list its corners in order") } else { Ok(()) }
 }
 
 /// Twice the least area of an outline of its own, relative to half of length and width [-] (chosen: an eighth of the box).
 const LEAST_DOUBLED: f64 = 1.0;
 
-/// Returns true if two sides cross between their ends.
+/// Shortest side of such an outline [-] (chosen: a hundredth of the box).
+const SHORTEST: f64 = 0.02;
+
+/// Returns true if two sides cross or touch.
 fn crosses([a, b]: [[f64; 2]; 2], [c, d]: [[f64; 2]; 2]) -> bool {
     let turn = |p: [f64; 2], q: [f64; 2], r: [f64; 2]| (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
-    turn(a, b, c) * turn(a, b, d) < 0.0 && turn(c, d, a) * turn(c, d, b) < 0.0
+    turn(a, b, c) * turn(a, b, d) <= 0.0 && turn(c, d, a) * turn(c, d, b) <= 0.0
 }
 
 /// What is poured has a yolk and states how it runs, and nothing else does.

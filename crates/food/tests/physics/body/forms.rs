@@ -355,3 +355,12 @@ fn the_nodes_of_a_piece_are_known_within_a_fifth_before_it_is_meshed() {
         assert_eq!(Body::estimated_nodes(&food, &coarse).expect("a form"), exact as f64);
     }
 }
+
+/// A mushroom has hollows beside its stem: on the rings of 2013 no node lies in them.
+#[test]
+fn a_slice_with_hollows_has_a_volume_at_every_node_of_either_mesh() {
+    for mesh in [MeshSize::Default, MeshSize::Paper2013] {
+        let model = piece("mushroom-slice", &spec([0.046, 0.040, 0.0042], 1, mesh, Rules::Full));
+        assert!(model.mesh().volumes().iter().all(|v| *v > 0.0), "{mesh:?}");
+    }
+}
