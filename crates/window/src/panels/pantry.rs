@@ -7,6 +7,7 @@ use saute_kitchen::{Library, PieceOrder};
 use crate::panels::still::Stills;
 use crate::ui::aloud::heading;
 use crate::ui::aloud::spoken_value;
+use crate::ui::fingers;
 use crate::ui::theme;
 use saute_controls::act::{Act, Acts, AppAct, Card, CookAct, Setting};
 use saute_controls::context::PanelContext;
@@ -177,7 +178,8 @@ fn kinds(ui: &mut Ui, library: &Library, choice: &mut FoodChoice, stills: &mut S
 /// A row with a picture, a name and a quiet word at its end, which is chosen or not, or acts; returns true if it was clicked.
 fn pictured(ui: &mut Ui, still: Option<egui::TextureHandle>, [name, end]: [&str; 2], chosen: Option<bool>) -> bool {
     let palette = theme::of(ui);
-    let tall = if ui.ctx().content_rect().width() < WIDE { KIND } else { SMALL_KIND };
+    let is_narrow = ui.ctx().content_rect().width() < WIDE;
+    let tall = fingers::height(ui, if is_narrow { KIND } else { SMALL_KIND });
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width() - 4.0, tall), egui::Sense::click());
     let (on, enabled) = (chosen == Some(true), response.enabled());
     response.widget_info(|| match chosen {
