@@ -106,8 +106,8 @@ pub struct Palette {
     colours: Colours,
     second: [f64; 3],
     shifts: [[f64; 3]; MOST_CHANGES],
-    /// The same in the second tissue.
-    second_shifts: [[f64; 3]; MOST_CHANGES],
+    /// The same in the second tissue, where they differ.
+    second_shifts: Option<[[f64; 3]; MOST_CHANGES]>,
 }
 
 impl Palette {
@@ -118,8 +118,8 @@ impl Palette {
     pub fn new(colours: &Colours, second: Option<[f64; 3]>, kinetics: &Kinetics) -> Result<Self, NoSuchChange> {
         let shifts = kinetics.in_order("colour", &colours.change)?;
         let second_shifts = match &colours.second_change {
-            Some(changes) => kinetics.in_order("colour", changes)?,
-            None => shifts,
+            Some(changes) => Some(kinetics.in_order("colour", changes)?),
+            None => None,
         };
         Ok(Self { shifts, second_shifts, second: second.unwrap_or(colours.raw), colours: colours.clone() })
     }
@@ -142,12 +142,12 @@ impl Palette {
 
     /// Colour of lean flesh without browning and without what the second tissue adds to it, which is known more finely than at nodes.
     pub fn without_second(&self, a: Appearance) -> Lab {
-        let shifts = self.shifts.iter().zip(&self.second_shifts);
+        let sum = |shifts: &[[f64; 3]; MOST_CHANGES], i: usize| -> f64 {
+            a.changed.iter().zip(shifts).map(|(x, shift)| x * shift[i]).sum()
+        };
         let shifted = |i: usize| {
-            let shift = |(x, (first, second)): (&f64, (&[f64; 3], &[f64; 3]))| {
-                x * (first[i] + a.tissue * (second[i] - first[i]))
-            };
-            a.changed.iter().zip(shifts.clone()).map(shift).sum::<f64>()
+            let first = sum(&self.shifts, i);
+            self.second_shifts.as_ref().map_or(first, |second| first + a.tissue * (sum(second, i) - first))
         };
         Lab([0, 1, 2].map(|i| self.colours.raw[i] + shifted(i)))
     }

@@ -216,13 +216,13 @@ impl Skin {
         if let Some(cells) = model.mesh().cells() {
             return CellLook { cells, model, state, view, map }.skin(&seared, &|node| juice[node]);
         }
-        let shape = PresentShape::new(model, state);
+        let (shape, is_poured) = (PresentShape::new(model, state), model.pool().is_some());
         let state_of = |k: usize, place: Place, normal: [f32; 3]| {
             let node = self.nodes[k] as usize;
             let field = map.map_or(0.0, |m| m.coordinate(view.value(model, state, node, m.change())));
             let moisture = state.water[node] / model.initial_water()[node];
             let seen = vertex(model, model.appearance(state, node), moisture, field, place, normal);
-            let lean = poured::seen(model, state, node, seen.lean);
+            let lean = if is_poured { poured::seen(model, state, node, seen.lean) } else { seen.lean };
             FoodVertex { lean, seared: seared(node) as f32, juice: juice[node] as f32, ..seen }
         };
         // The side of a slice shows the browning of its faces: it creeps over the edge.
