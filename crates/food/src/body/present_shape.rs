@@ -64,14 +64,13 @@ impl FoodModel {
     fn upright(&self, mesh: &SweptMesh, state: &FoodState, positions: &mut [[f64; 3]]) {
         let n = mesh.nodes_per_level();
         let (half, lateral) = (0.5 * self.thickness(state), state.stretch.lateral);
-        let draped = state.stretch.draped;
         for (i, &[x, y]) in mesh.section.points.iter().enumerate() {
-            let top = if draped > 0.0 { column_heights(mesh, state, i).last().unwrap_or_default() } else { 0.0 };
-            // A draped piece lies flat on its upper face.
-            let low = if draped > 0.0 { draped * (half - top) - (1.0 - draped) * half } else { -half };
             for (level, z) in column_heights(mesh, state, i).enumerate() {
-                positions[level * n + i] = [x * lateral, y * lateral, z + low];
+                positions[level * n + i] = [x * lateral, y * lateral, z - half];
             }
+        }
+        if state.stretch.draped > 0.0 {
+            sink(state.stretch.draped, half, n, positions);
         }
     }
 
@@ -165,6 +164,15 @@ fn column_heights<'a>(mesh: &'a SweptMesh, state: &'a FoodState, column: usize) 
         height += 0.5 * (low + high) * (pair[1] - pair[0]) * mesh.path.column(column);
         height
     }))
+}
+
+/// Sinks a limp piece of uneven height onto its upper face, which is flat when it is draped.
+fn sink(draped: f64, half: f64, per_level: usize, positions: &mut [[f64; 3]]) {
+    let top = positions.len() - per_level;
+    for i in 0..per_level {
+        let down = draped * (half - positions[top + i][2]);
+        (i..positions.len()).step_by(per_level).for_each(|node| positions[node][2] += down);
+    }
 }
 
 /// Mean stretch along the path over a level [-].

@@ -141,6 +141,7 @@ impl Palette {
     }
 
     /// Colour of lean flesh without browning and without what the second tissue adds to it, which is known more finely than at nodes.
+    #[inline]
     pub fn without_second(&self, a: Appearance) -> Lab {
         let sum = |shifts: &[[f64; 3]; MOST_CHANGES], i: usize| -> f64 {
             a.changed.iter().zip(shifts).map(|(x, shift)| x * shift[i]).sum()
