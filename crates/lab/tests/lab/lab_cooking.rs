@@ -96,7 +96,7 @@ fn balls_and_cylinders_cook_from_all_sides() {
 #[test]
 fn bad_cooking_cases_say_what_to_write() {
     let bad = [
-        (slab("", PLATE, "").replace("food = \"beef-lean\"", "food = \"egg\""), "is not a food"),
+        (slab("", PLATE, "").replace("food = \"beef-lean\"", "food = \"dumpling\""), "is not a food"),
         (slab("", PLATE, "").replace("physics = \"cooking\"", ""), "contact is only valid for cooking"),
         (slab("", "q_w_m2 = 1000", ""), "q_w_m2 is not supported"),
         (
