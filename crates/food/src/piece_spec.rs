@@ -25,7 +25,29 @@ pub struct PieceSpec {
     pub pool: Option<Pool>,
 }
 
+/// Largest area of a pool over the product of length and width as ordered [-] (chosen: a film of a tenth of its mean thickness).
+const WIDEST: f64 = 8.0;
+
 impl PieceSpec {
+    /// Returns true if the piece is not poured yet, or lies in a pool that its volume fills.
+    pub fn has_sound_pool(&self) -> bool {
+        let widest = WIDEST * self.size[0] * self.size[1];
+        self.pool.as_ref().is_none_or(|pool| pool.is_sound() && pool.most_area() <= widest)
+    }
+
+    /// A plain piece of a size [m] on the default mesh, whose spacing is `coarseness` times the default [-].
+    pub fn plain(size: [f64; 3], coarseness: f64) -> Self {
+        Self {
+            size,
+            seed: 1,
+            coarseness,
+            mesh: MeshSize::Default,
+            rules: Rules::Full,
+            outline: OutlineKind::Plain,
+            pool: None,
+        }
+    }
+
     /// Returns the natural form of the piece, or none if it is plain, as every piece of 2013 is.
     pub(crate) fn natural<'a>(&self, description: &'a FoodDescription) -> Option<&'a NaturalForm> {
         description.natural.as_ref().filter(|_| self.is_of_today() && self.outline != OutlineKind::Plain)

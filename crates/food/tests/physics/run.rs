@@ -4,8 +4,7 @@ use std::sync::OnceLock;
 
 use saute_food::components::Components;
 use saute_food::{
-    FoodDescription, FoodModel, FoodSolver, FoodState, FreeAir, Kinetics, MeshSize, OutlineKind, PieceSpec, Rules,
-    Surroundings, Touch, ZERO_C,
+    FoodDescription, FoodModel, FoodSolver, FoodState, FreeAir, Kinetics, PieceSpec, Surroundings, Touch, ZERO_C,
 };
 use saute_heat::SweptMesh;
 
@@ -16,18 +15,7 @@ pub const UP: [f64; 3] = [0.0, 0.0, 1.0];
 pub const FLIPPED: [f64; 3] = [0.0, 0.0, -1.0];
 
 pub fn model(kind: &str, coarseness: f64, size: [f64; 3]) -> FoodModel {
-    piece(
-        kind,
-        &PieceSpec {
-            size,
-            seed: 1,
-            coarseness,
-            mesh: MeshSize::Default,
-            rules: Rules::Full,
-            outline: OutlineKind::Plain,
-            pool: None,
-        },
-    )
+    piece(kind, &PieceSpec::plain(size, coarseness))
 }
 
 pub fn piece(kind: &str, spec: &PieceSpec) -> FoodModel {

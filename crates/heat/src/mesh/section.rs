@@ -93,16 +93,11 @@ impl Section {
         let ring = |&(count, share): &(usize, f64)| {
             outline.evenly(count).into_iter().map(move |(p, _)| [share * p[0], share * p[1]])
         };
-        let mut points: Vec<[f64; 2]> = rings.iter().flat_map(ring).collect();
+        let mut points: Vec<[f64; 2]> = rings.iter().take(1).flat_map(ring).collect();
         // Where the outline is slightly concave, slivers between it and its convex hull do not belong to the section.
-        let rim = OutlineBands::new(&Outline { points: points[..rings.first().map_or(0, |r| r.0)].to_vec() });
+        let rim = OutlineBands::new(&Outline { points: points.clone() });
         // In the hollows of an outline inner rings reach beyond it.
-        let outer = rings.first().map_or(0, |r| r.0);
-        let mut index = 0;
-        points.retain(|p| {
-            index += 1;
-            index <= outer || rim.contains(*p)
-        });
+        points.extend(rings.iter().skip(1).flat_map(ring).filter(|p| rim.contains(*p)));
         Self::triangulate(points, |p| rim.contains(p))
     }
 

@@ -18,7 +18,6 @@ use crate::piece::medium::Media;
 use crate::piece::pan_contact::PanContact;
 use crate::piece::piece_shape::PieceShape;
 use crate::piece::piece_state::{Piece, Place};
-use crate::piece::repour::WIDEST;
 use crate::piece::running::Running;
 use crate::piece::sear_lines::SearRecord;
 
@@ -81,11 +80,7 @@ impl<'a> SavedPiece<'a> {
     /// sound.
     pub(super) fn food_key(&self, data_hash: u64) -> Option<FoodKey> {
         let key = FoodKey { kind: self.kind.clone().into_owned(), data_hash, spec: self.spec, cut: self.cut };
-        let lies =
-            self.spec.pool.as_ref().is_none_or(|pool| {
-                pool.is_sound() && pool.most_area() <= WIDEST * self.spec.size[0] * self.spec.size[1]
-            });
-        (lies && PieceOrder::COARSENESS.contains(&self.spec.coarseness)).then_some(key)
+        (self.spec.has_sound_pool() && PieceOrder::COARSENESS.contains(&self.spec.coarseness)).then_some(key)
     }
 
     /// Returns the piece again; `None` if its fields are not those of its model in this pan.
@@ -126,7 +121,7 @@ impl<'a> SavedPiece<'a> {
     }
 }
 
-/// Returns true if its records name patches of its model and nodes of the pan.
+/// Returns true if its records name patches of its model and nodes of the pan, and what runs or is basted does so in bounds.
 fn is_sound(piece: &Piece, pan: &PanModel) -> bool {
     let (patches, nodes) = (piece.model.patches().len(), pan.section.points.len());
     let located = |at: &Located| at.nodes.iter().all(|node| (*node as usize) < nodes);

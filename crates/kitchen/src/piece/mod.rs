@@ -15,7 +15,7 @@ pub mod memory;
 pub(crate) mod pan_contact;
 pub(crate) mod piece_shape;
 pub mod piece_state;
-pub(crate) mod repour;
+mod repour;
 pub(crate) mod running;
 pub mod sear_lines;
 pub(crate) mod work;

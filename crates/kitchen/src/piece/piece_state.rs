@@ -542,7 +542,7 @@ impl Piece {
     }
 }
 
-/// Friction of what runs [-] (chosen: it does not slide as a whole; its film flows).
+/// Friction of what runs [-] (chosen: above that of the pan, which then counts; it hardly slides as a whole, its film flows).
 const CLINGS: f64 = 4.0;
 
 /// Share of a patch that is lifted off the pan by more than the gap of a face that lies, given how far it is lifted [m] [-].

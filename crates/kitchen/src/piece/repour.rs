@@ -24,12 +24,10 @@ use crate::piece::work;
 /// Step along a ray to the edge of the film, and the farthest edge [m] (chosen: finer than the pan's mesh; the largest floor).
 const RAY: f64 = 1.5e-3;
 const FARTHEST: f64 = 0.16;
-/// Share of the edge's height at which the film ends [-].
+/// Share of the edge's height at which the film ends [-] (chosen: half way between a wet node and a dry one).
 const EDGE: f64 = 0.4;
 /// Share of a node at a patch from which the node is under its piece [-] (chosen).
 const UNDER: f64 = 0.3;
-/// Largest area of a pool over the square of its ordered diameter [-] (chosen: a film of a tenth of its mean thickness).
-pub(crate) const WIDEST: f64 = 8.0;
 /// Least reach of a piece [m] (chosen: smaller than what is poured).
 const LEAST_REACH: f64 = 0.012;
 
@@ -98,11 +96,10 @@ impl Piece {
     /// Gives the body the shape of its film; returns its pose in the pan's frame, or none if it cannot be meshed and keeps its shape.
     pub(crate) fn repour(&mut self, running: &Running, pan: &PanModel, room: &Room) -> Option<Pose> {
         let (pool, middle) = running.pool(pan, self.model.description().pour.as_ref()?.edge_mm)?;
-        let widest = WIDEST * self.spec.size[0] * self.spec.size[1];
-        if !pool.is_sound() || pool.most_area() > widest {
+        let spec = PieceSpec { pool: Some(pool), ..self.spec };
+        if !spec.has_sound_pool() {
             return None;
         }
-        let spec = PieceSpec { pool: Some(pool), ..self.spec };
         let model = self.model.poured_as(&spec).ok()?;
         work::check(&model, spec.coarseness).ok()?;
         let state = model.repoured(&self.model, &self.state);

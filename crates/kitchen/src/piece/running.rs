@@ -5,21 +5,21 @@
 //! like any other. Heat flows in the body all the while; the film gives it its shape.
 
 use saute_food::body::pool::Dome;
+use saute_food::change::changes::arrhenius;
 use saute_food::description::Pour;
 use saute_food::{FoodModel, FoodState};
 use saute_heat::Layout;
 use serde::{Deserialize, Serialize};
 
 use crate::dynamics::Pose;
-use crate::kelvin;
 use crate::liquids::film_flow::{FilmFlow, Manner, Sweep};
 use crate::pan::bed::Bed;
 use crate::pan::pan_model::PanModel;
 
 /// Radii in which thick and thin white land [m] (chosen: an egg cracked close above the pan).
 const LANDS: [f64; 2] = [0.034, 0.046];
-/// Share that has set at which a layer no longer runs, and share of the lower face at which nothing does [-] (the issue of a gel is
-/// where it has half set).
+/// Share that has set at which a layer no longer runs, and share of the lower face at which nothing does [-] (chosen: a gel that has set
+/// half way holds what is on it).
 const HALF: f64 = 0.5;
 /// Film that clings to the floor [m] (chosen: no node runs dry by rounding).
 const CLINGING: f64 = 1e-5;
@@ -27,8 +27,6 @@ const CLINGING: f64 = 1e-5;
 const WALL: f64 = 1.0;
 /// Flow steps in a tick [-] (chosen: a film of 1 cm halves its height in a few of them).
 const STEPS: usize = 4;
-/// Gas constant [J/(mol·K)].
-const GAS: f64 = 8.314_462_618;
 /// Most white at a node [m³] (chosen: a litre).
 const MOST: f64 = 1e-3;
 /// Movement in a tick below which it lies still, and ticks between two looks at what lies still [-] (chosen).
@@ -117,14 +115,15 @@ impl Running {
         let bed = &pan.liquids.bed;
         let columns = self.columns(lies, pan, pour);
         let manner = Manner { density: 1.0, puddle: 1e-3 * pour.edge_mm, clinging: CLINGING };
-        let whole: f64 = (0..self.thin.len()).map(|i| self.white(i)).sum();
         let before: Vec<f64> = (0..self.thin.len()).map(|i| self.white(i)).collect();
+        let whole: f64 = before.iter().sum();
+        let mut level = FilmFlow::default();
+        level.lean(bed, lies.gravity);
+        level.fluidity = columns.iter().map(|column| column.fluidity).collect();
         for step in 0..STEPS {
-            let mut flow = FilmFlow::default();
-            flow.lean(bed, lies.gravity);
-            flow.fluidity = columns.iter().map(|column| column.fluidity).collect();
-            let standing = self.stand(&mut flow, (bed, pan.floor_nodes, lies.taken), pour, &columns);
-            self.flow(&flow, bed, &manner, standing, Sweep::BOTH[step % 2], dt / STEPS as f64);
+            let mut flow = level.clone();
+            let runs = self.stand(&mut flow, (bed, pan.floor_nodes, lies.taken), pour, &columns);
+            self.flow(flow, bed, &manner, &runs, Sweep::BOTH[step % 2], dt / STEPS as f64);
         }
         let moved: f64 = before.iter().enumerate().map(|(i, v)| libm::fabs(self.white(i) - v)).sum();
         self.hold_yolk(pan);
@@ -174,8 +173,7 @@ impl Running {
     }
 
     /// One sweep of what runs, thin white before thick; the yolk drifts with the white round it.
-    fn flow(&mut self, flow: &FilmFlow, bed: &Bed, manner: &Manner, runs: Vec<f64>, sweep: Sweep, dt: f64) {
-        let mut flow = flow.clone();
+    fn flow(&mut self, mut flow: FilmFlow, bed: &Bed, manner: &Manner, runs: &[f64], sweep: Sweep, dt: f64) {
         let mobile: Vec<f64> = runs.iter().zip(&bed.areas).map(|(height, area)| height * area).collect();
         let thin: Vec<f64> = mobile.iter().zip(&self.thin).map(|(mobile, thin)| mobile.min(*thin)).collect();
         let thick: Vec<f64> = mobile.iter().zip(&thin).map(|(mobile, thin)| mobile - thin).collect();
@@ -207,7 +205,7 @@ impl Running {
         let (model, state) = (lies.model, lies.state);
         let Layout::Upright(mesh) = model.mesh().layout() else { return vec![Column::default(); self.thin.len()] };
         let set = model.changed(state, &pour.sets_by);
-        let runs = |celsius: f64| viscosity(pour, kelvin(celsius));
+        let fluidity = arrhenius(pour.activation_energy_kj_mol, 20.0, 1e3 * DENSITY / pour.viscosity_mpa_s);
         let (heights, whole) = (mesh.layer_heights(), mesh.thickness());
         let column = |i: usize| {
             let [x, y, z] = pan.liquids.bed.places[i];
@@ -221,7 +219,7 @@ impl Running {
                 warm += height / whole * at(&state.temperature);
                 below += if set.is_some_and(|set| at(set) > HALF) { height / whole } else { 0.0 };
             }
-            Column { fluidity: DENSITY / runs(crate::celsius(warm)), set: below.min(1.0) }
+            Column { fluidity: fluidity(warm), set: below.min(1.0) }
         };
         let wet = |i: usize| pan.liquids.bed.places[i][2] <= 0.0 && self.white(i) > 0.0;
         (0..self.thin.len()).map(|i| if wet(i) { column(i) } else { Column::default() }).collect()
@@ -238,12 +236,6 @@ struct Column {
     fluidity: f64,
     /// Share of its height that has set [-].
     set: f64,
-}
-
-/// Viscosity of what runs at a temperature [K] [Pa·s].
-fn viscosity(pour: &Pour, temperature: f64) -> f64 {
-    let over = 1.0 / temperature - 1.0 / kelvin(20.0);
-    1e-3 * pour.viscosity_mpa_s * libm::exp(1e3 * pour.activation_energy_kj_mol / GAS * over)
 }
 
 /// Returns true if enough of the lower face has set that nothing runs any more.

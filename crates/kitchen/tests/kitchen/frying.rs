@@ -3,7 +3,7 @@
 use saute_kitchen::{Kitchen, Library, celsius};
 use saute_recipe::{Cook, Recipe, Summary};
 
-use crate::stove::library;
+use crate::stove::{imbalance, library};
 
 /// Runs a recipe to its end, with a look at the kitchen after every tick.
 fn watched(library: &Library, text: &str, mut look: impl FnMut(&Kitchen)) -> Cook {
@@ -34,13 +34,6 @@ fn recipe(pan: &str, foods: &str, steps: &[String]) -> String {
 
 fn steps(lines: &[&str]) -> Vec<String> {
     lines.iter().map(|line| (*line).to_owned()).collect()
-}
-
-/// Energy that does not add up, relative to what moved [-].
-fn imbalance(kitchen: &Kitchen) -> f64 {
-    let e = kitchen.energy();
-    let moved = e.hob.abs() + e.pan_stored.abs() + e.evaporation.abs() + e.air.abs() + e.other.abs();
-    e.imbalance.abs() / moved.max(1.0)
 }
 
 /// Condensation under the lid, juice through the coldest level, its boiling in the film of the pan, a puddle on the board.

@@ -7,7 +7,7 @@ use saute_kitchen::liquids::water_film::WATER_DENSITY;
 use saute_kitchen::pan::LEVEL;
 use saute_kitchen::{Command, EventKind, Kitchen, Library, PieceOrder, Refused, TICK_S, celsius, kelvin};
 
-use crate::stove::{apply, library, run};
+use crate::stove::{apply, imbalance, library, run};
 
 fn pan_at(celsius: f64) -> Kitchen {
     Kitchen::new(&library(), "carbon-steel-26", kelvin(celsius)).expect("pan")
@@ -47,13 +47,6 @@ fn frying(pan_c: f64) -> Kitchen {
     kitchen.add(&library(), &steak()).expect("food");
     apply(&mut kitchen, Command::Put { food: "steak".into(), at: [0.0, 0.0], heap: false });
     kitchen
-}
-
-/// Largest imbalance of the energy over what moved about [-].
-fn imbalance(kitchen: &Kitchen) -> f64 {
-    let e = kitchen.energy();
-    let moved = e.hob.abs() + e.pan_stored.abs() + e.evaporation.abs() + e.air.abs() + e.other.abs();
-    e.imbalance.abs() / moved.max(1.0)
 }
 
 #[test]

@@ -4,7 +4,7 @@
 use saute_kitchen::dynamics::{Pose, Tool};
 use saute_kitchen::{Command, Kitchen, Library, MeshSize, OutlineKind, PieceOrder, Refused, RestOn, kelvin};
 
-use crate::stove::library;
+use crate::stove::{imbalance, library, run};
 
 const EGG: &str = "egg";
 
@@ -32,22 +32,9 @@ fn poured(library: &Library, pan_c: f64) -> Kitchen {
     kitchen
 }
 
-fn run(kitchen: &mut Kitchen, seconds: f64) {
-    let end = kitchen.time_s() + seconds;
-    while kitchen.time_s() < end - 1e-9 {
-        kitchen.step();
-    }
-}
-
 /// Area under the egg [m²].
 fn area(kitchen: &Kitchen) -> f64 {
     kitchen.pieces()[0].model.outline().area()
-}
-
-fn imbalance(kitchen: &Kitchen) -> f64 {
-    let e = kitchen.energy();
-    let moved = e.hob.abs() + e.pan_stored.abs() + e.evaporation.abs() + e.air.abs() + e.other.abs();
-    e.imbalance.abs() / moved.max(1.0)
 }
 
 #[test]

@@ -8,9 +8,9 @@ use crate::state::{FoodState, Stretch};
 impl FoodModel {
     /// Returns the state of a poured piece that has run from the shape of `before` into this one.
     ///
-    /// A place takes what was as far out in the same direction, layer by layer. The masses of water, juice and fat and the enthalpy are
-    /// those of before to rounding: fields are scaled to their old sums, and what is missing of the enthalpy is handed out by heat
-    /// capacity. Its ticks go on.
+    /// A place takes what was as far out in the same direction, layer by layer. The masses of water and fat and the enthalpy are those of
+    /// before to rounding: fields are scaled to their old sums, and what is missing of the enthalpy is handed out by heat capacity. Juice,
+    /// a part of the water, stays within it at every node. Its ticks go on.
     pub fn repoured(&self, before: &Self, state: &FoodState) -> FoodState {
         let (Layout::Upright(new), Layout::Upright(old)) = (self.shape.mesh.layout(), before.shape.mesh.layout())
         else {

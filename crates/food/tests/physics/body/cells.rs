@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use saute_food::description::{Confidence, FoodDescription, Kinetics, SurfaceFile};
-use saute_food::{FoodModel, Form, MeshSize, OutlineKind, PieceSpec, Rules, Solid, ZERO_C};
+use saute_food::{FoodModel, Form, PieceSpec, Solid, ZERO_C};
 use saute_heat::{Soup, Surface};
 
 use crate::run::{Run, UP, kitchen_air, varied};
@@ -11,15 +11,7 @@ use crate::run::{Run, UP, kitchen_air, varied};
 const SIZE: [f64; 3] = [0.06, 0.04, 0.02];
 
 fn spec(size: [f64; 3], coarseness: f64) -> PieceSpec {
-    PieceSpec {
-        size,
-        seed: 1,
-        coarseness,
-        mesh: MeshSize::Default,
-        rules: Rules::Full,
-        outline: OutlineKind::Plain,
-        pool: None,
-    }
+    PieceSpec::plain(size, coarseness)
 }
 
 fn brick() -> Surface {

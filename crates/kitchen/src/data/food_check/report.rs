@@ -1,8 +1,7 @@
 //! What a food's file makes.
 
 use saute_food::{
-    BuildError, Exchange, FoodDescription, FoodModel, FoodSolver, FoodState, MeshSize, OutlineKind, PieceSpec, Rules,
-    Surroundings, Touch,
+    BuildError, Exchange, FoodDescription, FoodModel, FoodSolver, FoodState, PieceSpec, Surroundings, Touch,
 };
 use saute_heat::Surface;
 use serde::Serialize;
@@ -82,15 +81,7 @@ impl FoodReport {
     pub fn of(food: &FoodDescription, library: &Library) -> Result<Self, BuildError> {
         let build = |coarseness| {
             let size = food.form.extent(&food.size.default_mm).unwrap_or_default().map(|mm| 1e-3 * mm);
-            let spec = PieceSpec {
-                size,
-                seed: 1,
-                coarseness,
-                mesh: MeshSize::Default,
-                rules: Rules::Full,
-                outline: OutlineKind::Plain,
-                pool: None,
-            };
+            let spec = PieceSpec::plain(size, coarseness);
             FoodModel::build(food, &library.kinetics[&food.kinetics], &library.components, &spec)
         };
         let model = build(1.0)?;

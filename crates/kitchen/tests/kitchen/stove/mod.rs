@@ -16,3 +16,10 @@ pub fn run(kitchen: &mut Kitchen, seconds: f64) {
 pub fn apply(kitchen: &mut Kitchen, command: Command) {
     kitchen.apply(&command).expect("accepted");
 }
+
+/// Energy that does not add up, relative to what moved [-].
+pub fn imbalance(kitchen: &Kitchen) -> f64 {
+    let e = kitchen.energy();
+    let moved = e.hob.abs() + e.pan_stored.abs() + e.evaporation.abs() + e.air.abs() + e.other.abs();
+    e.imbalance.abs() / moved.max(1.0)
+}
