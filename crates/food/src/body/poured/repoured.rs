@@ -10,7 +10,8 @@ impl FoodModel {
     ///
     /// A place takes what was as far out in the same direction, layer by layer. The masses of water and fat and the enthalpy are those of
     /// before to rounding: fields are scaled to their old sums, and what is missing of the enthalpy is handed out by heat capacity. Juice,
-    /// a part of the water, stays within it at every node. Its ticks go on.
+    /// a part of the water, stays within it at every node. What has happened to the food (changes, browning, lethality, peaks) keeps its mean
+    /// over the volume: nothing un-cooks. Its ticks go on.
     pub fn repoured(&self, before: &Self, state: &FoodState) -> FoodState {
         let (Layout::Upright(new), Layout::Upright(old)) = (self.shape.mesh.layout(), before.shape.mesh.layout())
         else {
@@ -26,6 +27,9 @@ impl FoodModel {
             let shares = relative(field, raw[0]);
             scaled(shares.iter().zip(raw[1]).map(|(share, raw)| share * raw).collect(), field.iter().sum())
         };
+        let volumes = [before.shape.mesh.volumes(), self.shape.mesh.volumes()];
+        let share = |field: &Vec<f64>| share_kept(read(field), volumes[1], mean(field, volumes[0]));
+        let scaled_mean = |field: &Vec<f64>| mean_kept(read(field), volumes[1], mean(field, volumes[0]));
         let (old_tissue, tissue) = (&before.tissue, &self.tissue);
         let water = [&old_tissue.initial_water, &tissue.initial_water];
         let mut poured = FoodState {
@@ -35,11 +39,11 @@ impl FoodModel {
             juice: spread(&state.juice, water),
             rising: spread(&state.rising, water),
             fat: spread(&state.fat, [&old_tissue.initial_fat, &tissue.initial_fat]),
-            peak: read(&state.peak),
-            changed: state.changed.iter().map(|field| read(field)).collect(),
-            browning: read(&state.browning),
-            charring: read(&state.charring),
-            lethality: read(&state.lethality),
+            peak: scaled_mean(&state.peak),
+            changed: state.changed.iter().map(share).collect(),
+            browning: scaled_mean(&state.browning),
+            charring: scaled_mean(&state.charring),
+            lethality: scaled_mean(&state.lethality),
             oiled: read(&state.oiled),
             open: read(&state.open),
             stretch: Stretch { axial: read(&state.stretch.axial), ..state.stretch },
@@ -96,4 +100,28 @@ fn scaled(mut field: Vec<f64>, sum: f64) -> Vec<f64> {
         field.iter_mut().for_each(|v| *v *= sum / now);
     }
     field
+}
+
+/// Mean of a field over the volumes of its nodes, in its unit.
+fn mean(field: &[f64], volumes: &[f64]) -> f64 {
+    field.iter().zip(volumes).map(|(v, volume)| v * volume).sum::<f64>() / volumes.iter().sum::<f64>()
+}
+
+/// A field scaled to a mean over the volume.
+fn mean_kept(mut field: Vec<f64>, volumes: &[f64], kept: f64) -> Vec<f64> {
+    let now = mean(&field, volumes);
+    if now > 0.0 {
+        field.iter_mut().for_each(|v| *v *= kept / now);
+    }
+    field
+}
+
+/// Shares with a mean over the volume, none beyond 1: where too little has changed, what is left shrinks.
+fn share_kept(field: Vec<f64>, volumes: &[f64], kept: f64) -> Vec<f64> {
+    let field: Vec<f64> = field.into_iter().map(|x| x.clamp(0.0, 1.0)).collect();
+    if mean(&field, volumes) >= kept {
+        return mean_kept(field, volumes, kept);
+    }
+    let left = field.into_iter().map(|x| 1.0 - x).collect();
+    mean_kept(left, volumes, 1.0 - kept).into_iter().map(|x| (1.0 - x).clamp(0.0, 1.0)).collect()
 }

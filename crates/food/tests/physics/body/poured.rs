@@ -72,15 +72,23 @@ fn a_piece_that_runs_keeps_water_fat_and_heat_to_rounding_and_its_range_of_tempe
         let [x, _, z] = level.mesh().position(node);
         state.temperature[node] = ZERO_C + 20.0 + 60.0 * x + 10.0 * libm::exp(-z / 1e-3);
         state.water[node] *= 0.95;
+        state.changed.iter_mut().for_each(|change| change[node] = libm::exp(-z / 1e-3) * (0.7 + 4.0 * x));
         state.enthalpy[node] = level.properties().enthalpy(&level.masses(&state, node), state.temperature[node]).0;
     }
     let (low, high) = state.range();
+    let over_volume = |model: &FoodModel, field: &[f64]| -> f64 {
+        field.iter().zip(model.mesh().volumes()).map(|(v, volume)| v * volume).sum()
+    };
     let aside = level.poured_as(&run_aside(&level)).expect("is meshed");
     let ran = aside.repoured(&level, &state);
     let sum = |field: &[f64]| field.iter().sum::<f64>();
     assert!(near(ran.total_enthalpy(), state.total_enthalpy()));
     assert!(near(sum(&ran.water), sum(&state.water)) && near(sum(&ran.fat), sum(&state.fat)));
     assert!(near(ran.mass(&aside), state.mass(&level)));
+    for (ran, was) in ran.changed.iter().zip(&state.changed) {
+        assert!(near(over_volume(&aside, ran), over_volume(&level, was)), "nothing un-cooks");
+        assert!(ran.iter().all(|x| (0.0..=1.0).contains(x)));
+    }
     // What was above has gone aside: the heat that is handed out to all makes less than a kelvin.
     let (lowest, highest) = ran.range();
     assert!(lowest > low - 1.0 && highest < high + 1.0, "{low}–{high} K became {lowest}–{highest}");
