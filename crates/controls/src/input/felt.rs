@@ -16,6 +16,9 @@ pub struct Felt {
     /// True if a gamepad renders what is felt.
     listened: bool,
     rule: Option<RumbleRule>,
+    /// The strongest rumble since the gamepad was told, and the last one.
+    strongest: Option<Rumble>,
+    last: Rumble,
 }
 
 impl Felt {
@@ -24,11 +27,26 @@ impl Felt {
         self.listened
     }
 
-    /// Looks at the kitchen after a frame at the pace of the clock.
+    /// Looks at the kitchen after a frame at the pace of the clock. On a slow machine a whole toss passes between two pictures: what
+    /// is felt is judged here, frame by frame.
     pub fn look(&mut self, kitchen: &Kitchen) -> &ContactModel {
         self.model = self.watch.look(kitchen, FRAME_S);
         self.silent = 0.0;
+        if self.listened {
+            self.judge();
+        }
         &self.model
+    }
+
+    fn judge(&mut self) {
+        if self.rule.is_none() {
+            // The program's own file is whole, or nothing at all is felt.
+            self.rule = library::feel().ok().map(|feel| RumbleRule::new(&feel));
+        }
+        if let Some(rule) = &mut self.rule {
+            self.last = rule.step(&self.model, FRAME_S);
+            self.strongest = Some(self.strongest.map_or(self.last, |before| before.or(self.last)));
+        }
     }
 
     /// Another kitchen is shown.
@@ -36,16 +54,62 @@ impl Felt {
         self.watch.forget();
     }
 
-    /// Returns the rumble of a gamepad now, `wall` after the last call [s]; none while time is stopped or runs
-    /// faster.
+    /// Returns the rumble of a gamepad now, `wall` after the last call [s]: the strongest since then; none while time is stopped or
+    /// runs faster.
     pub fn rumble(&mut self, wall: f64) -> Rumble {
         self.listened = true;
         self.silent += wall;
-        if self.rule.is_none() {
-            // The program's own file is whole, or nothing at all is felt.
-            self.rule = library::feel().ok().map(|feel| RumbleRule::new(&feel));
+        let felt = self.strongest.take().unwrap_or(self.last);
+        if self.silent > SILENT_S + wall { Rumble::default() } else { felt }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use saute_kitchen::food::Rules;
+    use saute_kitchen::{Command, Library, MeshSize, OutlineKind, PieceOrder, kelvin};
+
+    fn kitchen_with_steak() -> Kitchen {
+        let library = Library::embedded().unwrap();
+        let mut kitchen = Kitchen::new(&library, "carbon-steel-26", kelvin(20.0)).unwrap();
+        let order = PieceOrder {
+            id: "steak".into(),
+            kind: "beef-lean".into(),
+            size: [0.10, 0.092, 0.035],
+            temperature: kelvin(5.0),
+            seed: 1,
+            coarseness: 3.0,
+            rules: Rules::Full,
+            mesh: MeshSize::Default,
+            outline: OutlineKind::Plain,
+        };
+        kitchen.add(&library, &order).unwrap();
+        kitchen.apply(&Command::Put { food: "steak".into(), at: [0.0, 0.0], heap: true }).unwrap();
+        kitchen
+    }
+
+    fn frames(felt: &mut Felt, kitchen: &mut Kitchen, frames: u32) {
+        for _ in 0..frames {
+            kitchen.advance_frame();
+            felt.look(kitchen);
         }
-        let (silent, model) = (self.silent > SILENT_S + wall, &self.model);
-        self.rule.as_mut().filter(|_| !silent).map_or_else(Rumble::default, |rule| rule.step(model, wall))
+    }
+
+    #[test]
+    fn a_toss_that_passes_between_two_pictures_is_felt() {
+        let (mut felt, mut kitchen) = (Felt::default(), kitchen_with_steak());
+        felt.rumble(0.016);
+        // Until now time went faster, and nothing was felt.
+        for _ in 0..60 {
+            kitchen.advance_frame();
+        }
+        felt.rumble(1.0);
+        kitchen.apply(&Command::Toss { height: 0.12 }).unwrap();
+        frames(&mut felt, &mut kitchen, 180);
+        let most = |rumble: Rumble| rumble.strong.max(rumble.weak);
+        assert!(most(felt.rumble(3.0)) > 0.1);
+        frames(&mut felt, &mut kitchen, 1);
+        assert!(most(felt.rumble(0.016)) < 0.05, "it is over");
     }
 }
