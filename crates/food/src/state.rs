@@ -16,6 +16,9 @@ pub struct Stretch {
     pub dome: f64,
     /// Logarithmic strain through the thickness that presses have left [-].
     pub flattened: f64,
+    /// Height of the waves of a thin slice from trough to crest [m].
+    #[serde(default)]
+    pub waves: f64,
     /// Share to which a limp piece of uneven height has sunk onto its upper face, as it lies on it turned over [-].
     #[serde(default)]
     pub draped: f64,
@@ -83,7 +86,7 @@ impl FoodState {
             lethality: zeros(),
             oiled: zeros(),
             open: vec![1.0; n],
-            stretch: Stretch { lateral: 1.0, axial: vec![1.0; n], dome: 0.0, flattened: 0.0, draped: 0.0 },
+            stretch: Stretch { lateral: 1.0, axial: vec![1.0; n], dome: 0.0, waves: 0.0, flattened: 0.0, draped: 0.0 },
             evaporated: 0.0,
             dripped: 0.0,
             rendered: 0.0,
@@ -143,16 +146,16 @@ impl FoodState {
             && all_finite(&self.scalars())
     }
 
-    /// Returns what belongs to no node: lateral stretch, dome, flattening and draping; masses evaporated, dripped and rendered.
-    pub(crate) fn scalars(&self) -> [f64; 7] {
-        let Stretch { lateral, dome, flattened, draped, .. } = self.stretch;
-        [lateral, dome, flattened, draped, self.evaporated, self.dripped, self.rendered]
+    /// Returns what belongs to no node: lateral stretch, dome, waves, flattening and draping; masses evaporated, dripped and rendered.
+    pub(crate) fn scalars(&self) -> [f64; 8] {
+        let Stretch { lateral, dome, waves, flattened, draped, .. } = self.stretch;
+        [lateral, dome, waves, flattened, draped, self.evaporated, self.dripped, self.rendered]
     }
 
     /// Sets what belongs to no node, in the order of [`Self::scalars`].
-    pub(crate) fn set_scalars(&mut self, scalars: [f64; 7]) {
-        let Stretch { lateral, dome, flattened, draped, .. } = &mut self.stretch;
-        [*lateral, *dome, *flattened, *draped, self.evaporated, self.dripped, self.rendered] = scalars;
+    pub(crate) fn set_scalars(&mut self, scalars: [f64; 8]) {
+        let Stretch { lateral, dome, waves, flattened, draped, .. } = &mut self.stretch;
+        [*lateral, *dome, *waves, *flattened, *draped, self.evaporated, self.dripped, self.rendered] = scalars;
     }
 
     /// Browning and charring of the part of a node's face that has come to brown [-].

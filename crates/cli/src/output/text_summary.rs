@@ -74,8 +74,9 @@ fn mass(f: &FoodSummary) -> String {
 
 fn shape(s: &Shape) -> String {
     let curl = if s.curl_deg > 0.0 { format!(", curled by {:.0}°", s.curl_deg) } else { String::new() };
+    let waves = if s.waves_mm > 0.0 { format!(", waves of {:.1} mm", s.waves_mm) } else { String::new() };
     format!(
-        "{:.1} % of its volume, {:.1} % across, {:.1} mm thick, domed {:.1} mm{curl}",
+        "{:.1} % of its volume, {:.1} % across, {:.1} mm thick, domed {:.1} mm{waves}{curl}",
         s.volume_pct, s.across_pct, s.thickness_mm, s.dome_mm
     )
 }

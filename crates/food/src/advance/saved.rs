@@ -29,7 +29,7 @@ struct SavedSound {
     /// Node fields that differ.
     fields: Vec<Option<Vec<f64>>>,
     /// What belongs to no node.
-    scalars: [f64; 7],
+    scalars: [f64; 8],
     ticks: u64,
     healthy: bool,
 }

@@ -26,6 +26,7 @@ mod slice;
 pub mod solid;
 mod stick;
 pub mod surface;
+mod waves;
 
 use saute_heat::{BodyMesh, Outline, Rule, SweptMesh};
 
@@ -44,6 +45,7 @@ pub use patch_pose::{PatchGeometry, PatchPose};
 pub use poured::pool;
 pub use solid::{Capsule, Solid};
 pub use surface::Surface;
+pub use waves::Waves;
 
 /// A meshed body before it is filled with food: mesh, faces and outline.
 #[derive(Clone, Debug)]
@@ -62,6 +64,8 @@ pub struct Body {
     pub natural: bool,
     /// How a poured food lies; none in other forms.
     pub pool: Option<Pool>,
+    /// Where the waves of a thin slice are; none in other foods.
+    pub waves: Option<Waves>,
 }
 
 impl Body {
@@ -99,7 +103,8 @@ impl Body {
 
     pub(crate) fn swept(size: [f64; 3], mesh: SweptMesh, outline: Outline) -> Self {
         let patches = patches(&mesh);
-        Self { size, patches, mesh: BodyMesh::Swept(mesh), outline, contracts: true, natural: false, pool: None }
+        let mesh = BodyMesh::Swept(mesh);
+        Self { size, patches, mesh, outline, contracts: true, natural: false, pool: None, waves: None }
     }
 }
 

@@ -4,6 +4,7 @@ use saute_heat::{BodyMesh, Layout};
 use serde::{Deserialize, Serialize};
 
 use crate::body::patch::{Face, Patch};
+use crate::body::Waves;
 use crate::body::rest_shape::RestShape;
 use crate::model::FoodModel;
 use crate::state::FoodState;
@@ -50,6 +51,8 @@ impl RestShape {
     /// Sets what the rest poses of the patches determine.
     pub(crate) fn place_patches(&mut self, poses: &[PatchPose]) {
         self.rest_normals = poses.iter().map(|p| p.normal).collect();
+        let waved = |waves: &Waves| poses.iter().map(|p| waves.at([p.position[0], p.position[1]])).collect();
+        self.waved = self.waves.as_ref().map(waved).unwrap_or_default();
         self.outwards = poses.iter().map(|p| self.outwards_at(p.position)).collect();
     }
 

@@ -47,10 +47,16 @@ impl FoodModel {
                 p[2] += state.stretch.dome * (0.5 - self.shape.outwards_at(self.shape.mesh.position(node)));
             }
         }
+        if let Some(waves) = self.shape.waves.as_ref().filter(|_| state.stretch.waves != 0.0) {
+            for (node, p) in positions.iter_mut().enumerate() {
+                let [x, y, _] = self.shape.mesh.position(node);
+                p[2] += state.stretch.waves * (waves.at([x, y]) - 0.5);
+            }
+        }
         positions
     }
 
-    /// As [`Self::positions`], without the dome, into a reused buffer.
+    /// As [`Self::positions`], without dome and waves, into a reused buffer.
     pub fn flat_positions_into(&self, state: &FoodState, positions: &mut Vec<[f64; 3]>) {
         positions.clear();
         positions.resize(self.shape.mesh.node_count(), [0.0; 3]);
@@ -131,20 +137,22 @@ impl FoodModel {
             let lowest = cells.surface.vertices.iter().map(|p| p[2]).fold(f64::INFINITY, f64::min);
             return -lowest * state.stretch.lateral;
         }
-        0.5 * (self.thickness(state) + state.stretch.dome.abs())
+        0.5 * (self.thickness(state) + state.stretch.dome.abs() + state.stretch.waves)
     }
 
-    /// Gap below a patch of the lower face that the dome of a bent slice causes, at a point of the rest shape [m].
+    /// Gap below a patch of the lower face that dome and waves of a bent slice cause, at a point of the rest shape [m].
     ///
     /// `up` is the world's upward direction in the body frame.
     pub fn dome_gap(&self, state: &FoodState, point: [f64; 2], up: [f64; 3]) -> f64 {
-        dome_gap(state, self.shape.outwards_at([point[0], point[1], 0.0]), up)
+        let waved = self.shape.waves.as_ref().map_or(0.0, |waves| wave_gap(state, waves.at(point), up));
+        dome_gap(state, self.shape.outwards_at([point[0], point[1], 0.0]), up) + waved
     }
 
     /// As [`Self::dome_gap`], below the middle of a patch [m].
     #[inline]
     pub fn patch_dome_gap(&self, state: &FoodState, patch: usize, up: [f64; 3]) -> f64 {
-        dome_gap(state, self.shape.outwards[patch], up)
+        let waved = self.shape.waved.get(patch).map_or(0.0, |at| wave_gap(state, *at, up));
+        dome_gap(state, self.shape.outwards[patch], up) + waved
     }
 }
 
@@ -153,6 +161,12 @@ impl FoodModel {
 fn dome_gap(state: &FoodState, out: f64, up: [f64; 3]) -> f64 {
     let upwards = state.stretch.dome * up[2];
     if upwards > 0.0 { upwards * (1.0 - out).max(0.0) } else { -upwards * out }
+}
+
+/// Gap that the waves cause at their relative height [m].
+#[inline]
+fn wave_gap(state: &FoodState, at: f64, up: [f64; 3]) -> f64 {
+    state.stretch.waves * if up[2] > 0.0 { at } else { 1.0 - at }
 }
 
 /// Present height of a column of a slice above its lowest level, level by level [m].

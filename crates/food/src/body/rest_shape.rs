@@ -5,7 +5,7 @@ use saute_heat::{BodyMesh, Layout, Outline, Probe, Station, SweptMesh};
 use crate::body::cell_body::{cell_core, middle_cut};
 use crate::body::halving::Halving;
 use crate::body::pool::Pool;
-use crate::body::{Body, Face, Patch, Surface};
+use crate::body::{Body, Face, Patch, Surface, Waves};
 use crate::paper_2013::Rules;
 
 /// Mesh of a piece, its faces towards the outside and its outline, at rest.
@@ -36,12 +36,16 @@ pub(crate) struct RestShape {
     pub(crate) halving: Option<Halving>,
     /// How a poured food lies; none in other forms.
     pub(crate) pool: Option<Pool>,
+    /// Where the waves of a thin slice are; none in other foods.
+    pub(crate) waves: Option<Waves>,
+    /// Height of the waves at each patch, 0 to 1 [-]; empty without waves.
+    pub(crate) waved: Vec<f64>,
 }
 
 impl RestShape {
     /// The rest shape of a body; a body under the rules of 2013 does not contract.
     pub(crate) fn new(body: Body, rules: Rules) -> Self {
-        let Body { size, mesh, outline, patches, contracts, natural, pool } = body;
+        let Body { size, mesh, outline, patches, contracts, natural, pool, waves } = body;
         let closed_below = !patches.iter().any(|p| p.face == Face::Bottom && p.area > 0.0);
         let (core, core_z) = core_of(&mesh, closed_below, middle(pool.as_ref()));
         let surface = mesh.swept().map(|swept| Surface::of(swept, &patches)).unwrap_or_default();
@@ -51,6 +55,8 @@ impl RestShape {
             rest_normals: Vec::new(),
             outwards: Vec::new(),
             halving: None,
+            waved: Vec::new(),
+            waves,
             pool,
             natural,
             mesh,

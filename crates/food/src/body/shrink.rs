@@ -82,6 +82,7 @@ impl FoodModel {
         let n = mesh.nodes_per_level();
         let rest = Rest::of(self);
         let mut plate = Plate::default();
+        let mut columns = vec![[0.0; 2]; if self.shape.waves.is_some() { n } else { 0 }];
         for (level, height) in mesh.layer_heights().iter().enumerate() {
             let (mut modulus, mut contraction) = (0.0, 0.0);
             for (i, area) in mesh.section.areas.iter().enumerate() {
@@ -90,7 +91,11 @@ impl FoodModel {
                 state.stretch.axial[node] = volume;
                 let e = area * self.node_modulus_kpa(state, node);
                 modulus += e;
-                contraction += e * self.free_contraction(state, node, volume);
+                let free = self.free_contraction(state, node, volume);
+                contraction += e * free;
+                if let Some(column) = columns.get_mut(i) {
+                    *column = [column[0] + height * e, column[1] + height * e * free];
+                }
             }
             let (z, mean) = (mesh.levels[level], contraction / modulus);
             plate.add(1e3 * modulus / mesh.section.area(), *height, z, mean);
@@ -98,6 +103,13 @@ impl FoodModel {
         let (mean, curvature, rigidity) = plate.bend();
         state.stretch.contract_across(mean);
         state.stretch.dome = self.dome(state, mesh.section.area(), curvature, rigidity);
+        if let Some(waves) = &self.shape.waves {
+            let weight = GRAVITY * state.mass(self) / mesh.section.area();
+            let stiff = self.kinetics.texture.relaxed_share * rigidity / (1.0 - POISSON * POISSON);
+            // As it dries it sets in its waves, which then sink no more.
+            let now = waves.height(spread(&columns), self.thickness(state), stiff, weight);
+            state.stretch.waves = state.stretch.waves.max(now);
+        }
     }
 
     /// Logarithmic contraction across the fibres of a free node at its relative volume [-].
@@ -130,6 +142,15 @@ impl FoodModel {
         let now: f64 = volume.iter().enumerate().map(|(i, v)| v * rest.relative_volume(self, state, i)).sum();
         now / volume.iter().sum::<f64>()
     }
+}
+
+/// Root of the mean square by which the columns of a slice would contract differently, as their elastic energies weigh it [-];
+/// stiffness and stiffness × contraction of each.
+fn spread(columns: &[[f64; 2]]) -> f64 {
+    let [stiffness, moment] = columns.iter().fold([0.0; 2], |sum, column| [sum[0] + column[0], sum[1] + column[1]]);
+    let mean = moment / stiffness;
+    let one = |[stiff, moment]: &[f64; 2]| stiff * (moment / stiff - mean) * (moment / stiff - mean);
+    libm::sqrt(columns.iter().map(one).sum::<f64>() / stiffness)
 }
 
 impl Stretch {

@@ -3,7 +3,7 @@
 use saute_heat::{MeshError, Outline, Section, SweptMesh, graded_levels};
 
 use crate::body::natural::Variation;
-use crate::body::{Body, even_levels, harmonics, paper_mesh, rule};
+use crate::body::{Body, Waves, even_levels, harmonics, paper_mesh, rule};
 use crate::build_error::BuildError;
 use crate::description::FoodDescription;
 use crate::piece_spec::PieceSpec;
@@ -35,7 +35,8 @@ impl Body {
         };
         let further = |p| natural.as_ref().map_or(0.0, |natural| natural.thickness(p));
         let mesh = SweptMesh::uneven(section, levels, |p| unevenness(description, piece, p) + further(p), rule(piece));
-        Ok(Self::swept(piece.size, mesh, outline))
+        let waves = description.outline.waves_mm.map(|length| Waves::new(1e-3 * length, piece.size[1], piece.seed));
+        Ok(Self { waves, ..Self::swept(piece.size, mesh, outline) })
     }
 }
 

@@ -48,6 +48,11 @@ sourced_table! {
         #[serde(default)]
         #[schemars(length(max = 200), inner(inner(range(min = -1.0, max = 1.0))), extend("examples" = [[[-1.0, -1.0], [1.0, -1.0], [0.0, 1.0]]]))]
         corners: Vec<[f64; 2]>,
+        /// Length of the waves that a thin slice throws where its streaks contract differently, from crest to crest [mm]; absent in
+        /// foods that lie flat.
+        #[serde(default)]
+        #[schemars(range(min = 15.0, max = 150.0), example = 45.0)]
+        waves_mm: Option<f64>,
         /// Largest difference of the thickness between two ends, relative to its mean [-].
         #[serde(default)]
         #[schemars(range(min = 0.0, max = 0.3), example = 0.05)]
@@ -178,6 +183,7 @@ impl OutlineShape {
         Self {
             exponent: 2.0,
             ripple: 0.0,
+            waves_mm: None,
             corners: Vec::new(),
             wedge: 0.0,
             bumps: 0.0,

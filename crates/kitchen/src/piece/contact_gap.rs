@@ -51,6 +51,9 @@ sourced_table! {
         /// [W/(m²·K)].
         #[schemars(range(min = 0.0, max = 1e5), example = 300.0)]
         steam_w_m2k: f64,
+        /// Thickness of the fat that gathers below a slice that waves over that of the film around it [-].
+        #[schemars(range(min = 1.0, max = 20.0), example = 4.0)]
+        wave_film: f64,
         /// Standard deviation of the gap along the face [mm].
         #[schemars(range(min = 0.0, max = 100.0), example = 0.045)]
         unevenness_mm: f64,

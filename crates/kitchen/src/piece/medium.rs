@@ -112,7 +112,7 @@ impl Piece {
         self.stand_in_oil(&pan.liquids.bath, state);
         self.stand_in_water(&pan.liquids.bath, state, dt);
         if self.media.in_water.is_empty() && self.media.steam > 0.0 {
-            self.stand_in_steam(mean, room);
+            self.stand_in_steam(state, mean, room);
         }
     }
 
@@ -179,10 +179,10 @@ impl Piece {
     }
 
     /// Heat from the steam that rises below the piece to the patches that do not lie; no more than the steam contains.
-    fn stand_in_steam(&mut self, mean: f64, room: &Room) {
+    fn stand_in_steam(&mut self, pan: &PanState, mean: f64, room: &Room) {
         let near = core::mem::take(&mut self.on_pan.near.patches);
         let lifted = |piece: &Self, n: &crate::pan::near_pan::NearPatch| {
-            let share = piece.lifted_share(n, mean, room);
+            let share = piece.lifted_share(n, pan, mean, room);
             let colder = (STEAM - piece.state.temperature[piece.node_of(n.patch)]).max(0.0);
             (share, share * colder * piece.patch_area(n.patch as usize) * room.contact.steam_w_m2k)
         };

@@ -396,7 +396,7 @@ impl Piece {
             mean = face.mean_gap(&room.contact);
             for n in &near {
                 let gap = self.gap_below(n, mean);
-                self.oil(n, lifted_share(gap - mean, room), pan_state, room);
+                self.oil(n, self.lifted_share(n, pan_state, mean, room), pan_state, room);
                 self.touch[n.patch as usize] = self.pan_touch(n, &face, gap, (pan, pan_state), room);
                 if let Some(ridges) = pan.ridges.filter(|_| self.state.ticks.is_multiple_of(REFRESH_TICKS)) {
                     self.sear_strip(n, &face, mean, (&ridges, pan_state), room);
@@ -412,7 +412,7 @@ impl Piece {
 
     /// Oils the node of a patch that is in a film; the film does not reach the share of a patch that is lifted off it.
     fn oil(&mut self, near: &NearPatch, lifted: f64, pan: &PanState, room: &Room) {
-        let film = pan.oil_film(&near.located);
+        let film = self.film_below(near, pan, room);
         let node = self.node_of(near.patch);
         let lies = 1.0 - lifted;
         let covers = lies * film / (film + 1e-3 * room.oil.clinging_mm);
@@ -442,8 +442,23 @@ impl Piece {
     }
 
     /// Share of a patch near the pan that is lifted off it by more than the gap of a face that lies [-].
-    pub(crate) fn lifted_share(&self, near: &NearPatch, mean: f64, room: &Room) -> f64 {
-        lifted_share(self.gap_below(near, mean) - mean, room)
+    pub(crate) fn lifted_share(&self, near: &NearPatch, pan: &PanState, mean: f64, room: &Room) -> f64 {
+        let gap = self.gap_below(near, mean);
+        let lifted = lifted_share(gap - mean, room);
+        if !self.waves() || lifted == 0.0 {
+            return lifted;
+        }
+        lifted * (1.0 - (self.film_below(near, pan, room) / gap).min(1.0))
+    }
+
+    /// Thickness of the film of fat below a patch near the pan: below a slice that waves it gathers [m].
+    fn film_below(&self, near: &NearPatch, pan: &PanState, room: &Room) -> f64 {
+        pan.oil_film(&near.located) * if self.waves() { room.contact.wave_film } else { 1.0 }
+    }
+
+    /// Returns true if the piece is a thin slice that waves.
+    fn waves(&self) -> bool {
+        self.state.stretch.waves > 0.0
     }
 
     fn pan_touch(
@@ -455,7 +470,7 @@ impl Piece {
         room: &Room,
     ) -> Touch {
         let (contact, located, node) = (&room.contact, &near.located, self.node_of(near.patch));
-        let face = FaceContact { film: pan.oil_film(located), ..*face };
+        let face = FaceContact { film: self.film_below(near, pan, room), ..*face };
         let temperature = pan.metal_at(located);
         let surface = &self.model.description().surface;
         let gap = PatchGap { thickness, pan: temperature, wetness: self.wetness(node) };

@@ -37,6 +37,7 @@ impl FoodBody {
             contracts: case.shape != Shape::Sphere,
             natural: false,
             pool: None,
+            waves: None,
         };
         let CookingCase { food, kinetics, components, .. } = cooking;
         let model = FoodModel::fill_body(food, kinetics, components, body, 1, Rules::Full)?;

@@ -321,6 +321,8 @@ pub struct Shape {
     pub thickness_mm: f64,
     /// Height of the middle of the lower face above its rim [mm]; negative if the rim is higher.
     pub dome_mm: f64,
+    /// Height of the waves of a thin slice from trough to crest [mm]; 0 for others.
+    pub waves_mm: f64,
     /// Curl angle of a body that curls, such as a shrimp [°]; 0 for others.
     pub curl_deg: f64,
 }
@@ -482,6 +484,7 @@ impl FoodSummary {
                 across_pct: 100.0 * state.stretch.lateral,
                 thickness_mm: 1e3 * model.thickness(state),
                 dome_mm: 1e3 * upwards * state.stretch.dome,
+                waves_mm: 1e3 * state.stretch.waves,
                 curl_deg: model.curl(state).to_degrees(),
             },
             log_reduction: LogReduction {

@@ -138,6 +138,7 @@ impl Pieces<'_> {
             across_pct: self.mean(|p| p.shape.across_pct),
             thickness_mm: self.mean(|p| p.shape.thickness_mm),
             dome_mm: self.mean(|p| p.shape.dome_mm),
+            waves_mm: self.mean(|p| p.shape.waves_mm),
             curl_deg: self.mean(|p| p.shape.curl_deg),
         }
     }
