@@ -82,7 +82,8 @@ pub fn order(args: &PlanArgs, data: &DataLibrary) -> Result<Order, CliError> {
     }
     let crust_pct = args.crust_pct.unwrap_or_else(|| food.crust_pct());
     ranged("--crust-pct", crust_pct, [0.0, 100.0], "%")?;
-    let most_flips = args.max_flips.unwrap_or(if args.plain { PLAIN_FLIPS } else { USUAL_FLIPS });
+    let most_flips =
+        args.max_flips.unwrap_or_else(|| food.most_flips(if args.plain { PLAIN_FLIPS } else { USUAL_FLIPS }));
     ranged("--max-flips", most_flips as f64, [0.0, MOST_FLIPS as f64], "flips")?;
     let wish: Wish = args.target.parse().map_err(|error| of_target(args, &error))?;
     let mut order = Order {
@@ -94,6 +95,8 @@ pub fn order(args: &PlanArgs, data: &DataLibrary) -> Result<Order, CliError> {
         pan: args.pan.clone(),
         hob_w: powers(args, library)?,
         most_flips,
+        most_rest_s: food.most_rest_s(),
+        pan_c: food.plan_pan_c(),
         plain: args.plain,
         // Replaced below: only a food that was built states which scales fit it.
         goal: Goal::new(&Wish::Core(60.0), &Scale::clone(&library.scales[0]), crust_pct)

@@ -31,7 +31,16 @@ impl Body {
             Patch { node: p.node, face, air: air as usize, area: p.area }
         });
         let patches = patches.collect();
-        Ok(Self { size, mesh: BodyMesh::from(cells), outline, patches, contracts: true, natural: false, pool: None, waves: None })
+        Ok(Self {
+            size,
+            mesh: BodyMesh::from(cells),
+            outline,
+            patches,
+            contracts: true,
+            natural: false,
+            pool: None,
+            waves: None,
+        })
     }
 }
 

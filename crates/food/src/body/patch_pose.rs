@@ -3,8 +3,8 @@
 use saute_heat::{BodyMesh, Layout};
 use serde::{Deserialize, Serialize};
 
-use crate::body::patch::{Face, Patch};
 use crate::body::Waves;
+use crate::body::patch::{Face, Patch};
 use crate::body::rest_shape::RestShape;
 use crate::model::FoodModel;
 use crate::state::FoodState;

@@ -7,14 +7,12 @@ use crate::tissue::noise::uniform;
 /// Shares of the wave of the stated length and of one that is longer, whose sum never repeats over a slice [-] (chosen by eye).
 const SHARES: [f64; 2] = [0.7, 0.3];
 const LONGER: f64 = 1.7;
-/// Height of the waves halfway between both long edges over that at the edges [-] (chosen by eye: edges are free).
-const MIDDLE: f64 = 0.6;
 /// Shift of the waves from edge to edge over their length [-] (chosen by eye: crests do not run straight across).
 const SLANT: f64 = 0.35;
-/// Steepness of a wave whose troughs and crests are level, over that of a sine [-] (chosen: a limp slice lies on its troughs), and
-/// its excess of length over that of a sine of the same height: 2.25 (1.226/1.571).
-const STEEP: f64 = 1.5;
-const LONGER_THAN_SINE: f64 = 1.757;
+/// Steepness of a wave whose troughs and crests are level, over that of a sine [-] (chosen: a limp slice lies on a quarter of its face),
+/// and its excess of length over that of a sine of the same height and length [-] (computed).
+const STEEP: f64 = 2.0;
+const LONGER_THAN_SINE: f64 = 1.541;
 /// Poisson's ratio of meat [-] (nearly incompressible: 0.5).
 const POISSON: f64 = 0.5;
 
@@ -41,9 +39,9 @@ impl Waves {
     pub(crate) fn at(&self, [x, y]: [f64; 2]) -> f64 {
         let across = 2.0 * y / self.width;
         let turns = x / self.length + 0.5 * self.slant * across;
-        let wave = SHARES[0] * libm::cos(TAU * turns + self.phases[0]) + SHARES[1] * libm::cos(TAU * turns / LONGER + self.phases[1]);
-        let free = MIDDLE + (1.0 - MIDDLE) * (across * across).min(1.0);
-        0.5 + 0.5 * free * (STEEP * wave).clamp(-1.0, 1.0)
+        let wave = SHARES[0] * libm::cos(TAU * turns + self.phases[0])
+            + SHARES[1] * libm::cos(TAU * turns / LONGER + self.phases[1]);
+        0.5 + 0.5 * (STEEP * wave).clamp(-1.0, 1.0)
     }
 
     /// Height from trough to crest [m] of a plate with an excess of length [-], a thickness [m], a rigidity per width [N·m] and a
@@ -68,13 +66,25 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_sine_of_its_height_has_the_excess_of_length() {
-        let (length, excess) = (0.040, 0.02);
-        let height = Waves::new(length, 0.03, 1).height(excess, 1e-6, 1.0, 0.0);
-        let slope = |x: f64| PI * height / length * libm::cos(TAU * x / length);
-        let steps = 4000;
-        let run: f64 = (0..steps).map(|k| (1.0 + slope(length * f64::from(k) / f64::from(steps)).powi(2)).sqrt()).sum();
-        assert!((run / f64::from(steps) - 1.0 - excess).abs() < 0.02 * excess, "{}", run / f64::from(steps));
+    fn waves_of_their_height_have_the_excess_of_length() {
+        let (length, excess, step) = (0.040, 0.02, 5e-5);
+        let waves = Waves::new(length, 0.03, 7);
+        let height = waves.height(excess, 1e-6, 1.0, 0.0);
+        let rise = |k: u32| height * (waves.at([step * f64::from(k + 1), 0.0]) - waves.at([step * f64::from(k), 0.0]));
+        // 17 waves are 10 of the longer ones.
+        let steps = 13_600;
+        let longer = (0..steps).map(|k| 0.5 * (rise(k) / step).powi(2)).sum::<f64>() / f64::from(steps);
+        assert!((longer / excess - 1.0).abs() < 0.02, "{longer}");
+    }
+
+    #[test]
+    fn troughs_and_crests_are_level() {
+        let waves = Waves::new(0.040, 0.03, 7);
+        let at = |k: u32| waves.at([1e-4 * f64::from(k), 0.0]);
+        for side in [0.0, 1.0] {
+            let level = (0..6800).filter(|k| (at(*k) - side).abs() < 0.05).count();
+            assert!((1300..2100).contains(&level), "{level} of 6800 at {side}");
+        }
     }
 
     #[test]

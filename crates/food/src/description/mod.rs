@@ -83,6 +83,10 @@ pub enum Flesh {
     Plain,
 }
 
+/// Temperature of the pan with which plans begin, the lowest and the highest that they try [°C] (chosen: the shipped recipes have
+/// 180–220 °C), and how far they go from one that a food states [K] (chosen).
+const PLAN_PAN_C: [u32; 3] = [200, 140, 230];
+const PLAN_PAN_K: u32 = 20;
 /// Protein from which flesh without a second tissue is muscle (chosen: no plant that is fried raw has as much).
 const MUSCLE_PROTEIN: f64 = 0.10;
 
@@ -92,6 +96,18 @@ sourced_table! {
         /// Share of each face that is browned [%].
         #[schemars(range(min = 0.0, max = 100.0), example = 60.0)]
         crust_pct: f64,
+        /// Times that a plan turns it at most [-]; as often as the cook allows without it.
+        #[serde(default)]
+        #[schemars(range(min = 0, max = 40), example = 1)]
+        most_flips: Option<u32>,
+        /// Time that a plan lets it rest at most [s]; until its core has peaked without it.
+        #[serde(default)]
+        #[schemars(range(min = 0, max = 600), example = 20)]
+        most_rest_s: Option<u32>,
+        /// Temperature of the pan about which plans put it in [°C]; 140 to 230 without it.
+        #[serde(default)]
+        #[schemars(range(min = 80, max = 250), example = 140)]
+        pan_c: Option<u32>,
     }
 }
 
@@ -185,6 +201,23 @@ impl FoodDescription {
             () => Flesh::Plain,
         };
         self.flesh.unwrap_or_else(suggested)
+    }
+
+    /// Temperature of the pan with which plans for it begin, and the lowest and highest that they try [°C].
+    pub fn plan_pan_c(&self) -> [u32; 3] {
+        let stated = self.served.as_ref().and_then(|served| served.pan_c);
+        stated.map_or(PLAN_PAN_C, |c| [c, c.saturating_sub(PLAN_PAN_K), c + PLAN_PAN_K])
+    }
+
+    /// Times that a plan turns it at most, given those of other foods [-].
+    pub fn most_flips(&self, usual: usize) -> usize {
+        let stated = self.served.as_ref().and_then(|served| served.most_flips);
+        stated.map_or(usual, |most| usual.min(most as usize))
+    }
+
+    /// Time that a plan lets it rest at most [s]; none where it rests until its core has peaked.
+    pub fn most_rest_s(&self) -> Option<u32> {
+        self.served.as_ref().and_then(|served| served.most_rest_s)
     }
 
     /// Share of each face that is browned unless the cook states another [%].

@@ -293,9 +293,10 @@ impl Kitchen {
     /// A poured food lands at a place and begins to run; other food stays as it is. Returns where its middle is.
     fn pour_out(&mut self, index: usize, at: [f64; 2]) -> [f64; 2] {
         let fixed = Arc::clone(&self.fixed);
+        let Some(running) = Running::landed(&self.pieces[index].model, at, &fixed.pan) else { return at };
+        let taken = self.under_others(index, &running, fixed.pan.section.points.len());
         let piece = &mut self.pieces[index];
-        let Some(running) = Running::landed(&piece.model, at, &fixed.pan) else { return at };
-        let Some(pose) = piece.repour(&running, &fixed.pan, &fixed.room) else { return at };
+        let Some(pose) = piece.repour(&running, &taken, (&fixed.pan, &fixed.room)) else { return at };
         piece.running = Some(running);
         [pose.position.x, pose.position.y]
     }

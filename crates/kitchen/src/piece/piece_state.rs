@@ -24,7 +24,7 @@ use crate::piece::layout::Footprint;
 use crate::piece::medium::Media;
 use crate::piece::pan_contact::PanContact;
 use crate::piece::piece_shape::PieceShape;
-use crate::piece::running::Running;
+use crate::piece::running::{Running, lands_on};
 use crate::piece::sear_lines::SearRecord;
 
 /// Place of a piece.
@@ -255,8 +255,11 @@ impl Piece {
         self.shape.poses()
     }
 
-    /// Footprint on a floor in its present orientation.
+    /// Footprint on a floor in its present orientation; of what has still to be poured, that with which it lands.
     pub fn footprint(&self) -> Footprint {
+        if self.place == Place::Waiting && self.model.pool().is_some() {
+            return lands_on();
+        }
         Footprint::of(&outline(&self.model.solid(&self.state), self.pose.rotation))
     }
 

@@ -46,7 +46,7 @@ impl Kitchen {
             if !piece.in_pan() || !piece.state.healthy {
                 continue;
             }
-            let taken = self.under_others(index, fixed.pan.section.points.len());
+            let taken = self.under_others(index, &running, fixed.pan.section.points.len());
             let seen = piece.pose.seen_from(&self.world.motion.pose);
             let lies = Lies { model: &piece.model, state: &piece.state, seen, gravity, taken: &taken };
             running.run(&lies, &fixed.pan, TICK_S);
@@ -56,7 +56,7 @@ impl Kitchen {
                 running.moved = 0.0;
             }
             let piece = &mut self.pieces[index];
-            let pose = if takes_shape { piece.repour(&running, &fixed.pan, &fixed.room) } else { None };
+            let pose = if takes_shape { piece.repour(&running, &taken, (&fixed.pan, &fixed.room)) } else { None };
             piece.running = (!sets).then_some(running);
             if let Some(pose) = pose {
                 self.lay_poured(index, &pose);
@@ -79,10 +79,15 @@ impl Kitchen {
         self.world.add(key, solid, mass, &placed);
     }
 
-    /// Nodes of the pan under other pieces, where nothing runs.
-    fn under_others(&self, index: usize, nodes: usize) -> Vec<bool> {
+    /// Nodes of the pan under other pieces, where nothing runs: of what runs itself, those at which there is more of it.
+    pub(crate) fn under_others(&self, index: usize, own: &Running, nodes: usize) -> Vec<bool> {
         let mut taken = vec![false; nodes];
         for (_, other) in self.pieces.iter().enumerate().filter(|(k, _)| *k != index) {
+            if let Some(running) = &other.running {
+                let more = |node: usize| running.white(node) > own.white(node);
+                taken.iter_mut().enumerate().for_each(|(node, taken)| *taken |= more(node));
+                continue;
+            }
             for near in other.near_patches() {
                 let located = near.located.nodes.iter().zip(near.located.weights);
                 located.filter(|(_, weight)| *weight > UNDER).for_each(|(node, _)| taken[*node as usize] = true);
@@ -94,8 +99,13 @@ impl Kitchen {
 
 impl Piece {
     /// Gives the body the shape of its film; returns its pose in the pan's frame, or none if it cannot be meshed and keeps its shape.
-    pub(crate) fn repour(&mut self, running: &Running, pan: &PanModel, room: &Room) -> Option<Pose> {
-        let (pool, middle) = running.pool(pan, self.model.description().pour.as_ref()?.edge_mm)?;
+    pub(crate) fn repour(
+        &mut self,
+        running: &Running,
+        taken: &[bool],
+        (pan, room): (&PanModel, &Room),
+    ) -> Option<Pose> {
+        let (pool, middle) = running.pool(pan, taken, self.model.description().pour.as_ref()?.edge_mm)?;
         let spec = PieceSpec { pool: Some(pool), ..self.spec };
         if !spec.has_sound_pool() {
             return None;
@@ -116,8 +126,9 @@ impl Piece {
 }
 
 impl Running {
-    /// The shape of the film about its middle, and that middle in the pan's frame [m]; none if there is no film.
-    fn pool(&self, pan: &PanModel, edge_mm: f64) -> Option<(Pool, [f64; 2])> {
+    /// The shape of the film about its middle, and that middle in the pan's frame [m]; none if there is no film. Half way to a node
+    /// that is taken by others it ends.
+    fn pool(&self, pan: &PanModel, taken: &[bool], edge_mm: f64) -> Option<(Pool, [f64; 2])> {
         let bed = &pan.liquids.bed;
         let height: Vec<f64> = (0..self.thin.len()).map(|i| self.white(i) * bed.per_area[i]).collect();
         let least = EDGE * 1e-3 * edge_mm;
@@ -130,7 +141,11 @@ impl Running {
             let angle = core::f64::consts::TAU * k as f64 / DIRECTIONS as f64;
             [middle[0] + r * libm::cos(angle), middle[1] + r * libm::sin(angle)]
         };
-        let wet = |p: [f64; 2]| at(p) > least || self.dome.top(p).is_some();
+        let is_free = |p: [f64; 2]| {
+            let Located { nodes, weights } = pan.locator.locate_or_nearest(&pan.section, p);
+            (0..3).filter(|k| taken[nodes[*k] as usize]).map(|k| weights[k]).sum::<f64>() < 0.5
+        };
+        let wet = |p: [f64; 2]| (at(p) > least || self.dome.top(p).is_some()) && is_free(p);
         let edge = |k: usize| {
             let steps = (FARTHEST / RAY) as usize;
             let dry = (1..steps).find(|i| !wet(towards(k, *i as f64 * RAY))).unwrap_or(steps);

@@ -15,6 +15,7 @@ use crate::dynamics::Pose;
 use crate::liquids::film_flow::{FilmFlow, Manner, Sweep};
 use crate::pan::bed::Bed;
 use crate::pan::pan_model::PanModel;
+use crate::piece::layout::Footprint;
 
 /// Radii in which thick and thin white land [m] (chosen: an egg cracked close above the pan).
 const LANDS: [f64; 2] = [0.034, 0.046];
@@ -60,6 +61,15 @@ pub(crate) struct Lies<'a> {
     pub(crate) gravity: [f64; 3],
     /// Nodes of the pan under other pieces.
     pub(crate) taken: &'a [bool],
+}
+
+/// Footprint with which an egg lands; it runs on from there, around what lies beside it.
+pub(crate) fn lands_on() -> Footprint {
+    let corners = 72;
+    let corner = |k: u32| core::f64::consts::TAU * f64::from(k) / f64::from(corners);
+    let outline: Vec<[f64; 2]> =
+        (0..corners).map(|k| [LANDS[1] * libm::cos(corner(k)), LANDS[1] * libm::sin(corner(k))]).collect();
+    Footprint::of(&outline)
 }
 
 impl Running {

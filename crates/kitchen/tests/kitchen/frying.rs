@@ -250,3 +250,34 @@ fn hotter_is_never_slower_nor_paler_on_any_plain_pan() {
     }
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 }
+
+/// Streaks of lean shorten beside streaks of fat: bacon waves, lies on its troughs with either face, and browns on both where it lies.
+#[test]
+fn bacon_waves_and_browns_where_it_lies_and_a_steak_lies_flat() {
+    let slice = |kind: &str, size: &str| {
+        recipe(
+            "kind = \"carbon-steel-26\"; initial_c = 165; oil_g = 3",
+            &format!("id = \"slice\"; kind = \"{kind}\"; size_mm = {size}; initial_c = 6; coarseness = 1.5"),
+            &steps(&["hob_w = 500", "put = \"slice\"", "after_s = 150; flip = \"slice\"", "after_s = 150; end = true"]),
+        )
+    };
+    let mut highest_mm = Vec::new();
+    let wave = |kitchen: &Kitchen| 1e3 * kitchen.pieces()[0].state.stretch.waves;
+    let bacon = watched(&library(), &slice("bacon", "[100, 32, 2.6]"), |kitchen| highest_mm.push(wave(kitchen)));
+    assert!(highest_mm.is_sorted() && highest_mm[0] == 0.0, "it sets in its waves");
+    let last_mm = *highest_mm.last().expect("ticks");
+    assert!((0.5..6.0).contains(&last_mm), "{last_mm} mm");
+    let piece = &bacon.kitchen.pieces()[0];
+    for up in [[0.0, 0.0, 1.0], [0.0, 0.0, -1.0]] {
+        let gaps = || piece.model.patches_below(up).map(|patch| piece.model.patch_dome_gap(&piece.state, patch, up));
+        let lie = gaps().filter(|gap| *gap < 0.1e-3).count();
+        let lifted = gaps().filter(|gap| *gap > 0.5e-3).count();
+        assert!(
+            lie > gaps().count() / 6 && lifted > gaps().count() / 6,
+            "{lie} lie and {lifted} are lifted of {}",
+            gaps().count()
+        );
+    }
+    let steak = watched(&library(), &slice("beef-lean", "[100, 60, 15]"), |_| ());
+    assert_eq!(wave(&steak.kitchen), 0.0);
+}

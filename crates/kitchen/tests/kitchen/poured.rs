@@ -72,6 +72,35 @@ fn it_runs_on_a_cold_pan_and_has_set_within_seconds_on_a_hot_one() {
     assert!(!hot.pieces()[0].runs(), "a hot pan sets it");
 }
 
+/// Two eggs are poured side by side into a pan of 26 cm: they run up to each other, and lap over each other by a node of the pan at
+/// most (8 mm).
+#[test]
+fn two_eggs_lie_side_by_side_and_balance() {
+    let library = library();
+    let mut kitchen = Kitchen::with_oil(&library, "carbon-steel-26", kelvin(140.0), 0.005).expect("kitchen");
+    let ids = ["egg.1", "egg.2"].map(str::to_owned);
+    for (seed, id) in ids.iter().enumerate() {
+        kitchen.add(&library, &PieceOrder { id: id.clone(), seed: seed as u64, ..order(&library) }).expect("is added");
+    }
+    let places = kitchen.free_places(&ids, [0.0, 0.0]);
+    assert_eq!(places.len(), 2, "{places:?}");
+    for (id, at) in ids.iter().zip(places) {
+        kitchen.apply(&Command::Put { food: id.clone(), at, heap: false }).expect("is poured");
+    }
+    kitchen.apply(&Command::Hob(800.0)).expect("hob");
+    run(&mut kitchen, 120.0);
+    let [a, b] = [0, 1].map(|k| &kitchen.pieces()[k]);
+    assert!(!a.runs() && !b.runs(), "both have set");
+    assert!(imbalance(&kitchen) < 1e-9);
+    let inside = |[x, y]: [f64; 2]| {
+        let seen = b.pose.to_body(a.pose.to_world(glam::DVec3::new(0.8 * x, 0.8 * y, 0.0)));
+        b.model.outline().contains([seen.x, seen.y])
+    };
+    let outline = &a.model.outline().points;
+    let under = outline.iter().filter(|p| inside(**p)).count();
+    assert!(under <= outline.len() / 20, "{under} of {} points of the outline lie in the other egg", outline.len());
+}
+
 /// Thick white of an old egg stands half as high: it lies wider.
 #[test]
 fn an_old_egg_runs_farther_than_a_fresh_one() {

@@ -75,15 +75,16 @@ impl Asked {
     /// If food, target or pan mean nothing, or a size is out of range.
     pub fn order(&self, library: &Library) -> Result<Order, AskedError> {
         let Self { food, size_mm, initial_c, count, hob, pan, most_flips, plain, target, crust_pct, .. } = self.clone();
-        if !library.foods.contains_key(&food) {
-            return Err(AskedError::Food(food));
-        }
+        let Some(cooked) = library.foods.get(&food) else { return Err(AskedError::Food(food)) };
+        let (most_flips, most_rest_s, pan_c) =
+            (cooked.most_flips(most_flips), cooked.most_rest_s(), cooked.plan_pan_c());
         let wish: Wish = target.parse()?;
         let scale = scale_for(library, &food, &self.scale).or(library.scales.first());
         let scale = scale.ok_or_else(|| AskedError::Food(food.clone()))?;
         let goal = Goal::new(&wish, scale, crust_pct)?;
         let hob_w = self.powers(library.hob.largest_w());
-        let order = Order { food, size_mm, initial_c, count, hob, pan, hob_w, most_flips, plain, goal };
+        let order =
+            Order { food, size_mm, initial_c, count, hob, pan, hob_w, most_flips, most_rest_s, pan_c, plain, goal };
         order.check(library, 1.0)?;
         Ok(order)
     }
@@ -126,6 +127,17 @@ mod tests {
         assert_eq!((order.goal.scale.id.as_str(), order.hob_w), ("shrimp", vec![400.0, 2000.0]));
         let chefs: Vec<&str> = scales_for(&library, "beef-lean").iter().map(|scale| scale.id.as_str()).collect();
         assert!(chefs.contains(&"chefs") && !chefs.contains(&"shrimp"), "{chefs:?}");
+    }
+
+    #[test]
+    fn an_egg_is_turned_once_and_served_at_once() {
+        let library = Library::embedded().unwrap();
+        let egg = || Asked { food: "egg".into(), size_mm: vec![110.0, 5.1], target: "runny".into(), ..asked() };
+        let order = egg().order(&library).unwrap();
+        assert_eq!((order.most_flips, order.most_rest_s, order.pan_c), (1, Some(60), [140, 120, 160]));
+        assert_eq!(Asked { most_flips: 0, ..egg() }.order(&library).unwrap().most_flips, 0, "the cook's own word");
+        let other = asked().order(&library).unwrap();
+        assert_eq!((other.most_flips, other.most_rest_s, other.pan_c), (2, None, [200, 140, 230]));
     }
 
     #[test]

@@ -3,8 +3,6 @@
 use crate::schedule::seeds::LEAST_EVERY_S;
 use crate::schedule::{Draft, Order};
 
-/// Temperatures of the pan at which food goes in [°C] (chosen: below, hardly anything browns; above, oil smokes).
-const PREHEAT_C: [u32; 2] = [140, 230];
 /// Longest time until the power changes [s] (chosen).
 const LATEST_CHANGE_S: u32 = 900;
 
@@ -43,9 +41,9 @@ pub(crate) fn neighbours(draft: &Draft, changed_s: Option<u32>, order: &Order, s
     };
     // Where it makes no difference there is only one draft.
     all.retain(Draft::is_distinct);
-    let [low, high] = PREHEAT_C;
+    let [_, low, high] = order.pan_c;
     all.push(Draft { preheat_c: (draft.preheat_c + stride.preheat_k).min(high), ..*draft });
-    all.push(Draft { preheat_c: (draft.preheat_c - stride.preheat_k).max(low), ..*draft });
+    all.push(Draft { preheat_c: draft.preheat_c.saturating_sub(stride.preheat_k).max(low), ..*draft });
     all.extend(rhythms(draft, order, stride));
     all
 }

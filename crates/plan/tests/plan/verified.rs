@@ -46,7 +46,13 @@ impl Combination {
             hob: None,
             pan: pan.to_owned(),
             hob_w: if hob_w.is_empty() { dial() } else { numbers(hob_w) },
-            most_flips: if is_plain { PLAIN_FLIPS } else { flips.parse().unwrap_or(FLIPS) },
+            most_flips: library.foods[food].most_flips(if is_plain {
+                PLAIN_FLIPS
+            } else {
+                flips.parse().unwrap_or(FLIPS)
+            }),
+            most_rest_s: library.foods[food].most_rest_s(),
+            pan_c: library.foods[food].plan_pan_c(),
             plain: is_plain,
             goal,
         };
@@ -197,6 +203,8 @@ fn coin(library: &Library) -> Order {
         pan: "aluminium-26".to_owned(),
         hob_w: vec![800.0],
         most_flips: 1,
+        most_rest_s: None,
+        pan_c: [200, 140, 230],
         plain: false,
         goal,
     }

@@ -83,7 +83,8 @@ impl Cooking {
             self.cook_second()?;
         }
         if self.is_time_to_rest() {
-            let rest_s = (self.job.pull == Pull::AtItsTime).then_some(self.job.schedule.rest_s);
+            let rest_s =
+                (self.job.pull == Pull::AtItsTime).then_some(self.job.schedule.rest_s).or(self.job.order.most_rest_s);
             let goal = &self.job.order.goal;
             self.resting = Some(Resting::begin(self.stove(), self.at_s, goal, rest_s));
         }
