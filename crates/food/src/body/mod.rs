@@ -6,8 +6,7 @@
 //! The state has stretches (one across the fibres, one along them at each node, and a dome) that scale conductances
 //! and areas, never capacities.
 
-mod cell_body;
-mod cell_change;
+mod cells;
 pub mod form;
 mod free_edge;
 pub mod halving;
@@ -97,7 +96,7 @@ impl Body {
             Form::Steak | Form::Patty | Form::Coin | Form::Ring | Form::Poured => Ok(slice::nodes(description, piece)),
             Form::Stick => Ok(stick::nodes(piece)),
             Form::Shrimp => shrimp::nodes(description, piece),
-            Form::Mesh => cell_body::nodes(description, piece),
+            Form::Mesh => cells::cell_body::nodes(description, piece),
         }
     }
 

@@ -2,7 +2,7 @@
 
 use saute_heat::{BodyMesh, Layout, Outline, Probe, Station, SweptMesh};
 
-use crate::body::cell_body::{cell_core, middle_cut};
+use crate::body::cells::cell_body::{cell_core, middle_cut};
 use crate::body::halving::Halving;
 use crate::body::pool::Pool;
 use crate::body::{Body, Face, Patch, Surface, Waves};

@@ -53,7 +53,7 @@ fn scaled(description: &FoodDescription, piece: &PieceSpec) -> Result<Surface, B
 }
 
 /// Estimated number of nodes of a body of cells, before it is meshed [-].
-pub(super) fn nodes(description: &FoodDescription, piece: &PieceSpec) -> Result<f64, BuildError> {
+pub(crate) fn nodes(description: &FoodDescription, piece: &PieceSpec) -> Result<f64, BuildError> {
     let surface = scaled(description, piece)?;
     Ok(Fineness::of(&surface, piece.coarseness).estimated_nodes(&surface))
 }
