@@ -156,10 +156,12 @@ fn lit_food(outside: FoodOut) -> vec4<f32> {
     let roughness = mix(mix(0.60, 0.80, crust), 0.45, wetness) - 0.12 * look.fatty + 0.15 * look.charring;
     // Fat and oil that fill the pores of a crust make it deeper and warmer.
     let oiled = OILED * crust * (1.0 - look.charring);
-    let beads = juice_on(in, rest_normal, smooth_normal, look.film_slope);
+    var beads = juice_on(in, rest_normal, smooth_normal, look.film_slope);
+    // On a crust juice soaks in and joins the fat: few of its beads stand there.
+    beads.cover *= 1.0 - 0.85 * smoothstep(0.35, 0.80, crust);
     // Red flesh is deeper under a film: light that is thrown back into it passes it twice.
     let coated = wetness * (1.0 - in.state.w) * (1.0 - crust) * (1.0 - look.fatty) * (1.0 - look.clear);
-    let wet_flesh = mix(look.colour, pow(look.colour, vec3<f32>(1.25)) * 1.12, coated);
+    let wet_flesh = mix(look.colour, pow(look.colour, vec3<f32>(1.55)), coated);
     let amber = mix(vec3<f32>(1.0), AMBER, crust * (1.0 - look.charring));
     let dry = wet_flesh * mix(vec3<f32>(1.0), sqrt(look.colour), oiled) * (1.0 - 0.05 * oiled) * amber;
     // A bead gathers the window's light on its far side.
@@ -177,7 +179,7 @@ fn lit_food(outside: FoodOut) -> vec4<f32> {
     let film_slope = along_face(look.film_slope, rest_normal);
     // Raw flesh is coated by an even film of its own juice; later the film follows every pore.
     let raw = wetness * (1.0 - crust) * (1.0 - in.state.w);
-    radiance += sheen(in, look, rest_normal - film_slope * mix(mix(0.8, 1.2, wetness), 0.30, raw), raw, view, lit, visibility, wetness) * (0.35 + 0.65 * max(smooth_normal.z, 0.0)) * tint;
+    radiance += sheen(in, look, rest_normal - film_slope * mix(mix(0.8, 1.2, wetness), 0.75, raw), raw, view, lit, visibility, wetness) * (0.35 + 0.65 * max(smooth_normal.z, 0.0)) * tint;
     let bead_turn = fwidth(beads.bend);
     if (beads.cover > 0.0) {
         let drop = Surface(vec3<f32>(0.0), vec3<f32>(0.026), widened(0.07, bead_turn), world_normal(rest_normal + beads.bend), visibility, vec3<f32>(0.0));
@@ -197,6 +199,9 @@ fn side_fill(normal: vec3<f32>) -> vec3<f32> {
 // covers (chosen).
 const SEEN_THROUGH = 0.34;
 const GLAZED = 0.55;
+// Shine of the fat on a crust, in its dips and on its high points (chosen).
+const FAT_POOLS = 0.32;
+const FAT_THIN = 0.12;
 
 // Reflections weaker than this do not count as glints, and how much of a crust's pores oil fills (chosen).
 const GLINT = 0.075;
@@ -207,17 +212,18 @@ const AMBER = vec3<f32>(1.16, 0.98, 0.74);
 // Water on raw flesh, oil on a crust: a thin film that breaks the window into small glints.
 fn sheen(in: FoodOut, look: Look, bent: vec3<f32>, raw: f32, view: vec3<f32>, lit: f32, visibility: f32, wetness: f32) -> vec3<f32> {
     let crust = clamp(1.4 * look.browning, 0.0, 1.0);
-    let oily = 0.28 * crust * (1.0 - look.charring) * look.ridges;
+    // Fat on a crust is thick in its dips and thin on its high points.
+    let oily = mix(FAT_POOLS, FAT_THIN, look.ridges) * crust * (1.0 - look.charring);
     // Shrimps and vegetables that fried in fat are glazed by it.
     let glaze = GLAZED * in.state.w * smoothstep(0.10, 0.24, look.clear) * (1.0 - look.charring) * (0.45 + 0.55 * look.ridges);
     let film = max(wetness * mix(0.06 + 0.94 * look.ridges, 0.75 + 0.25 * look.ridges, raw), max(oily, glaze));
     // Where the relief is finer than a pixel its glints spread over the pixel.
     let turn = fwidth(bent);
-    let roughness = min(sqrt(pow(mix(0.26, 0.15, max(wetness, glaze)), 2.0) + 0.16 * dot(turn, turn)), 0.6);
+    let roughness = min(sqrt(pow(mix(mix(0.26, 0.15, max(wetness, glaze)), 0.30, crust), 2.0) + 0.16 * dot(turn, turn)), 0.6);
     let coat = Surface(vec3<f32>(0.0), vec3<f32>(0.026), roughness, world_normal(bent), visibility, vec3<f32>(0.0));
     // Only the bright parts of the room show as glints; the rest would lie on the flesh like milk.
-    let milk = GLINT * mix(1.0, 0.8, raw);
-    return max(specular(coat, in.position, view, lit) - milk, vec3<f32>(0.0)) * (mix(0.70, 0.85, raw) * film);
+    let milk = GLINT * mix(1.0, 1.9, raw);
+    return max(specular(coat, in.position, view, lit) - milk, vec3<f32>(0.0)) * (mix(0.70, 0.75, raw) * film);
 }
 
 // Depth of the dark crust and of the brown below it, under a face that is wholly browned [m] (a well-seared steak: one to one
@@ -225,7 +231,12 @@ fn sheen(in: FoodOut, look: Look, bent: vec3<f32>, raw: f32, view: vec3<f32>, li
 const CRUST_DEPTH = 0.0014;
 const BROWN_DEPTH = 0.0044;
 // How much the light in wet flesh is coloured by going to and fro under its film (chosen: red meat is deeper wet).
-const DEEPENED = 1.42;
+const DEEPENED = 1.62;
+// Colour of the light of the cut (chosen: beside warm wood white light makes grey flesh mauve).
+const WARM = vec3<f32>(1.12, 1.04, 0.84);
+// a* / 100 of flesh that has lost its red, and of red flesh (beef at 78 and at 63 °C).
+const GREY = 0.065;
+const RED = 0.128;
 
 // Browning at a depth below a face of which the browning is known.
 fn below_face(browned: f32, depth: f32, waver: f32) -> f32 {
@@ -275,16 +286,18 @@ fn lit_cut(cut: FoodOut) -> vec4<f32> {
     let bent = world_normal(rest_normal - slope * 0.85);
     let lit = mix(0.45, 1.0, shadow(in.position, bent));
     let wet = in.state.z * (1.0 - clamp(2.0 * look.browning, 0.0, 1.0));
-    let own = 0.50 + 0.35 * clamp(dot(bent, normalize(view + vec3<f32>(-0.35, 0.1, 0.8))), 0.0, 1.0);
+    let own = 0.42 + 0.30 * clamp(dot(bent, normalize(view + vec3<f32>(-0.35, 0.1, 0.8))), 0.0, 1.0);
     // Juice runs down and gathers where the cut meets the board.
     let height = max(in.position.z - support(in.position), 0.0);
     let gathered = wet * (1.0 - smoothstep(0.0004, GATHERS, height + 2.0 * waver));
-    // Fat is not deeper wet: little light is lost in it.
-    let deep = wet * (1.0 - look.fatty);
-    let colour = pow(look.colour, vec3<f32>(mix(1.0, DEEPENED, deep))) * mix(1.0, 1.55, deep);
+    // Fat is not deeper wet, nor is flesh that has lost its red: little light is lost in them.
+    let deep = wet * (1.0 - look.fatty) * smoothstep(GREY, RED, in.lean.y);
+    let amber = mix(vec3<f32>(1.0), AMBER, clamp(1.4 * look.browning, 0.0, 1.0) * (1.0 - look.charring));
+    let colour = pow(look.colour, vec3<f32>(mix(1.0, DEEPENED, deep))) * mix(1.0, 1.45, deep) * amber;
     let body = Surface(colour, vec3<f32>(0.03), 0.5, bent, 0.8, vec3<f32>(0.42, 0.24, 0.18) * (1.0 - look.browning));
-    // The light of its own is white as shot; another balance tints the cut as it tints the outside.
-    var radiance = colour * own / frame.as_shot.rgb + diffuse(body, lit) * 0.22;
+    // The light of its own is a little warmer than white as shot; another balance tints the cut as it tints
+    // the outside.
+    var radiance = colour * own * WARM / frame.as_shot.rgb + diffuse(body, lit) * 0.22;
     let film_slope = along_face(look.film_slope, rest_normal);
     let film = Surface(vec3<f32>(0.0), vec3<f32>(0.028), 0.20, world_normal(rest_normal - film_slope * 0.9), 0.9, vec3<f32>(0.0));
     radiance += max(specular(film, in.position, view, lit) - GLINT, vec3<f32>(0.0)) * (0.9 * wet);

@@ -53,8 +53,11 @@ fn relief(noise: Noise, crust: f32) -> vec3<f32> {
         + (noise.grain.rgb - 0.5) * (0.40 + 0.50 * crust) + (noise.fine.grb - 0.5) * (0.20 + 0.50 * crust);
 }
 
-fn film_relief(noise: Noise) -> vec3<f32> {
-    return (noise.broad.rgb - 0.5) * 0.60 + (noise.grain.rgb - 0.5) * 0.95 + (noise.fine.grb - 0.5) * 0.55;
+// A film of juice follows every pore; the fat on a crust fills them and lies in broad pools.
+fn film_relief(noise: Noise, crust: f32) -> vec3<f32> {
+    let fills = 1.0 - 0.85 * crust;
+    return (noise.region.gbr - 0.5) * (0.26 * crust) + (noise.broad.rgb - 0.5) * mix(0.60, 0.22, crust)
+        + (noise.grain.rgb - 0.5) * (0.95 * fills) + (noise.fine.grb - 0.5) * (0.55 * fills * fills);
 }
 
 fn ridges_of(noise: Noise) -> f32 {
@@ -92,9 +95,11 @@ fn muscle(rest: vec3<f32>, cooked: f32, crust: f32) -> Grain {
     // A seared face is deep and even from afar, and varied near by; where it browns late, it does so in islands.
     let islands = (1.0 - smoothstep(0.70, 1.0, crust)) * (2.6 * (far_noise(rest) - 0.46) + 2.0 * (noise.region.a - 0.47));
     let uneven = islands + 0.55 * (noise.region.a - 0.5) + 0.9 * (noise.broad.a - 0.5) + 0.9 * (noise.grain.a - 0.5) + 0.5 * (noise.fine.a - 0.5) + 0.4 * tone;
-    let crevice = 1.0 - crust * (0.25 * (1.0 - smoothstep(0.0, 0.30, fascicle.r)) + 0.30 * smoothstep(0.50, 0.30, noise.grain.a));
+    // Dips of a crust keep some light and are filled with fat; its high points, which lay on the metal, are the dark ones.
+    let high = smoothstep(0.40, 0.72, 0.40 * noise.region.a + 0.30 * noise.broad.a + 0.30 * noise.grain.a);
+    let crevice = 1.0 - crust * (0.20 * (1.0 - smoothstep(0.0, 0.30, fascicle.r)) + 0.16 * smoothstep(0.50, 0.30, noise.grain.a) + 0.30 * high);
     let crack = (1.0 - smoothstep(0.015, 0.11, fascicle.r)) * smoothstep(0.42, 0.58, noise.region.a);
-    return Grain(shade, uneven, relief(noise, crust), film_relief(noise), ridges_of(noise), crevice, 0.0, crack, (noise.region.gbr - 0.5) * STRAYS + (noise.broad.gbr - 0.5) * (0.3 * STRAYS));
+    return Grain(shade, uneven, relief(noise, crust), film_relief(noise, crust), ridges_of(noise), crevice, 0.0, crack, (noise.region.gbr - 0.5) * STRAYS + (noise.broad.gbr - 0.5) * (0.3 * STRAYS));
 }
 
 // Strands of ground meat, some 3 mm thick and pressed together, with crumbs of fat and dark gaps.
@@ -111,7 +116,7 @@ fn ground(rest: vec3<f32>, cooked: f32, crust: f32) -> Grain {
     let round = (noise.broad.rgb - 0.5) * 0.55 * (0.4 + gap);
     let crevice = 1.0 - gap * (0.35 + 0.30 * crust);
     let islands = 1.5 * (1.0 - crust) * (far_noise(rest) - 0.5);
-    return Grain(shade, islands + patches(noise) + 0.5 * (strand.g - 0.5) - 0.5 * gap, relief(noise, 0.5 + 0.5 * crust) + round, film_relief(noise), ridges_of(noise), crevice, 0.0, 0.0, vec3<f32>(0.0));
+    return Grain(shade, islands + patches(noise) + 0.5 * (strand.g - 0.5) - 0.5 * gap, relief(noise, 0.5 + 0.5 * crust) + round, film_relief(noise, crust), ridges_of(noise), crevice, 0.0, 0.0, vec3<f32>(0.0));
 }
 
 // A root cut across its axis: rays from the core, a thin line where both meet, a rougher skin at the side.
@@ -131,7 +136,7 @@ fn root(rest: vec3<f32>, grew: Grown, cooked: f32, crust: f32) -> Grain {
     shade += vec3<f32>(0.035, -0.03, 0.015) * smoothstep(0.0022, 0.0006, away) * grew.second;
     let uneven = patches(noise) + 0.9 * rays - 0.4 * grew.second;
     let crevice = 1.0 - crust * 0.30 * smoothstep(0.52, 0.30, noise.grain.a);
-    return Grain(shade, uneven, relief(noise, 0.5 * crust) * 0.75, film_relief(noise) * 0.6, ridges_of(noise), crevice, 0.35, 0.0, vec3<f32>(0.0));
+    return Grain(shade, uneven, relief(noise, 0.5 * crust) * 0.75, film_relief(noise, crust) * 0.6, ridges_of(noise), crevice, 0.35, 0.0, vec3<f32>(0.0));
 }
 
 // Sheaths of a shaft: each with its own tone, dark gaps between, fine veins along the axis.
@@ -150,7 +155,7 @@ fn sheaths(rest: vec3<f32>, grew: Grown, upright: f32, cooked: f32, crust: f32) 
     let uneven = patches(noise) + 1.1 * (1.0 - glow) * upright - 0.3;
     let crevice = 1.0 - gap * upright * (0.40 + 0.2 * crust);
     let step = (noise.broad.rgb - 0.5) * 0.2 * gap;
-    return Grain(shade, uneven, relief(noise, 0.4 * crust) * 0.6 + step, film_relief(noise) * 0.5, ridges_of(noise), crevice, 0.5, 0.0, vec3<f32>(0.0));
+    return Grain(shade, uneven, relief(noise, 0.4 * crust) * 0.6 + step, film_relief(noise, crust) * 0.5, ridges_of(noise), crevice, 0.5, 0.0, vec3<f32>(0.0));
 }
 
 // Six segments: coral bands of fine specks over the back once cooked, grey specks, a dark vein and clear flesh before; a
@@ -183,7 +188,7 @@ fn shrimp(rest: vec3<f32>, along: f32, dorsal: f32, cooked: f32, crust: f32) -> 
     let crevice = 1.0 - 0.22 * joint;
     // Char comes in small freckles on what protrudes, not in sheets.
     let uneven = patches(noise) + 0.8 * (noise.fine.a - 0.5) - 0.3 * fan;
-    return Grain(shade, uneven, relief(noise, 0.5 * crust) * 0.55 + fibre, film_relief(noise) * 0.7, ridges_of(noise), crevice, 0.75 * (1.0 - cooked) + 0.25, 0.0, vec3<f32>(0.0));
+    return Grain(shade, uneven, relief(noise, 0.5 * crust) * 0.55 + fibre, film_relief(noise, crust) * 0.7, ridges_of(noise), crevice, 0.75 * (1.0 - cooked) + 0.25, 0.0, vec3<f32>(0.0));
 }
 
 // Thickness of a flake of fish [m] (chosen: 6 to 8 mm in portions of cod and salmon).
@@ -219,12 +224,12 @@ fn flakes(rest: vec3<f32>, cooked: f32, crust: f32) -> Grain {
     let facet = vec3<f32>(own.x, 0.4 * own.y, own.y) * 0.45 * cooked * (1.0 - 0.7 * crust);
     let step = (noise.broad.rgb - 0.5) * 0.5 * gap + facet;
     let crevice = 1.0 - gap * (0.09 + 0.30 * crust);
-    return Grain(shade, patches(noise) + 0.5 * (noise.fine.a - 0.5) - 0.6 * gap, relief(noise, 0.7 * crust) * 0.75 + step, film_relief(noise), ridges_of(noise), crevice, 0.45 * (1.0 - cooked), 0.0, vec3<f32>(0.0));
+    return Grain(shade, patches(noise) + 0.5 * (noise.fine.a - 0.5) - 0.6 * gap, relief(noise, 0.7 * crust) * 0.75 + step, film_relief(noise, crust), ridges_of(noise), crevice, 0.45 * (1.0 - cooked), 0.0, vec3<f32>(0.0));
 }
 
 fn plain(rest: vec3<f32>, crust: f32) -> Grain {
     let noise = noise_at(rest, vec3<f32>(1.0));
     let light = 0.06 * (noise.grain.a - 0.5) + 0.05 * (noise.region.a - 0.5) + 0.03 * (noise.fine.a - 0.5);
     let crevice = 1.0 - crust * 0.30 * smoothstep(0.52, 0.30, noise.grain.a);
-    return Grain(vec3<f32>(light, 0.0, 0.2 * light), patches(noise), relief(noise, crust) * 0.8, film_relief(noise), ridges_of(noise), crevice, 0.2, 0.0, vec3<f32>(0.0));
+    return Grain(vec3<f32>(light, 0.0, 0.2 * light), patches(noise), relief(noise, crust) * 0.8, film_relief(noise, crust), ridges_of(noise), crevice, 0.2, 0.0, vec3<f32>(0.0));
 }

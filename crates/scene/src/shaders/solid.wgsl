@@ -164,7 +164,7 @@ fn escapes_pan(local: vec3<f32>, towards: vec3<f32>) -> f32 {
     let reach = -b + sqrt(max(b * b + rim * rim - dot(local.xy, local.xy), 1e-6));
     let height = local.z + reach * towards.z / flat_length;
     let top = frame.pan_place.w + frame.pan_shape.z;
-    return smoothstep(top - 0.012, top + 0.012, height);
+    return smoothstep(top - 0.030, top + 0.030, height);
 }
 
 // What is on a place of the floor.
@@ -258,7 +258,7 @@ fn fs_metal(in: SolidOut) -> @location(0) vec4<f32> {
     let cover = smoothstep(0.004, 0.030, film.oil + 0.030 * beads + 0.100 * ran.z) * smoothstep(0.0, 0.004, film.oil);
     s.albedo = mix(s.albedo, vec3<f32>(0.042, 0.020, 0.009), film.fond);
     s.f0 *= 1.0 - 0.8 * film.fond;
-    var radiance = diffuse(s, lit) + specular(s, in.position, view, lit) * leaves * (0.62 - 0.38 * cover);
+    var radiance = diffuse(s, lit) + unblown(specular(s, in.position, view, lit) * leaves * (0.62 - 0.38 * cover));
     // In a half mirror the real metal is seen: only what the liquids themselves send is added, without dither on black.
     let added = frame.oil.w > 0.5;
     if (added) { radiance = vec3<f32>(0.0); }
@@ -275,12 +275,20 @@ fn fs_occluder() -> @location(0) vec4<f32> {
     return vec4<f32>(0.0, 0.0, 0.0, 1.0);
 }
 
+// How bright the window may be in the pan's floor (chosen: below paper white, so that its colour and its scratches stay).
+const BLOWN = 0.85;
+
+// A highlight that nears a brightness slowly instead of burning out.
+fn unblown(light: vec3<f32>) -> vec3<f32> {
+    return light / (1.0 + max(max(light.r, light.g), light.b) / BLOWN);
+}
+
 // A mirror over the floor: what leaves the pan above its rim is seen in it, and the wall elsewhere.
 fn liquid_mirror(in: SolidOut, surface: vec3<f32>, roughness: f32, view: vec3<f32>, lit: f32, open: f32) -> vec3<f32> {
     let s = Surface(vec3<f32>(0.0), vec3<f32>(0.036), roughness, surface, open, vec3<f32>(0.0));
     let towards = reflect(-view, surface);
     let leaves = mix(0.15, 1.0, escapes_pan(in_pan(in.position), (frame.pan_from_world * vec4<f32>(towards, 0.0)).xyz));
-    return specular(s, in.position, view, lit) * leaves * 0.7;
+    return unblown(specular(s, in.position, view, lit) * leaves * 0.7);
 }
 
 // Depth of oil that has the colour of the bottle [mm] (chosen: a bottle seen through its middle is a few times as deep).
@@ -293,11 +301,12 @@ const MIRROR_STEPS = 14;
 const MIRROR_HEIGHT = 0.020;
 
 // Share of what a film mirrors that food next to it hides: the film mirrors the window, and a food in front of it is dark.
-fn hidden_by_food(position: vec3<f32>, towards: vec3<f32>) -> f32 {
+// `jitter`, 0 to 1, differs from pixel to pixel, so that the steps of the ray show no teeth.
+fn hidden_by_food(position: vec3<f32>, towards: vec3<f32>, jitter: f32) -> f32 {
     if (!fine || towards.z <= 0.05) { return 0.0; }
     var hidden = 0.0;
     for (var k = 0; k < MIRROR_STEPS; k++) {
-        let share = (f32(k) + 0.6) / f32(MIRROR_STEPS);
+        let share = (f32(k) + jitter) / f32(MIRROR_STEPS);
         let at = position + towards * (MIRROR_HEIGHT * share / towards.z);
         let uv = (at.xy - frame.contact_rect.xy) * frame.contact_rect.zw;
         let height = (at.z - frame.contact_height.x) * frame.contact_height.y;
@@ -312,7 +321,9 @@ fn under_oil(below: vec3<f32>, in: SolidOut, n: vec3<f32>, view: vec3<f32>, lit:
     let local = in_pan(in.position);
     let wave = textureSampleLevel(solid_noise, tile_sampler, vec3<f32>(local.xy * 9.0, frame.eye.w * 0.05), 0.0).rgb - 0.5;
     let film = normalize(n + vec3<f32>(wave.xy * 0.05 + slope, 0.0));
-    let mirror = liquid_mirror(in, film, mix(0.30, 0.06, cover), view, lit, open) * (1.0 - hidden_by_food(in.position, reflect(-view, film)));
+    // A used pan is smeared: the film is smooth here and dull there.
+    let smeared = textureSampleLevel(solid_noise, tile_sampler, vec3<f32>(local.xy * 23.0, 0.71), 0.0).a;
+    let mirror = liquid_mirror(in, film, mix(0.32, mix(0.08, 0.24, smoothstep(0.35, 0.70, smeared)), cover), view, lit, open) * (1.0 - hidden_by_food(in.position, reflect(-view, film), 0.2 + 0.8 * fract(52.9829189 * fract(dot(in.clip.xy, vec2<f32>(0.06711056, 0.00583715))))));
     // Light passes the film twice; a deep pool also sends some back itself.
     let passed = pow(frame.oil.rgb, vec3<f32>(2.0 * thickness / OIL_DEPTH));
     let deep = 1.0 - exp(-thickness * mix(1.0 / OIL_DEPTH, TURBID, frame.white.w));
