@@ -21,7 +21,7 @@ use crate::skin::side::bulge;
 use crate::view::View;
 
 /// Radius of the rounded rim between a big face and the side of a steak [m] (chosen; only the picture is rounded).
-const RIM_RADIUS: f32 = 1.6e-3;
+const RIM_RADIUS: f32 = 2.6e-3;
 /// How far the drawn surface of a steak strays from the smooth shape [m], and over which distance [m] (chosen:
 /// hand-cut).
 pub(crate) const UNEVEN: [f64; 2] = [0.7e-3, 11.0e-3];

@@ -142,25 +142,30 @@ fn spot(in: FryOut, spread: f32) -> vec4<f32> {
 // Colour of juice through which the board is seen, from flesh that is done and from raw flesh (chosen by eye).
 const JUICE_BROWN = vec3<f32>(0.070, 0.026, 0.008);
 const JUICE_RED = vec3<f32>(0.095, 0.006, 0.004);
+// The same where it is thin (chosen by eye).
+const JUICE_THIN = vec3<f32>(0.24, 0.090, 0.030);
 
 // Weaker reflections than this are left out: they would lie on the board like milk (chosen).
 const MILK = 0.025;
 
-// A pool of juice on the board: clear and red to brown, with a ragged edge that is steep.
+// A pool of juice on the board: clear and red to brown, darkest at the meat, with an edge that its tension rounds; at its edge it
+// creeps along the grain of the wood.
 fn pool(in: FryOut) -> vec4<f32> {
     let across = length(in.corner);
     let coarse = textureSampleLevel(solid_noise, tile_sampler, in.position * 13.0, 0.0).a - 0.5;
     let fine = textureSampleLevel(solid_noise, tile_sampler, in.position * 60.0, 0.0).a - 0.5;
-    let edge = across + 1.3 * coarse * across + 0.10 * fine * across;
+    let along_grain = textureSampleLevel(solid_noise, tile_sampler, in.position * vec3<f32>(150.0, 9.0, 9.0), 0.0).a - 0.5;
+    let edge = across * (1.0 + 0.62 * coarse + 0.03 * fine + 0.10 * along_grain);
     let body = smoothstep(0.86, 0.78, edge);
     if (body <= 0.0) { return vec4<f32>(0.0); }
     let rim = smoothstep(0.50, 0.82, edge);
-    let normal = normalize(vec3<f32>(in.corner / max(across, 1e-4) * 0.5 * rim * rim, 1.0));
+    let normal = normalize(vec3<f32>(in.corner / max(across, 1e-4) * 0.35 * rim * rim, 1.0));
     let lit = shadow(in.position, vec3<f32>(0.0, 0.0, 1.0));
-    // Deep in its middle, thin and pale at its edge.
-    let alpha = body * mix(0.62, 0.46, rim);
-    let s = Surface(mix(JUICE_BROWN, JUICE_RED, in.look.x), vec3<f32>(0.0), 1.0, normal, 0.8, vec3<f32>(0.0));
-    return vec4<f32>(pixel_from_radiance(diffuse(s, lit) + max(liquid(normal, in.position) - MILK, vec3<f32>(0.0)) * mix(0.7, 1.3, lit), in.clip.xy).rgb * alpha, alpha);
+    // Deep at the meat, thin and pale at its edge.
+    let thin = smoothstep(0.15, 0.85, edge);
+    let alpha = body * mix(0.70, 0.34, thin);
+    let s = Surface(mix(mix(JUICE_BROWN, JUICE_RED, in.look.x), JUICE_THIN * mix(vec3<f32>(1.0), vec3<f32>(1.1, 0.55, 0.5), in.look.x), 0.8 * thin), vec3<f32>(0.0), 1.0, normal, 0.8, vec3<f32>(0.0));
+    return vec4<f32>(pixel_from_radiance(diffuse(s, lit) + max(liquid(normal, in.position) - MILK, vec3<f32>(0.0)) * mix(0.6, 0.9, lit), in.clip.xy).rgb * alpha, alpha);
 }
 
 @fragment
