@@ -158,7 +158,7 @@ fn lit_food(outside: FoodOut) -> vec4<f32> {
     let oiled = OILED * crust * (1.0 - look.charring);
     var beads = juice_on(in, rest_normal, smooth_normal, look.film_slope);
     // On a crust juice soaks in and joins the fat: few of its beads stand there.
-    beads.cover *= 1.0 - 0.85 * smoothstep(0.35, 0.80, crust);
+    beads.cover *= 1.0 - 0.30 * smoothstep(0.35, 0.80, crust);
     // Red flesh is deeper under a film: light that is thrown back into it passes it twice.
     let coated = wetness * (1.0 - in.state.w) * (1.0 - crust) * (1.0 - look.fatty) * (1.0 - look.clear);
     let wet_flesh = mix(look.colour, pow(look.colour, vec3<f32>(1.55)), coated);
@@ -200,8 +200,8 @@ fn side_fill(normal: vec3<f32>) -> vec3<f32> {
 const SEEN_THROUGH = 0.34;
 const GLAZED = 0.55;
 // Shine of the fat on a crust, in its dips and on its high points (chosen).
-const FAT_POOLS = 0.32;
-const FAT_THIN = 0.12;
+const FAT_POOLS = 0.26;
+const FAT_THIN = 0.30;
 
 // Reflections weaker than this do not count as glints, and how much of a crust's pores oil fills (chosen).
 const GLINT = 0.075;
@@ -219,7 +219,7 @@ fn sheen(in: FoodOut, look: Look, bent: vec3<f32>, raw: f32, view: vec3<f32>, li
     let film = max(wetness * mix(0.06 + 0.94 * look.ridges, 0.75 + 0.25 * look.ridges, raw), max(oily, glaze));
     // Where the relief is finer than a pixel its glints spread over the pixel.
     let turn = fwidth(bent);
-    let roughness = min(sqrt(pow(mix(mix(0.26, 0.15, max(wetness, glaze)), 0.30, crust), 2.0) + 0.16 * dot(turn, turn)), 0.6);
+    let roughness = min(sqrt(pow(mix(mix(0.26, 0.15, max(wetness, glaze)), 0.25, crust), 2.0) + 0.16 * dot(turn, turn)), 0.6);
     let coat = Surface(vec3<f32>(0.0), vec3<f32>(0.026), roughness, world_normal(bent), visibility, vec3<f32>(0.0));
     // Only the bright parts of the room show as glints; the rest would lie on the flesh like milk.
     let milk = GLINT * mix(1.0, 1.9, raw);
@@ -232,6 +232,8 @@ const CRUST_DEPTH = 0.0014;
 const BROWN_DEPTH = 0.0044;
 // How much the light in wet flesh is coloured by going to and fro under its film (chosen: red meat is deeper wet).
 const DEEPENED = 1.62;
+// Colour of flesh that has had neither heat nor air over that of raw flesh in the air (chosen: purplish and dark).
+const UNBLOOMED = vec3<f32>(0.70, 0.66, 0.92);
 // Colour of the light of the cut (chosen: beside warm wood white light makes grey flesh mauve).
 const WARM = vec3<f32>(1.12, 1.04, 0.84);
 // a* / 100 of flesh that has lost its red, and of red flesh (beef at 78 and at 63 °C).
@@ -251,7 +253,8 @@ fn below_face(browned: f32, depth: f32, waver: f32) -> f32 {
 const RIPPLE = 1.5;
 const GATHERS = 0.0042;
 const MOIST_SHARPNESS = 34.0;
-const MOIST = 0.10;
+const MOIST = 0.20;
+const MOIST_LIGHT = vec3<f32>(1.0, 0.93, 0.84);
 // Ripples lie along the fibres, which draw the juice with them: patterns over a metre across and along them (chosen).
 const RIPPLES = vec3<f32>(120.0, 120.0, 21.0);
 
@@ -291,9 +294,10 @@ fn lit_cut(cut: FoodOut) -> vec4<f32> {
     let height = max(in.position.z - support(in.position), 0.0);
     let gathered = wet * (1.0 - smoothstep(0.0004, GATHERS, height + 2.0 * waver));
     // Fat is not deeper wet, nor is flesh that has lost its red: little light is lost in them.
+    let unheated = (1.0 - in.state.w) * (1.0 - in.state.w);
     let deep = wet * (1.0 - look.fatty) * smoothstep(GREY, RED, in.lean.y);
     let amber = mix(vec3<f32>(1.0), AMBER, clamp(1.4 * look.browning, 0.0, 1.0) * (1.0 - look.charring));
-    let colour = pow(look.colour, vec3<f32>(mix(1.0, DEEPENED, deep))) * mix(1.0, 1.45, deep) * amber;
+    let colour = pow(look.colour, vec3<f32>(mix(1.0, DEEPENED, deep))) * mix(1.0, 1.45, deep) * amber * mix(vec3<f32>(1.0), UNBLOOMED, deep * unheated);
     let body = Surface(colour, vec3<f32>(0.03), 0.5, bent, 0.8, vec3<f32>(0.42, 0.24, 0.18) * (1.0 - look.browning));
     // The light of its own is a little warmer than white as shot; another balance tints the cut as it tints
     // the outside.
@@ -302,7 +306,7 @@ fn lit_cut(cut: FoodOut) -> vec4<f32> {
     let film = Surface(vec3<f32>(0.0), vec3<f32>(0.028), 0.20, world_normal(rest_normal - film_slope * 0.9), 0.9, vec3<f32>(0.0));
     radiance += max(specular(film, in.position, view, lit) - GLINT, vec3<f32>(0.0)) * (0.9 * wet);
     radiance *= 1.0 - 0.30 * gathered;
-    radiance += vec3<f32>(moist(in.rest, rest_normal, view) * wet * (1.0 + 2.0 * gathered));
+    radiance += MOIST_LIGHT * (moist(in.rest, rest_normal, view) * wet * (1.0 + 2.0 * gathered));
     return noted(pixel_from_radiance(radiance, in.clip.xy), in.state);
 }
 

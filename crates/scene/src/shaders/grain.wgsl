@@ -55,8 +55,8 @@ fn relief(noise: Noise, crust: f32) -> vec3<f32> {
 
 // A film of juice follows every pore; the fat on a crust fills them and lies in broad pools.
 fn film_relief(noise: Noise, crust: f32) -> vec3<f32> {
-    let fills = 1.0 - 0.85 * crust;
-    return (noise.region.gbr - 0.5) * (0.26 * crust) + (noise.broad.rgb - 0.5) * mix(0.60, 0.22, crust)
+    let fills = 1.0 - 0.45 * crust;
+    return (noise.region.gbr - 0.5) * (0.26 * crust) + (noise.broad.rgb - 0.5) * mix(0.60, 0.50, crust)
         + (noise.grain.rgb - 0.5) * (0.95 * fills) + (noise.fine.grb - 0.5) * (0.55 * fills * fills);
 }
 
@@ -77,10 +77,14 @@ fn patches(noise: Noise) -> f32 {
 // How far seams of fat stray from the grid of their values, at most [m] (chosen: below its cells, so that the mean stays).
 const STRAYS = 0.0030;
 
+// How far bundles stray by region [m] (chosen).
+const LEANS = 0.0045;
+
 // Fibres along z in bundles of 0.8 mm, in fascicles of 3.6 mm with pale tissue between some of them.
 fn muscle(rest: vec3<f32>, cooked: f32, crust: f32) -> Grain {
     let noise = noise_at(rest, vec3<f32>(1.0, 1.0, 0.17));
-    let warped = rest.xy + food.place.xy + (noise.broad.rg - 0.5) * 0.0022 + rest.z * vec2<f32>(0.06, -0.04);
+    // Bundles lean this way and that by region, 10° to 25° off their mean.
+    let warped = rest.xy + food.place.xy + (noise.broad.rg - 0.5) * 0.0022 + (noise.region.rg - 0.5) * LEANS + rest.z * vec2<f32>(0.06, -0.04);
     let bundle = textureSample(bundle_picture, tile_sampler, warped * 78.0);
     let fascicle = textureSample(bundle_picture, tile_sampler, warped.yx * 17.3 + 0.29);
     let strand = 1.0 - smoothstep(0.0, 0.35, bundle.r);
@@ -88,7 +92,7 @@ fn muscle(rest: vec3<f32>, cooked: f32, crust: f32) -> Grain {
     let tone = 0.5 * (bundle.g - 0.5) + 0.45 * (fascicle.g - 0.5) + 0.9 * (noise.grain.a - 0.5) + 0.5 * (noise.fine.a - 0.5);
     let mottled = 0.8 * (noise.region.a - 0.5) + 0.5 * (noise.broad.a - 0.5);
     // Where flesh is darker it is also redder: less light comes back out of it.
-    var light = 0.10 * tone + 0.09 * mottled * (1.0 - cooked) - 0.03 * strand;
+    var light = 0.10 * tone + 0.09 * mottled * (1.0 - cooked) - (0.03 + 0.05 * laid_open) * strand;
     var shade = vec3<f32>(light, -0.10 * light * (1.0 - cooked), 0.05 * light);
     // Tissue between the bundles: pale in raw flesh, a thin shadow where cooked bundles part.
     shade += seam * mix(vec3<f32>(0.06, -0.03, 0.0), vec3<f32>(-0.03, 0.0, 0.0), cooked);
@@ -96,8 +100,8 @@ fn muscle(rest: vec3<f32>, cooked: f32, crust: f32) -> Grain {
     let islands = (1.0 - smoothstep(0.70, 1.0, crust)) * (2.6 * (far_noise(rest) - 0.46) + 2.0 * (noise.region.a - 0.47));
     let uneven = islands + 0.55 * (noise.region.a - 0.5) + 0.9 * (noise.broad.a - 0.5) + 0.9 * (noise.grain.a - 0.5) + 0.5 * (noise.fine.a - 0.5) + 0.4 * tone;
     // Dips of a crust keep some light and are filled with fat; its high points, which lay on the metal, are the dark ones.
-    let high = smoothstep(0.40, 0.72, 0.40 * noise.region.a + 0.30 * noise.broad.a + 0.30 * noise.grain.a);
-    let crevice = 1.0 - crust * (0.20 * (1.0 - smoothstep(0.0, 0.30, fascicle.r)) + 0.16 * smoothstep(0.50, 0.30, noise.grain.a) + 0.30 * high);
+    let high = smoothstep(0.42, 0.70, 0.25 * noise.region.a + 0.40 * noise.broad.a + 0.35 * noise.grain.a);
+    let crevice = 1.0 - crust * (0.25 * (1.0 - smoothstep(0.0, 0.30, fascicle.r)) + 0.30 * smoothstep(0.50, 0.30, noise.grain.a) + 0.24 * high);
     let crack = (1.0 - smoothstep(0.015, 0.11, fascicle.r)) * smoothstep(0.42, 0.58, noise.region.a);
     return Grain(shade, uneven, relief(noise, crust), film_relief(noise, crust), ridges_of(noise), crevice, 0.0, crack, (noise.region.gbr - 0.5) * STRAYS + (noise.broad.gbr - 0.5) * (0.3 * STRAYS));
 }
