@@ -275,12 +275,16 @@ fn fs_occluder() -> @location(0) vec4<f32> {
     return vec4<f32>(0.0, 0.0, 0.0, 1.0);
 }
 
-// How bright the window may be in the pan's floor (chosen: below paper white, so that its colour and its scratches stay).
-const BLOWN = 0.85;
+// Brightness up to which the window is seen as it is in the pan's floor, and by how much it is brighter at most (chosen: its glints
+// are white, its image as a whole is not).
+const PLAIN = 1.0;
+const BLOWN = 20.0;
 
 // A highlight that nears a brightness slowly instead of burning out.
 fn unblown(light: vec3<f32>) -> vec3<f32> {
-    return light / (1.0 + max(max(light.r, light.g), light.b) / BLOWN);
+    let most = max(max(light.r, light.g), light.b);
+    let over = max(most - PLAIN, 0.0);
+    return light * ((most - over + over / (1.0 + over / BLOWN)) / max(most, 1e-4));
 }
 
 // A mirror over the floor: what leaves the pan above its rim is seen in it, and the wall elsewhere.
@@ -323,7 +327,7 @@ fn under_oil(below: vec3<f32>, in: SolidOut, n: vec3<f32>, view: vec3<f32>, lit:
     let film = normalize(n + vec3<f32>(wave.xy * 0.05 + slope, 0.0));
     // A used pan is smeared: the film is smooth here and dull there.
     let smeared = textureSampleLevel(solid_noise, tile_sampler, vec3<f32>(local.xy * 23.0, 0.71), 0.0).a;
-    let mirror = liquid_mirror(in, film, mix(0.32, mix(0.08, 0.24, smoothstep(0.35, 0.70, smeared)), cover), view, lit, open) * (1.0 - hidden_by_food(in.position, reflect(-view, film), 0.2 + 0.8 * fract(52.9829189 * fract(dot(in.clip.xy, vec2<f32>(0.06711056, 0.00583715))))));
+    let mirror = liquid_mirror(in, film, mix(0.32, mix(0.06, 0.20, smoothstep(0.35, 0.70, smeared)), cover), view, lit, open) * (1.0 - hidden_by_food(in.position, reflect(-view, film), 0.2 + 0.8 * fract(52.9829189 * fract(dot(in.clip.xy, vec2<f32>(0.06711056, 0.00583715))))));
     // Light passes the film twice; a deep pool also sends some back itself.
     let passed = pow(frame.oil.rgb, vec3<f32>(2.0 * thickness / OIL_DEPTH));
     let deep = 1.0 - exp(-thickness * mix(1.0 / OIL_DEPTH, TURBID, frame.white.w));
