@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
 # Draws forty pictures of foods for somebody who is to name what they show (docs/looks.md), in random order and without
-# captions, and the key to them: 15 cut steaks from rare to well done, the rest raw, golden and burnt foods of all kinds.
+# captions, and the key to them: 18 cut steaks of six classes (cores of 43–46, 49–52, 55–57, 61–63, 66–67 and 75 °C or more at their
+# highest), the rest raw, golden and burnt foods.
 #
 #   scripts/forty-pictures.sh SEED FOLDER    FOLDER/01.png to 40.png, FOLDER/key.tsv
 #
 # Another seed gives other pieces in another order. Pictures that are there already are kept.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-[ $# = 2 ] || { sed -n '2,8p' "$0" | sed 's/^# *//' >&2; exit 2; }
+[ $# = 2 ] || { sed -n '2,9p' "$0" | sed 's/^# *//' >&2; exit 2; }
 SEED="$1"
 OUT="$2"
 SAUTE="${SAUTE:-${CARGO_TARGET_DIR:-target}/release/saute}"
@@ -57,25 +58,19 @@ burnt() {
 # all: a line for each picture: name of the recipe, where the camera is, answer.
 all() {
     local a=$((SEED + 1)) b=$((SEED + 12)) c=$((SEED + 27)) line
-    while read -r food seed done core; do
-        cut "beef-$food" "$seed" "$done" "$core" $((25 + seed % 3 * 2)) >"$WORK/cut-$food-$done-$seed.toml"
-        printf 'cut-%s-%s-%s\t32,-28,230\t%s steak, cut: %s, seed %s\n' "$food" "$done" "$seed" "$food" "${done/-/ }" "$seed"
+    while read -r done core; do
+        for piece in lean:$a lean:$b marbled:$c; do
+            local food="${piece%%:*}" seed="${piece##*:}"
+            cut "beef-$food" "$seed" "$done" "$core" 28 >"$WORK/cut-$food-$done-$seed.toml"
+            printf 'cut-%s-%s-%s\t32,-28,230\t%s steak, cut: %s, seed %s\n' "$food" "$done" "$seed" "$food" "$done" "$seed"
+        done
     done <<LIST
-lean $a rare 37
-lean $b rare 37
-lean $c rare 37
-marbled $a rare 37
-marbled $b rare 37
-lean $a medium 53
-lean $b medium 53
-marbled $a medium 53
-marbled $b medium 53
-marbled $c medium 53
-lean $a well-done 75
-lean $b well-done 75
-lean $c well-done 75
-marbled $a well-done 75
-marbled $c well-done 75
+blue 31
+rare 37
+medium-rare 45
+medium 52
+medium-well 58
+well-done 72
 LIST
     # Food, how many, distance of the camera [mm], golden at [°C] for [s] a side, burnt after [s].
     while read -r food count mm pan_c side_s burnt_s; do
@@ -96,20 +91,8 @@ carrot-coin 9 240 170 230 480
 carrot-stick 7 240 170 230 480
 leek-ring 7 240 170 220 420
 LIST
-    for more in beef-lean:raw beef-marbled:golden shrimp:golden carrot-coin:raw; do
-        again "${more%%:*}" "${more##*:}" $((SEED + 41))
-    done
-}
-
-# again FOOD STATE SEED: one more picture of a state, with another piece.
-again() {
-    case "$1:$2" in
-        beef-lean:raw) raw beef-lean "$3" "" ;;
-        beef-marbled:golden) golden beef-marbled "$3" "" 185 150 ;;
-        shrimp:golden) golden shrimp "$3" "count = 5" 190 110 ;;
-        carrot-coin:raw) raw carrot-coin "$3" "count = 9" ;;
-    esac >"$WORK/$2-$1-$3.toml"
-    printf '%s-%s-%s\t42,20,270\t%s, %s, seed %s\n' "$2" "$1" "$3" "$1" "$2" "$3"
+    raw beef-lean $((SEED + 41)) "" >"$WORK/raw-beef-lean-$((SEED + 41)).toml"
+    printf 'raw-beef-lean-%s\t42,20,270\tbeef-lean, raw, seed %s\n' $((SEED + 41)) $((SEED + 41))
 }
 
 # draw NUMBER RECIPE CAMERA: at its end.
