@@ -152,7 +152,9 @@ fn lit_food(outside: FoodOut) -> vec4<f32> {
     let visibility = (0.30 + 0.70 * smoothstep(-0.001, 0.010, height)) * (0.80 + 0.20 * smooth_normal.z) * nearby(in.clip.xy);
     let lit = shadow(in.position, smooth_normal);
     let bumpy = world_normal(rest_normal - slope * (0.85 - 0.35 * wetness));
-    let wrap = mix(vec3<f32>(0.26, 0.14, 0.10), vec3<f32>(0.42, 0.36, 0.30), look.clear) * (1.0 - 0.85 * crust);
+    // Cooked flesh scatters all colours alike.
+    let flesh_wrap = mix(vec3<f32>(0.26, 0.14, 0.10), vec3<f32>(0.19, 0.16, 0.13), in.state.w);
+    let wrap = mix(flesh_wrap, vec3<f32>(0.42, 0.36, 0.30), look.clear) * (1.0 - 0.85 * crust);
     let roughness = mix(mix(0.60, 0.80, crust), 0.45, wetness) - 0.12 * look.fatty + 0.15 * look.charring;
     // Fat and oil that fill the pores of a crust make it deeper and warmer.
     let oiled = OILED * crust * (1.0 - look.charring);
@@ -252,10 +254,10 @@ fn below_face(browned: f32, depth: f32, waver: f32) -> f32 {
 
 // Juice on the cut in the cook's own light: it glints where a ripple turns it to him; how steep ripples are, up to which
 // height it gathers [m], how sharp and how bright its glints are (chosen).
-const RIPPLE = 1.5;
+const RIPPLE = 1.1;
 const GATHERS = 0.0042;
-const MOIST_SHARPNESS = 34.0;
-const MOIST = 0.14;
+const MOIST_SHARPNESS = 16.0;
+const MOIST = 0.17;
 const MOIST_LIGHT = vec3<f32>(1.0, 0.93, 0.84);
 // Ripples lie along the fibres, which draw the juice with them: patterns over a metre across and along them (chosen).
 const RIPPLES = vec3<f32>(95.0, 95.0, 36.0);
