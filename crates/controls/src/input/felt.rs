@@ -65,6 +65,7 @@ impl Felt {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
     use saute_kitchen::food::Rules;
