@@ -151,8 +151,11 @@ impl FoodModel {
     /// As [`Self::dome_gap`], below the middle of a patch [m].
     #[inline]
     pub fn patch_dome_gap(&self, state: &FoodState, patch: usize, up: [f64; 3]) -> f64 {
-        let waved = self.shape.waved.get(patch).map_or(0.0, |at| wave_gap(state, *at, up));
-        dome_gap(state, self.shape.outwards[patch], up) + waved
+        let gap = dome_gap(state, self.shape.outwards[patch], up);
+        if state.stretch.waves == 0.0 {
+            return gap;
+        }
+        gap + self.shape.waved.get(patch).map_or(0.0, |at| wave_gap(state, *at, up))
     }
 }
 

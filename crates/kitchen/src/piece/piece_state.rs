@@ -399,7 +399,7 @@ impl Piece {
             mean = face.mean_gap(&room.contact);
             for n in &near {
                 let gap = self.gap_below(n, mean);
-                self.oil(n, self.lifted_share(n, pan_state, mean, room), pan_state, room);
+                self.oil(n, self.lifted_over(n, gap, mean, pan_state, room), pan_state, room);
                 self.touch[n.patch as usize] = self.pan_touch(n, &face, gap, (pan, pan_state), room);
                 if let Some(ridges) = pan.ridges.filter(|_| self.state.ticks.is_multiple_of(REFRESH_TICKS)) {
                     self.sear_strip(n, &face, mean, (&ridges, pan_state), room);
@@ -446,7 +446,11 @@ impl Piece {
 
     /// Share of a patch near the pan that is lifted off it by more than the gap of a face that lies [-].
     pub(crate) fn lifted_share(&self, near: &NearPatch, pan: &PanState, mean: f64, room: &Room) -> f64 {
-        let gap = self.gap_below(near, mean);
+        self.lifted_over(near, self.gap_below(near, mean), mean, pan, room)
+    }
+
+    /// As [`Self::lifted_share`], over a known gap [m]; what fat fills is not lifted.
+    fn lifted_over(&self, near: &NearPatch, gap: f64, mean: f64, pan: &PanState, room: &Room) -> f64 {
         let lifted = lifted_share(gap - mean, room);
         if !self.waves() || lifted == 0.0 {
             return lifted;
