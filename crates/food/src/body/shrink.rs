@@ -9,7 +9,7 @@ use crate::state::{FoodState, Stretch};
 use crate::{GRAVITY, ZERO_C};
 
 /// Poisson's ratio of meat [-] (nearly incompressible: 0.5).
-const POISSON: f64 = 0.5;
+pub(super) const POISSON: f64 = 0.5;
 /// Temperature of the rest volumes [K] (chosen: room temperature).
 const REST: f64 = ZERO_C + 20.0;
 
@@ -102,10 +102,10 @@ impl FoodModel {
         }
         let (mean, curvature, rigidity) = plate.bend();
         state.stretch.contract_across(mean);
-        state.stretch.dome = self.dome(state, mesh.section.area(), curvature, rigidity);
+        let weight = GRAVITY * state.mass(self) / mesh.section.area();
+        let stiff = self.kinetics.texture.relaxed_share * rigidity / (1.0 - POISSON * POISSON);
+        state.stretch.dome = self.dome(curvature, weight, stiff);
         if let Some(waves) = &self.shape.waves {
-            let weight = GRAVITY * state.mass(self) / mesh.section.area();
-            let stiff = self.kinetics.texture.relaxed_share * rigidity / (1.0 - POISSON * POISSON);
             // As it dries it sets in its waves, which then sink no more.
             let now = waves.height(spread(&columns), self.thickness(state), stiff, weight);
             state.stretch.waves = state.stretch.waves.max(now);
@@ -124,12 +124,11 @@ impl FoodModel {
         -log(volume) * share
     }
 
-    /// Height of the dome that remains against the weight [m].
-    fn dome(&self, state: &FoodState, area: f64, curvature: f64, rigidity: f64) -> f64 {
+    /// Height of the dome of a free curvature [1/m] that remains against a weight per area [N/m²], given the relaxed rigidity per width
+    /// [N·m] [m].
+    fn dome(&self, curvature: f64, weight: f64, stiff: f64) -> f64 {
         let (length, width) = (self.shape.size[0], self.shape.size[1]);
         let radius_squared = 0.125 * (length * length + width * width);
-        let weight = GRAVITY * state.mass(self) / area;
-        let stiff = self.kinetics.texture.relaxed_share * rigidity / (1.0 - POISSON * POISSON);
         let sag = (5.0 + POISSON) / (64.0 * (1.0 + POISSON)) * weight * radius_squared * radius_squared / stiff;
         let free = -0.5 * curvature * radius_squared;
         if free.abs() > sag { free - sag * free.signum() } else { 0.0 }

@@ -2,6 +2,7 @@
 
 use core::f64::consts::{PI, TAU};
 
+use crate::body::shrink::POISSON;
 use crate::tissue::noise::uniform;
 
 /// Shares of the wave of the stated length and of one that is longer, whose sum never repeats over a slice [-] (chosen by eye).
@@ -13,8 +14,6 @@ const SLANT: f64 = 0.35;
 /// and its excess of length over that of a sine of the same height and length [-] (computed).
 const STEEP: f64 = 2.0;
 const LONGER_THAN_SINE: f64 = 1.541;
-/// Poisson's ratio of meat [-] (nearly incompressible: 0.5).
-const POISSON: f64 = 0.5;
 
 /// Where the crests of a slice are, by its seed.
 #[derive(Clone, Debug, PartialEq)]

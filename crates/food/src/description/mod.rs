@@ -83,10 +83,6 @@ pub enum Flesh {
     Plain,
 }
 
-/// Temperature of the pan with which plans begin, the lowest and the highest that they try [°C] (chosen: the shipped recipes have
-/// 180–220 °C), and how far they go from one that a food states [K] (chosen).
-const PLAN_PAN_C: [u32; 3] = [200, 140, 230];
-const PLAN_PAN_K: u32 = 20;
 /// Protein from which flesh without a second tissue is muscle (chosen: no plant that is fried raw has as much).
 const MUSCLE_PROTEIN: f64 = 0.10;
 
@@ -203,10 +199,9 @@ impl FoodDescription {
         self.flesh.unwrap_or_else(suggested)
     }
 
-    /// Temperature of the pan with which plans for it begin, and the lowest and highest that they try [°C].
-    pub fn plan_pan_c(&self) -> [u32; 3] {
-        let stated = self.served.as_ref().and_then(|served| served.pan_c);
-        stated.map_or(PLAN_PAN_C, |c| [c, c.saturating_sub(PLAN_PAN_K), c + PLAN_PAN_K])
+    /// Temperature of the pan about which plans put it in [°C]; none where plans choose.
+    pub fn plan_pan_c(&self) -> Option<u32> {
+        self.served.as_ref().and_then(|served| served.pan_c)
     }
 
     /// Times that a plan turns it at most, given those of other foods [-].

@@ -6,7 +6,7 @@ use crate::bytes::hashing::hash_of;
 /// The first bytes of a stored kitchen.
 const MAGIC: &[u8; 8] = b"sautekit";
 /// Version of the format; every change of what is stored counts it up.
-const FORMAT: u16 = 5;
+const FORMAT: u16 = 6;
 /// Version of the program: another one may compute something else.
 const PROGRAM: &str = env!("CARGO_PKG_VERSION");
 /// Room for a header [bytes].

@@ -31,6 +31,11 @@ impl Footprint {
         Self { reach, inner, outer }
     }
 
+    /// The footprint of a disc of a radius [m].
+    pub(crate) fn disc(radius: f64) -> Self {
+        Self { reach: [radius; DIRECTIONS], inner: radius, outer: radius }
+    }
+
     /// Largest distance from the floor's centre that it covers at a place [m].
     pub fn reach_from(&self, at: [f64; 2]) -> f64 {
         let reach = |k: usize| {

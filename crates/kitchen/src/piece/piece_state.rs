@@ -450,6 +450,7 @@ impl Piece {
     }
 
     /// As [`Self::lifted_share`], over a known gap [m]; what fat fills is not lifted.
+    #[inline]
     fn lifted_over(&self, near: &NearPatch, gap: f64, mean: f64, pan: &PanState, room: &Room) -> f64 {
         let lifted = lifted_share(gap - mean, room);
         if !self.waves() || lifted == 0.0 {
@@ -459,11 +460,13 @@ impl Piece {
     }
 
     /// Thickness of the film of fat below a patch near the pan: below a slice that waves it gathers [m].
+    #[inline]
     fn film_below(&self, near: &NearPatch, pan: &PanState, room: &Room) -> f64 {
         pan.oil_film(&near.located) * if self.waves() { room.contact.wave_film } else { 1.0 }
     }
 
     /// Returns true if the piece is a thin slice that waves.
+    #[inline]
     fn waves(&self) -> bool {
         self.state.stretch.waves > 0.0
     }

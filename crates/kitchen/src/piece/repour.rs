@@ -133,19 +133,20 @@ impl Running {
         let height: Vec<f64> = (0..self.thin.len()).map(|i| self.white(i) * bed.per_area[i]).collect();
         let least = EDGE * 1e-3 * edge_mm;
         let middle = self.middle(pan, &height, least)?;
-        let at = |p: [f64; 2]| -> f64 {
-            let Located { nodes, weights } = pan.locator.locate_or_nearest(&pan.section, p);
+        let stands = |Located { nodes, weights }: &Located| -> f64 {
             (0..3).map(|k| weights[k] * height[nodes[k] as usize]).sum()
         };
+        let at = |p: [f64; 2]| stands(&pan.locator.locate_or_nearest(&pan.section, p));
         let towards = |k: usize, r: f64| {
             let angle = core::f64::consts::TAU * k as f64 / DIRECTIONS as f64;
             [middle[0] + r * libm::cos(angle), middle[1] + r * libm::sin(angle)]
         };
-        let is_free = |p: [f64; 2]| {
-            let Located { nodes, weights } = pan.locator.locate_or_nearest(&pan.section, p);
-            (0..3).filter(|k| taken[nodes[*k] as usize]).map(|k| weights[k]).sum::<f64>() < 0.5
+        let wet = |p: [f64; 2]| {
+            let located = pan.locator.locate_or_nearest(&pan.section, p);
+            let taken = located.nodes.iter().zip(located.weights).filter(|(node, _)| taken[**node as usize]);
+            let is_free = taken.map(|(_, weight)| weight).sum::<f64>() < 0.5;
+            is_free && (stands(&located) > least || self.dome.top(p).is_some())
         };
-        let wet = |p: [f64; 2]| (at(p) > least || self.dome.top(p).is_some()) && is_free(p);
         let edge = |k: usize| {
             let steps = (FARTHEST / RAY) as usize;
             let dry = (1..steps).find(|i| !wet(towards(k, *i as f64 * RAY))).unwrap_or(steps);

@@ -65,11 +65,7 @@ pub(crate) struct Lies<'a> {
 
 /// Footprint with which an egg lands; it runs on from there, around what lies beside it.
 pub(crate) fn lands_on() -> Footprint {
-    let corners = 72;
-    let corner = |k: u32| core::f64::consts::TAU * f64::from(k) / f64::from(corners);
-    let outline: Vec<[f64; 2]> =
-        (0..corners).map(|k| [LANDS[1] * libm::cos(corner(k)), LANDS[1] * libm::sin(corner(k))]).collect();
-    Footprint::of(&outline)
+    Footprint::disc(LANDS[1])
 }
 
 impl Running {

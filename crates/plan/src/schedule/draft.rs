@@ -96,7 +96,7 @@ mod tests {
             hob_w: vec![400.0, 1100.0, 2000.0],
             most_flips: 1,
             most_rest_s: None,
-            pan_c: [200, 140, 230],
+            pan_c: None,
             plain: false,
             goal: Goal::new(&"medium".parse().unwrap(), library.scale("chefs").unwrap(), 60.0).unwrap(),
         }

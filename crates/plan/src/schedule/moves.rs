@@ -3,6 +3,10 @@
 use crate::schedule::seeds::LEAST_EVERY_S;
 use crate::schedule::{Draft, Order};
 
+/// Lowest and highest temperature of the pan when the food goes in [°C] (chosen), and how far from one that a food states [K] (chosen).
+const PREHEAT_C: [u32; 2] = [140, 230];
+const PREHEAT_K: u32 = 20;
+
 /// Longest time until the power changes [s] (chosen).
 const LATEST_CHANGE_S: u32 = 900;
 
@@ -41,7 +45,7 @@ pub(crate) fn neighbours(draft: &Draft, changed_s: Option<u32>, order: &Order, s
     };
     // Where it makes no difference there is only one draft.
     all.retain(Draft::is_distinct);
-    let [_, low, high] = order.pan_c;
+    let [low, high] = order.pan_c.map_or(PREHEAT_C, |c| [c.saturating_sub(PREHEAT_K), c + PREHEAT_K]);
     all.push(Draft { preheat_c: (draft.preheat_c + stride.preheat_k).min(high), ..*draft });
     all.push(Draft { preheat_c: draft.preheat_c.saturating_sub(stride.preheat_k).max(low), ..*draft });
     all.extend(rhythms(draft, order, stride));

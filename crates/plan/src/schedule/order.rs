@@ -31,8 +31,8 @@ pub struct Order {
     pub most_flips: usize,
     /// Longest rest [s]; none for one until the core has peaked.
     pub most_rest_s: Option<u32>,
-    /// Temperature of the pan with which the search begins, the lowest and the highest of it [°C].
-    pub pan_c: [u32; 3],
+    /// Temperature of the pan about which the food is put in [°C]; none where the search chooses.
+    pub pan_c: Option<u32>,
     /// True for a plan that is easily followed: one power to heat the pan and one to fry.
     pub plain: bool,
     /// The goal.

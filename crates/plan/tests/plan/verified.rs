@@ -204,7 +204,7 @@ fn coin(library: &Library) -> Order {
         hob_w: vec![800.0],
         most_flips: 1,
         most_rest_s: None,
-        pan_c: [200, 140, 230],
+        pan_c: None,
         plain: false,
         goal,
     }

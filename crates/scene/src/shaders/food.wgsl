@@ -164,7 +164,7 @@ fn lit_food(outside: FoodOut) -> vec4<f32> {
     // Red flesh is deeper under a film: light that is thrown back into it passes it twice.
     let coated = wetness * (1.0 - in.state.w) * (1.0 - crust) * (1.0 - look.fatty) * (1.0 - look.clear);
     let wet_flesh = mix(look.colour, pow(look.colour, vec3<f32>(1.55)), coated);
-    let amber = mix(vec3<f32>(1.0), AMBER, crust * (1.0 - look.charring));
+    let amber = amber_over(look);
     let dry = wet_flesh * mix(vec3<f32>(1.0), sqrt(look.colour), oiled) * (1.0 - 0.05 * oiled) * amber;
     // A bead gathers the window's light on its far side.
     let towards = dot((food.world_from_rest * vec4<f32>(beads.bend, 0.0)).xyz, frame.key.xyz);
@@ -210,6 +210,10 @@ const GLINT = 0.075;
 const OILED = 0.63;
 // What the fat over a crust does to light that passes it twice (chosen: amber).
 const AMBER = vec3<f32>(1.16, 0.98, 0.74);
+
+fn amber_over(look: Look) -> vec3<f32> {
+    return mix(vec3<f32>(1.0), AMBER, clamp(1.4 * look.browning, 0.0, 1.0) * (1.0 - look.charring));
+}
 
 // Water on raw flesh, oil on a crust: a thin film that breaks the window into small glints.
 fn sheen(in: FoodOut, look: Look, bent: vec3<f32>, raw: f32, view: vec3<f32>, lit: f32, visibility: f32, wetness: f32) -> vec3<f32> {
@@ -300,7 +304,7 @@ fn lit_cut(cut: FoodOut) -> vec4<f32> {
     // Fat is not deeper wet, nor is flesh that has lost its red: little light is lost in them.
     let unheated = (1.0 - in.state.w) * (1.0 - in.state.w);
     let deep = wet * (1.0 - look.fatty) * smoothstep(GREY, RED, in.lean.y);
-    let amber = mix(vec3<f32>(1.0), AMBER, clamp(1.4 * look.browning, 0.0, 1.0) * (1.0 - look.charring));
+    let amber = amber_over(look);
     let colour = pow(look.colour, vec3<f32>(mix(1.0, DEEPENED + DEEPER * smoothstep(0.14, 0.20, in.lean.y), deep))) * mix(1.0, 1.45, deep) * amber * mix(vec3<f32>(1.0), UNBLOOMED, deep * unheated);
     let body = Surface(colour, vec3<f32>(0.03), 0.5, bent, 0.8, vec3<f32>(0.42, 0.24, 0.18) * (1.0 - look.browning));
     // The light of its own is a little warmer than white as shot; another balance tints the cut as it tints

@@ -71,10 +71,15 @@ fn filmic(radiance: vec3<f32>) -> vec3<f32> {
     return min(x, vec3<f32>(SHOULDER)) + (1.0 - SHOULDER) * (1.0 - rest * rest);
 }
 
-// Interleaved gradient noise breaks the bands of 8-bit gradients.
+// Interleaved gradient noise of a pixel of the whole picture, 0 to 1.
+fn gradient_noise(pixel: vec2<f32>) -> f32 {
+    return fract(52.9829189 * fract(dot(pixel, vec2<f32>(0.06711056, 0.00583715))));
+}
+
+// It breaks the bands of 8-bit gradients.
 fn dither(pixel: vec2<f32>) -> f32 {
     if (hdr) { return 0.0; }
-    return fract(52.9829189 * fract(dot(pixel, vec2<f32>(0.06711056, 0.00583715)))) - 0.5;
+    return gradient_noise(pixel) - 0.5;
 }
 
 fn pixel_from_radiance(radiance: vec3<f32>, pixel: vec2<f32>) -> vec4<f32> {

@@ -327,7 +327,7 @@ fn under_oil(below: vec3<f32>, in: SolidOut, n: vec3<f32>, view: vec3<f32>, lit:
     let film = normalize(n + vec3<f32>(wave.xy * 0.05 + slope, 0.0));
     // A used pan is smeared: the film is smooth here and dull there.
     let smeared = textureSampleLevel(solid_noise, tile_sampler, vec3<f32>(local.xy * 23.0, 0.71), 0.0).a;
-    let mirror = liquid_mirror(in, film, mix(0.32, mix(0.06, 0.20, smoothstep(0.35, 0.70, smeared)), cover), view, lit, open) * (1.0 - hidden_by_food(in.position, reflect(-view, film), 0.2 + 0.8 * fract(52.9829189 * fract(dot(in.clip.xy, vec2<f32>(0.06711056, 0.00583715))))));
+    let mirror = liquid_mirror(in, film, mix(0.32, mix(0.06, 0.20, smoothstep(0.35, 0.70, smeared)), cover), view, lit, open) * (1.0 - hidden_by_food(in.position, reflect(-view, film), 0.2 + 0.8 * gradient_noise(in.clip.xy + frame.origin.xy)));
     // Light passes the film twice; a deep pool also sends some back itself.
     let passed = pow(frame.oil.rgb, vec3<f32>(2.0 * thickness / OIL_DEPTH));
     let deep = 1.0 - exp(-thickness * mix(1.0 / OIL_DEPTH, TURBID, frame.white.w));

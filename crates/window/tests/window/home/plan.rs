@@ -47,7 +47,7 @@ fn cook_plan(library: &Library, target: &str, crust_pct: f64) -> Plan {
         hob_w: vec![400.0, 1100.0, 2000.0],
         most_flips: 2,
         most_rest_s: None,
-        pan_c: [200, 140, 230],
+        pan_c: None,
         plain: false,
         goal: Goal::new(&target.parse().expect("a target"), library.scale("chefs").expect("a scale"), crust_pct)
             .expect("a class"),
