@@ -30,7 +30,8 @@ pub struct Seen {
     pub still_s: f64,
     /// True if the pan moved.
     pub moved: bool,
-    /// First state in which the device did not work; none if it worked all the time.
+    /// First state in which the device did not work, of those that say more than silence if there are any; none if it
+    /// worked all the time.
     pub unwell: Option<Health>,
 }
 
@@ -43,8 +44,8 @@ impl Observation {
     /// Takes the next state of the loop; returns true if the device has been stopped, so that nothing more will be seen.
     pub fn note(&mut self, state: &LoopState, now: Instant) -> bool {
         let (pose, health) = (&state.sample.pose, state.sample.health);
-        if health != Health::Running {
-            self.unwell.get_or_insert(health);
+        if health != Health::Running && self.unwell.is_none_or(|seen| seen == Health::Lost) {
+            self.unwell = Some(health);
         }
         self.longest = self.longest.max(now.saturating_duration_since(self.since));
         // A pan that returns home without its device does not show that the device measures.
@@ -120,6 +121,12 @@ mod tests {
             assert_eq!(seen.unwell, Some(health));
             assert!(seen.misses(10.0)[0].contains(word), "{:?}", seen.misses(10.0));
         }
+    }
+
+    #[test]
+    fn a_fault_says_more_than_the_silence_before_it() {
+        let ill = |t: f64| [Health::Lost, Health::Fault, Health::Lost][(t as usize).min(2)];
+        assert_eq!(seen(3, |t| state(0.05 * t.sin(), ill(t))).unwell, Some(Health::Fault));
     }
 
     #[test]
