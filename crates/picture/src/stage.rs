@@ -158,6 +158,7 @@ impl Stage {
             flat: options.flat,
             mirror: None,
             tile: None,
+            sample: None,
         }
     }
 

@@ -2,7 +2,7 @@
 
 use std::f32::consts::{FRAC_PI_2, TAU};
 
-use glam::{Mat4, Vec3, Vec4Swizzles};
+use glam::{Mat4, Vec2, Vec3, Vec4Swizzles};
 
 /// Field of view of the window [rad].
 pub const FIELD_OF_VIEW: f32 = 35.0 * std::f32::consts::PI / 180.0;
@@ -108,8 +108,17 @@ impl Camera {
 
     /// Maps the world to clip space (depth 0–1) for a picture of the given width over height.
     pub fn view_projection(&self, aspect: f32) -> Mat4 {
-        let view = glam::camera::rh::view::look_at_mat4(self.eye(), self.target, self.up());
-        self.projection(aspect) * view
+        self.projection(aspect) * self.view()
+    }
+
+    /// Maps the world to the space of the eye (x right, y up, z towards the eye).
+    pub(crate) fn view(&self) -> Mat4 {
+        glam::camera::rh::view::look_at_mat4(self.eye(), self.target, self.up())
+    }
+
+    /// A step of the eye to its right and up [m].
+    pub(crate) fn aside(&self, step: Vec2) -> Vec3 {
+        self.forward().cross(self.up()) * step.x + self.up() * step.y
     }
 
     /// Maps the space of the eye (x right, y up, z towards the eye) to clip space.

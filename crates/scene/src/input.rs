@@ -8,9 +8,10 @@ pub(crate) mod pan;
 
 use std::sync::Arc;
 
-use glam::{Mat4, Vec3};
+use glam::{Mat4, Vec2, Vec3};
 
 use crate::camera::Camera;
+use crate::light::gathered::LightSample;
 use crate::light::photo::Photo;
 use crate::light::room_light::RoomLight;
 use crate::light::white_balance::WhiteBalance;
@@ -62,6 +63,8 @@ pub struct SceneInput {
     pub mirror: Option<MirrorLook>,
     /// The part of a larger picture that is drawn; none for all of it.
     pub tile: Option<Tile>,
+    /// One of the samples of which a still that gathers light is the mean; none for a picture of its own.
+    pub sample: Option<LightSample>,
 }
 
 /// A part of a picture, drawn by itself with an off-centre projection [pixels].
@@ -107,13 +110,25 @@ pub struct MirrorLook {
 impl SceneInput {
     /// Position of the eye [m].
     pub fn eye(&self) -> Vec3 {
-        self.mirror.map_or_else(|| self.camera.eye(), |mirror| mirror.eye)
+        let in_lens = self.sample.map_or(Vec2::ZERO, |sample| sample.in_lens());
+        self.mirror.map_or_else(|| self.camera.eye() + self.camera.aside(in_lens), |mirror| mirror.eye)
+    }
+
+    /// Unit vector towards the light that casts shadows.
+    pub(crate) fn towards_light(&self) -> Vec3 {
+        self.sample.map_or_else(|| self.light.sources().key_direction.normalize(), |sample| sample.towards())
     }
 
     /// Maps the world to clip space (depth 0–1) for a picture of the given width over height.
     pub fn view_projection(&self, aspect: f32) -> Mat4 {
-        let whole = |aspect| self.mirror.map_or_else(|| self.camera.view_projection(aspect), |m| m.clip_from_world);
+        let whole = |aspect| self.mirror.map_or_else(|| self.through_camera(aspect), |m| m.clip_from_world);
         self.tile.map_or_else(|| whole(aspect), |tile| tile.part_from_whole() * whole(tile.aspect()))
+    }
+
+    /// Maps the world to the camera's clip space, as far as the sample goes from its own place.
+    fn through_camera(&self, aspect: f32) -> Mat4 {
+        let Some(sample) = self.sample else { return self.camera.view_projection(aspect) };
+        sample.in_pixel() * self.camera.projection(aspect) * sample.through_lens() * self.camera.view()
     }
 
     /// Maps the space of the camera to clip space, for a picture of the given width over height.

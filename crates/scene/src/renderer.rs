@@ -9,7 +9,7 @@ use crate::gpu::history::{History, ShadowCasters, StillStep};
 use crate::gpu::passes::{self, Groups, Subject};
 use crate::gpu::pipeline_build::Detail;
 use crate::gpu::pipeline_set::PipelineSet;
-use crate::gpu::post::{Chain, LensUniform, PostKit};
+use crate::gpu::post::{LensUniform, PostKit};
 use crate::gpu::shown::{Shown, ShownFrame, Work};
 use crate::gpu::solids::Solids;
 use crate::gpu::sprites::SpriteBuffers;
@@ -21,7 +21,11 @@ use crate::gpu::views::Views;
 use crate::input::{Colouring, FilmPicture, SceneInput, StoveKind, TintPicture};
 use crate::light::shadow::{ContactMap, ShadowView};
 use crate::quality::Quality;
+use crate::renderer::developed::Samples;
 
+mod developed;
+
+pub use self::developed::SampleProgress;
 pub use crate::gpu::passes::FLAT_BACKGROUND;
 
 /// Draws scenes. Pictures of one renderer must be submitted one after another: they share its buffers.
@@ -41,6 +45,7 @@ pub struct SceneRenderer {
     backdrop: Option<Backdrop>,
     /// True if the device can draw radiances in half floats: not OpenGL, whose pictures are those of WebGL2.
     half_floats: bool,
+    samples: Samples,
 }
 
 /// Buffers of what is drawn.
@@ -82,6 +87,7 @@ impl SceneRenderer {
             post: None,
             backdrop: None,
             half_floats: device.adapter_info().backend != wgpu::Backend::Gl,
+            samples: Samples::default(),
         }
     }
 
@@ -112,7 +118,7 @@ impl SceneRenderer {
 
     /// Returns true if the last picture stays as it is while its scene does.
     pub fn is_final(&self) -> bool {
-        self.shown.is_final()
+        self.shown.is_final() && self.samples.are_taken()
     }
 
     /// Draws the best level as devices without half floats do.
@@ -141,8 +147,10 @@ impl SceneRenderer {
         let settled = input.mirror.is_some() || self.history.is_settled(&key);
         let work = self.shown.work(sight, changed, settled);
         if work == Work::Nothing {
+            self.draw_next_sample(device, queue, encoder, input);
             return;
         }
+        self.samples.begin(self.develops(input));
         if input.flat {
             self.draw_flat(device, encoder);
             return;
@@ -261,7 +269,7 @@ impl SceneRenderer {
     fn update_shadow(&mut self, encoder: &mut wgpu::CommandEncoder, input: &SceneInput) {
         let Some(solids) = &self.contents.solids else { return };
         let casters = ShadowCasters::of(input);
-        if self.history.casts(&casters) {
+        if input.sample.is_none() && self.history.shows_shadow_of(&casters) {
             return;
         }
         let (depth, foods) = (self.pipelines.depth(), &self.contents.foods);
@@ -272,7 +280,10 @@ impl SceneRenderer {
         let mut pass = passes::begin_depth(encoder, &self.textures.contact_map);
         passes::draw_food_depth(&mut pass, depth, self.views.contact(), foods);
         drop(pass);
-        self.history.cast(casters);
+        match input.sample {
+            Some(_) => self.history.lend_shadow(),
+            None => self.history.cast(casters),
+        }
     }
 
     fn groups(&self) -> Groups<'_> {
@@ -311,39 +322,6 @@ impl SceneRenderer {
         let to = if smooth { self.targets.multisampled(picture) } else { picture.attachments() };
         passes::draw_mirror(encoder, &to, pipelines, &self.groups(), &subject, pan);
         self.history.forget_still();
-        self.history.drew_whole();
-    }
-
-    /// Returns true if a scene is drawn as radiances that are developed: the look at the best level, no data colours.
-    fn develops(&self, input: &SceneInput) -> bool {
-        let look = matches!(input.colouring, Colouring::Look);
-        self.quality == Quality::Best && self.half_floats && look && !input.flat && input.mirror.is_none()
-    }
-
-    /// Draws radiances in half floats and develops them.
-    fn draw_developed(
-        &mut self,
-        device: &wgpu::Device,
-        queue: &wgpu::Queue,
-        encoder: &mut wgpu::CommandEncoder,
-        input: &SceneInput,
-    ) {
-        self.pipelines.stock(device, Detail::Hdr, self.contents.foods.textures());
-        let kit = self.post.get_or_insert_with(|| PostKit::new(device));
-        let Targets { size, picture, chain, .. } = &mut self.targets;
-        let whole = input.tile.map_or(size[1], |tile| tile.whole[1]);
-        let chain = chain.get_or_insert_with(|| Chain::new(device, kit, *size, picture, whole));
-        chain.write(queue, &LensUniform::new(input, *size));
-        self.textures.set_ambient(device, &chain.ambient);
-        let (Some(pipelines), Some(subject)) = (self.pipelines.colour(Detail::Hdr), self.subject()) else { return };
-        let (Some(kit), Some(chain)) = (&self.post, &self.targets.chain) else { return };
-        let mut pass = passes::begin_depth(encoder, &self.targets.picture.depth);
-        let Subject { solids, foods, .. } = subject;
-        passes::draw_whole_depth(&mut pass, self.pipelines.depth(), self.views.camera(), solids, foods);
-        drop(pass);
-        chain.shade(encoder, kit);
-        passes::draw_whole(encoder, &chain.attachments(), pipelines, &self.groups(), &subject);
-        chain.develop(encoder, kit);
         self.history.drew_whole();
     }
 

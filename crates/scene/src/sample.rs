@@ -67,6 +67,7 @@ pub fn empty_pan() -> SceneInput {
         flat: false,
         mirror: None,
         tile: None,
+        sample: None,
     }
 }
 

@@ -1,5 +1,7 @@
 //! What the pictures must hold. Without a graphics adapter there is nothing to test, and the tests pass.
 
+use std::sync::{Arc, Mutex};
+
 use crate::camera::Camera;
 use crate::input::{Colouring, MirrorLook, SceneInput};
 use crate::light::room_light::RoomLight;
@@ -317,4 +319,47 @@ fn the_lower_levels_blur_the_room_behind_the_pan_and_leave_the_pan_sharp() {
         assert!(soft < usual && usual < sharp && 2 * soft < sharp, "{quality:?}: {sharp}, {usual}, {soft}");
         assert!(pictures.iter().all(|picture| rows(picture, 90..180) == rows(&pictures[0], 90..180)), "{quality:?}");
     }
+}
+
+#[allow(clippy::unwrap_used)]
+#[test]
+fn a_still_that_gathers_light_is_the_same_each_time_and_as_bright_as_a_single_picture() {
+    let Some((device, queue)) = device() else {
+        return;
+    };
+    let scene = steak_in_pan(Doneness::Browned);
+    let mut renderer = SceneRenderer::new(&device, &queue);
+    let mut drawn = |samples| {
+        renderer.set_samples(samples);
+        let told: Arc<Mutex<Vec<u32>>> = Arc::default();
+        let telling = Arc::clone(&told);
+        renderer.on_sample(Box::new(move |taken, _| telling.lock().unwrap().push(taken)));
+        let pixels = renderer.render_to_image(&device, &queue, &scene, SIZE, Quality::Best);
+        let told = told.lock().unwrap().clone();
+        (pixels, told)
+    };
+    let (single, none) = drawn(1);
+    let (gathered, told) = drawn(8);
+    assert!(none.is_empty() && told == [1, 2, 3, 4, 5, 6, 7, 8], "{none:?} {told:?}");
+    assert!(gathered != single && drawn(8).0 == gathered, "the same samples give the same bytes");
+    assert!(drawn(1).0 == single, "a single picture is what it was");
+    let grey = |pixels: &[u8]| pixels.iter().map(|v| f64::from(*v)).sum::<f64>() / pixels.len() as f64;
+    let change = grey(&gathered) / grey(&single);
+    assert!((0.97..1.03).contains(&change), "{change}");
+}
+
+#[test]
+fn only_a_developed_look_gathers_light() {
+    let Some((device, queue)) = device() else {
+        return;
+    };
+    let scene = flat_field(0.5, false);
+    let drawn = |samples, scene: &SceneInput, quality| {
+        let mut renderer = SceneRenderer::new(&device, &queue);
+        renderer.set_samples(samples);
+        renderer.render_to_image(&device, &queue, scene, SIZE, quality)
+    };
+    assert!(drawn(8, &scene, Quality::Best) == drawn(1, &scene, Quality::Best));
+    let look = steak_in_pan(Doneness::Raw);
+    assert!(drawn(8, &look, Quality::Smooth) == drawn(1, &look, Quality::Smooth));
 }

@@ -30,6 +30,7 @@ use saute_kitchen::{Command, Library, TICK_S};
 use saute_picture::stage::{Places, following};
 use saute_recipe::Recipe;
 use saute_scene::camera::Camera;
+use saute_scene::light::gathered::LightSample;
 use saute_scene::quality::Quality;
 
 use self::desk::Desk;
@@ -270,6 +271,11 @@ impl SauteApp {
         let most = 2048.0 / w.max(h);
         let scale = least.min(most);
         [(w * scale).round().max(1.0) as u32, (h * scale).round().max(1.0) as u32]
+    }
+
+    /// Samples of light that the picture gathers while it rests: a paused kitchen at the best level refines until it is touched.
+    pub(crate) fn samples(&self) -> u32 {
+        if self.session.paused && self.quality() == Quality::Best { LightSample::KEPT } else { 1 }
     }
 
     /// Returns true if the graphics are software.

@@ -78,6 +78,7 @@ fn options(view: View, eye: Option<Eye>, slice: bool) -> PyResult<ShotOptions> {
         scales: ScaleChoice::new(&library()?.scales, DEFAULT_SCALE),
         eye,
         field_of_view: FIELD_OF_VIEW,
+        samples: 1,
     })
 }
 

@@ -44,6 +44,7 @@ fn draw(gpu: &Gpu, panel: &Panel, kitchen: &Kitchen, scales: &ScaleChoice, size:
         split: false,
         eye: None,
         field_of_view: FIELD_OF_VIEW,
+        samples: 1,
     };
     let mut stage = options.stage(kitchen);
     let place = kitchen.pieces().first().map(|piece| (piece.pose.position.as_vec3(), nearness(piece)));

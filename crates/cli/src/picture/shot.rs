@@ -16,10 +16,11 @@ use saute_picture::mirrored::still::mirror_shot_of;
 use saute_picture::still::animation::Format;
 use saute_picture::still::png_file::png_bytes;
 use saute_picture::still::series::Series;
-use saute_picture::still::shot::{Eye, ShotOptions, cook_to_end, shot_of};
+use saute_picture::still::shot::{Eye, ShotOptions, cook_to_end, gathered_shot_of};
 use saute_recipe::Cook;
 use saute_scene::camera::FIELD_OF_VIEW;
 use saute_scene::light::photo::Photo;
+use saute_scene::quality::Quality;
 
 use super::choices::{LightName, QualityName, StereoName, ViewName, WhiteName};
 use super::contact_sheet::{check_sheet, contact_sheet};
@@ -30,6 +31,7 @@ use crate::error::CliError;
 use crate::input::data_library::DataLibrary;
 use crate::input::{session_source, text_file};
 use crate::output::out_file::OutFile;
+use crate::output::progress::Progress;
 
 /// `saute shot`.
 #[derive(Debug, clap::Args)]
@@ -71,6 +73,10 @@ pub struct ShotArgs {
     /// Rendering quality.
     #[arg(long, value_enum, default_value_t = QualityName::Smooth)]
     pub quality: QualityName,
+    /// Samples of light of which the picture is the mean: soft shadows, a lens, smooth edges. Up to 256; 1 is a single picture.
+    /// More need --quality best and the look.
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=256), conflicts_with_all = ["flat", "mirror"])]
+    pub samples: u32,
     /// Renders unlit colours without tone mapping, for measurements.
     #[arg(long)]
     pub flat: bool,
@@ -144,6 +150,7 @@ fn within(text: &str, range: RangeInclusive<f32>) -> Option<f32> {
 
 /// Renders the pictures and writes them.
 pub fn run(args: &ShotArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
+    check_samples(args)?;
     let source = session_source::load(&args.recipe, data)?;
     let kind = Rendered::of(args)?;
     let out = OutFile::prepare(&args.out)?;
@@ -160,6 +167,7 @@ pub fn run(args: &ShotArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
         scales,
         eye: args.camera,
         field_of_view: args.fov.to_radians(),
+        samples: args.samples,
     };
     let mut cook = session_source::cook(source, data)?;
     let bytes = match kind {
@@ -178,6 +186,18 @@ pub fn run(args: &ShotArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
     };
     out.fill(&bytes)?;
     Ok(ExitCode::SUCCESS)
+}
+
+/// Only a look at the best level gathers light.
+fn check_samples(args: &ShotArgs) -> Result<(), CliError> {
+    let best = Quality::from(args.quality) == Quality::Best;
+    let wrong = |message: &str, remedy: &str| Err(CliError::place(format!("--samples {}", args.samples), message, remedy));
+    match (args.samples, View::from(args.view)) {
+        (1, _) => Ok(()),
+        (_, View::Look) if best => Ok(()),
+        (_, View::Look) => wrong("are gathered by the best quality only", "add --quality best, or leave --samples out"),
+        _ => wrong("are gathered by the look only", "leave --view or --samples out"),
+    }
 }
 
 /// What is rendered.
@@ -214,7 +234,11 @@ impl Rendered {
 
 /// One picture, or that of a half mirror.
 fn one(args: &ShotArgs, cook: Cook, at_s: f64, options: ShotOptions) -> Result<Picture, CliError> {
-    let Some(name) = &args.mirror else { return Ok(shot_of(cook, at_s, options, args.size)?) };
+    let Some(name) = &args.mirror else {
+        let progress = Progress::over(args.samples.into());
+        let told = Box::new(move |taken, of| progress.next(format!("sample {taken} of {of}")));
+        return Ok(gathered_shot_of(cook, at_s, options, args.size, told)?);
+    };
     let rig = rig(name)?;
     let stereo = args.stereo.map_or(Stereo::Off, Stereo::from);
     let mirror = MirrorOptions { stereo, eye_distance: rig.eye_distance, pan_shown: args.show_pan };

@@ -59,6 +59,7 @@ impl Colorimeter {
             split: false,
             eye: None,
             field_of_view: FIELD_OF_VIEW,
+            samples: 1,
         };
         let pose = held(piece, at);
         let camera = eye(&pose, at);

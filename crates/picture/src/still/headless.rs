@@ -3,7 +3,7 @@
 use saute_kitchen::Kitchen;
 use saute_scene::input::SceneInput;
 use saute_scene::quality::Quality;
-use saute_scene::renderer::SceneRenderer;
+use saute_scene::renderer::{SampleProgress, SceneRenderer};
 
 use crate::cut::section::Picture;
 use crate::stage::{Stage, StageOptions};
@@ -59,12 +59,33 @@ async fn adapter(backends: wgpu::Backends) -> Result<wgpu::Adapter, wgpu::Reques
 /// Draws a kitchen once, with smooth edges.
 pub fn still(gpu: &Gpu, kitchen: &Kitchen, options: &StageOptions, size: [u32; 2]) -> Picture {
     let input = Stage::default().scene(kitchen, options, &Default::default());
-    picture(gpu, &input, size, Quality::Smooth)
+    picture(gpu, &input, size, Quality::Smooth, Gather::default())
+}
+
+/// Samples of light that a picture at the best level gathers.
+#[derive(Default)]
+pub struct Gather {
+    /// Number of them; 0 and 1 gather none.
+    pub samples: u32,
+    /// Called after each.
+    pub told: Option<SampleProgress>,
+}
+
+impl Gather {
+    /// A renderer that gathers so.
+    pub fn renderer(self, gpu: &Gpu) -> SceneRenderer {
+        let mut renderer = SceneRenderer::new(&gpu.device, &gpu.queue);
+        renderer.set_samples(self.samples);
+        if let Some(told) = self.told {
+            renderer.on_sample(told);
+        }
+        renderer
+    }
 }
 
 /// Draws a scene once, with a separate renderer: what an earlier picture left would show.
-pub fn picture(gpu: &Gpu, input: &SceneInput, size: [u32; 2], quality: Quality) -> Picture {
-    let mut renderer = SceneRenderer::new(&gpu.device, &gpu.queue);
+pub fn picture(gpu: &Gpu, input: &SceneInput, size: [u32; 2], quality: Quality, gather: Gather) -> Picture {
+    let mut renderer = gather.renderer(gpu);
     let rgba = renderer.render_to_image(&gpu.device, &gpu.queue, input, size, quality);
     Picture { width: size[0] as usize, height: size[1] as usize, rgba }
 }

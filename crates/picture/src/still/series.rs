@@ -33,7 +33,7 @@ impl Series {
         if !advance_to(&mut self.cook, at_s)? {
             return Ok(None);
         }
-        Ok(Some(drawn(&self.gpu, &self.cook.kitchen, &self.options, self.size)))
+        Ok(Some(drawn(&self.gpu, &self.cook.kitchen, &self.options, self.size, None)))
     }
 
     /// End of the recipe [s]: it is cooked once more ahead, without pictures.

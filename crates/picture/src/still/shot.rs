@@ -11,14 +11,14 @@ use saute_scene::light::photo::Photo;
 use saute_scene::light::room_light::RoomLight;
 use saute_scene::light::white_balance::WhiteBalance;
 use saute_scene::quality::Quality;
-use saute_scene::renderer::SceneRenderer;
+use saute_scene::renderer::SampleProgress;
 use saute_schema::InputError;
 
 use crate::colour::map::TemperatureMap;
 use crate::cut::section::Picture;
 use crate::split::scenes;
 use crate::stage::{CUT_YAW, Stage, StageOptions};
-use crate::still::headless::{Gpu, GpuError, picture};
+use crate::still::headless::{Gather, Gpu, GpuError, picture};
 use crate::view::View;
 use crate::waiting::FIRST_ON_BOARD;
 
@@ -118,6 +118,8 @@ pub struct ShotOptions {
     pub eye: Option<Eye>,
     /// Field of view [rad].
     pub field_of_view: f32,
+    /// Samples of light that a look at the best level gathers.
+    pub samples: u32,
 }
 
 /// Where the eye of a still is.
@@ -233,22 +235,42 @@ pub fn shot(
 pub fn shot_of(mut cook: Cook, at_s: f64, options: ShotOptions, size: [u32; 2]) -> Result<Picture, ShotError> {
     cook_to(&mut cook, at_s)?;
     let gpu = Gpu::open()?;
-    Ok(drawn(&gpu, &cook.kitchen, &options, size))
+    Ok(drawn(&gpu, &cook.kitchen, &options, size, None))
+}
+
+/// As [`shot_of`]; `told` is called after each sample of light.
+pub fn gathered_shot_of(
+    mut cook: Cook,
+    at_s: f64,
+    options: ShotOptions,
+    size: [u32; 2],
+    told: SampleProgress,
+) -> Result<Picture, ShotError> {
+    cook_to(&mut cook, at_s)?;
+    let gpu = Gpu::open()?;
+    Ok(drawn(&gpu, &cook.kitchen, &options, size, Some(told)))
 }
 
 /// Draws a kitchen as the options state.
-pub(crate) fn drawn(gpu: &Gpu, kitchen: &Kitchen, options: &ShotOptions, size: [u32; 2]) -> Picture {
+pub(crate) fn drawn(
+    gpu: &Gpu,
+    kitchen: &Kitchen,
+    options: &ShotOptions,
+    size: [u32; 2],
+    told: Option<SampleProgress>,
+) -> Picture {
     let stage = options.stage(kitchen);
     let input = Stage::default().scene(kitchen, &stage, &Default::default());
+    let gather = Gather { samples: options.samples, told };
     if options.split {
-        return pair(gpu, input, size, options.quality);
+        return pair(gpu, input, size, options.quality, gather);
     }
-    picture(gpu, &input, size, options.quality)
+    picture(gpu, &input, size, options.quality, gather)
 }
 
 /// The look and the view of one instant side by side, each in half the width, with a dark line between.
-fn pair(gpu: &Gpu, input: SceneInput, [width, height]: [u32; 2], quality: Quality) -> Picture {
-    let mut renderer = SceneRenderer::new(&gpu.device, &gpu.queue);
+fn pair(gpu: &Gpu, input: SceneInput, [width, height]: [u32; 2], quality: Quality, gather: Gather) -> Picture {
+    let mut renderer = gather.renderer(gpu);
     let half = [(width - LINE) / 2, height];
     let scenes = scenes(input, true);
     let halves = scenes.iter().map(|scene| renderer.render_to_image(&gpu.device, &gpu.queue, scene, half, quality));
@@ -285,6 +307,7 @@ mod tests {
                 scales: ScaleChoice::default(),
                 eye: Some(eye),
                 field_of_view: 0.6,
+                samples: 1,
             };
             options.stage(&kitchen).camera.yaw
         };

@@ -66,6 +66,8 @@ pub(crate) struct History {
     /// Number of changes of foods that are visible on pan wall and board, by reflection or shadow.
     disturbances: u64,
     shadow_of: Option<ShadowCasters>,
+    /// True if the shadow map shows a sample of the light instead.
+    shadow_lent: bool,
 }
 
 impl Default for History {
@@ -78,6 +80,7 @@ impl Default for History {
             drawn: DirtyParts::WHOLE,
             disturbances: 0,
             shadow_of: None,
+            shadow_lent: false,
         }
     }
 }
@@ -103,14 +106,24 @@ impl History {
         self.shadow_of = None;
     }
 
-    /// Returns true if the shadow map was drawn for these casters.
+    /// Returns true if the last shadow map of a picture was drawn for these casters.
     pub fn casts(&self, casters: &ShadowCasters) -> bool {
         self.shadow_of.as_ref() == Some(casters)
     }
 
     /// Notes the casters for which the shadow map was drawn.
     pub fn cast(&mut self, casters: ShadowCasters) {
-        self.shadow_of = Some(casters);
+        (self.shadow_of, self.shadow_lent) = (Some(casters), false);
+    }
+
+    /// Lends the shadow map to a sample of the light.
+    pub fn lend_shadow(&mut self) {
+        self.shadow_lent = true;
+    }
+
+    /// Returns true if the shadow map shows these casters in the light of a picture of its own.
+    pub fn shows_shadow_of(&self, casters: &ShadowCasters) -> bool {
+        !self.shadow_lent && self.casts(casters)
     }
 
     /// Starts a frame: takes it without its time, and the dirty rectangle of its sprites.

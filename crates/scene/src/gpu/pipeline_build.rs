@@ -16,15 +16,17 @@ pub(crate) enum Detail {
     Best,
     /// As `Best`, for radiances in half floats that are developed later.
     Hdr,
+    /// As `Hdr`, for one of many samples of a pixel.
+    Sample,
 }
 
 impl Detail {
     fn format(self) -> wgpu::TextureFormat {
-        if self == Self::Hdr { HDR_FORMAT } else { COLOUR_FORMAT }
+        if self >= Self::Hdr { HDR_FORMAT } else { COLOUR_FORMAT }
     }
 
     fn samples(self) -> u32 {
-        if self >= Self::Fine { MSAA_SAMPLES } else { 1 }
+        if self >= Self::Fine && self != Self::Sample { MSAA_SAMPLES } else { 1 }
     }
 }
 
@@ -50,7 +52,7 @@ impl PipelineOptions {
             Detail::Usual => Vec::new(),
             Detail::Fine => vec![("fine", 1.0)],
             Detail::Best => vec![("fine", 1.0), ("contact", 1.0)],
-            Detail::Hdr => vec![("fine", 1.0), ("contact", 1.0), ("hdr", 1.0)],
+            Detail::Hdr | Detail::Sample => vec![("fine", 1.0), ("contact", 1.0), ("hdr", 1.0)],
         };
         // The numbers in `grain.wgsl`.
         constants.extend(self.texture.map(|texture| ("texture_kind", f64::from(texture as u8))));

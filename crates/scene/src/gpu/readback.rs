@@ -95,12 +95,29 @@ impl SceneRenderer {
         let before = self.quality();
         self.set_quality(quality);
         let mut pixels = self.read_as_is(device, queue, input, size);
+        if self.gather(device, queue, input, size) {
+            pixels = self.read_as_is(device, queue, input, size);
+        }
         if quality == Quality::Quick {
             // What does not move gets its patterns and smooth edges in the second frame.
             pixels = self.read_as_is(device, queue, input, size);
         }
         self.set_quality(before);
         pixels
+    }
+
+    /// Draws the samples of a picture that gathers light; returns true if there were any.
+    fn gather(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, input: &SceneInput, size: [u32; 2]) -> bool {
+        let mut drawn = false;
+        while self.has_samples_left() {
+            let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("sample") });
+            self.render(device, queue, &mut encoder, input, size);
+            queue.submit([encoder.finish()]);
+            // A lost device draws nothing more, and says so when it is read.
+            let _ = device.poll(wgpu::PollType::wait_indefinitely());
+            drawn = true;
+        }
+        drawn
     }
 
     /// As `render_to_image`, at the quality that is set.

@@ -80,6 +80,11 @@ impl Shown {
         Work::Nothing
     }
 
+    /// Draws the next frame whatever is shown.
+    pub fn forget(&mut self) {
+        (self.sight, self.smooth) = (None, false);
+    }
+
     /// Returns true if an equal frame would not be drawn again, however long it rests.
     pub fn is_final(&self) -> bool {
         self.smooth

@@ -59,9 +59,9 @@ impl FrameUniform {
             clip_from_world: input.view_projection(aspect),
             light_from_world: shadow.coarse(),
             eye: input.eye().extend(input.time_s.rem_euclid(TIME_WRAP)),
-            key: lit.key_direction.normalize().extend(0.0),
+            key: input.towards_light().extend(0.0),
             other: lit.other_direction.normalize().extend((ENVIRONMENT_LEVELS - 1) as f32),
-            lights: input.light.uniform(),
+            lights: input.sample.map_or(input.light.uniform(), |sample| sample.share(input.light.uniform())),
             as_shot: WhiteBalance::AsShot.gains(input.light).extend(0.0),
             pan_from_world: pan.world_from_pan().inverse(),
             contact_rect: contact.rect(),
@@ -73,7 +73,7 @@ impl FrameUniform {
             oil: pan.oil_colour.extend(f32::from(input.mirror.is_some_and(|mirror| !mirror.pan_shown))),
             white: (exposure(input) * balance(input).gains(input.light)).extend(pan.oil_turbidity),
             shadow_fine: shadow.uniform(quality),
-            origin: Vec4::new(left as f32, top as f32, 0.0, 0.0),
+            origin: Vec4::new(left as f32, top as f32, input.sample.map_or(0.0, |sample| sample.kind()), 0.0),
             floor_field: pan.floor_field,
         }
     }

@@ -1,6 +1,7 @@
 //! The light of the room, shadows and the white balance.
 
 pub(crate) mod environment;
+pub mod gathered;
 pub mod photo;
 pub mod room_light;
 pub(crate) mod shadow;

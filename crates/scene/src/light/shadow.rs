@@ -3,7 +3,6 @@
 use glam::{Mat4, Vec2, Vec3, Vec4};
 
 use crate::input::SceneInput;
-use crate::light::room_light::RoomLight;
 use crate::quality::Quality;
 
 /// Texels along each side of the contact map.
@@ -22,7 +21,10 @@ const SOFTNESS: f32 = 0.00125;
 /// Where the two parts of the shadow map look: the left half fine, at the food, the right one coarse, at everything.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct ShadowView {
-    light: RoomLight,
+    /// Unit vector towards the light.
+    towards: Vec3,
+    /// How much softer than usual shadows are.
+    soft: f32,
     /// Middle of the fine part in the clip space of the coarse one.
     middle: Vec2,
 }
@@ -36,13 +38,15 @@ impl ShadowView {
         let elsewhere = !places.is_empty() && !places.iter().any(in_pan);
         let at = if elsewhere { places.iter().sum::<Vec3>() / places.len() as f32 } else { pan };
         let step = STEP / Vec2::new(REACH, REACH * LOW);
-        let middle = coarse(input.light).project_point3(at).truncate();
-        Self { light: input.light, middle: (middle / step).round() * step }
+        let towards = input.towards_light();
+        let middle = coarse(towards).project_point3(at).truncate();
+        let soft = input.sample.map_or(1.0, |sample| sample.softness());
+        Self { towards, soft, middle: (middle / step).round() * step }
     }
 
     /// Maps the world to the clip space of the coarse part.
     pub fn coarse(&self) -> Mat4 {
-        coarse(self.light)
+        coarse(self.towards)
     }
 
     /// Maps the world to the clip space of the fine part.
@@ -57,14 +61,14 @@ impl ShadowView {
     pub fn uniform(&self, quality: Quality) -> Vec4 {
         // Soft shadows are wider where a texel is.
         let texel = 2.0 * FINE_REACH / quality.map_sizes()[0] as f32;
-        let step = SOFTNESS.max(1.2 * texel) / (2.0 * REACH);
+        let step = (self.soft * SOFTNESS).max(1.2 * texel) / (2.0 * REACH);
         self.middle.extend(REACH / FINE_REACH).extend(step)
     }
 }
 
-fn coarse(light: RoomLight) -> Mat4 {
+fn coarse(towards: Vec3) -> Mat4 {
     let centre = Vec3::new(0.02, 0.0, 0.02);
-    let eye = centre + light.sources().key_direction.normalize() * 1.0;
+    let eye = centre + towards;
     let view = glam::camera::rh::view::look_at_mat4(eye, centre, Vec3::Z);
     let up = REACH * LOW;
     glam::camera::rh::proj::directx::orthographic(-REACH, REACH, -up, up, 0.3, 1.7) * view

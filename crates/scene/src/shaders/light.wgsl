@@ -176,12 +176,19 @@ fn lobe(f0: vec3<f32>, roughness: f32, n_dot_v: f32) -> vec3<f32> {
     return f0 * scale.x + scale.y;
 }
 
+// Share of the dome's light that arrives in this sample of it: as the mean of all of them, that of the directions that are open.
+fn from_dome(normal: vec3<f32>, lit: f32) -> f32 {
+    let faced = smoothstep(-0.05, 0.05, dot(normal, frame.key.xyz));
+    return lit * faced * 2.0 / max(1.0 + normal.z, 0.3);
+}
+
 fn diffuse(s: Surface, lit: f32) -> vec3<f32> {
     let n_dot_l = dot(s.normal, frame.key.xyz);
     let key = max((vec3<f32>(n_dot_l) + s.wrap) / (1.0 + s.wrap), vec3<f32>(0.0)) * (lit + s.wrap * 0.2 * (1.0 - lit));
     let n_dot_other = max(dot(s.normal, frame.other.xyz) * (1.0 - OTHER_WRAP) + OTHER_WRAP, 0.0);
+    let round = select(s.visibility, from_dome(s.normal, lit), frame.origin.z > 0.5);
     let fill = mix(frame.fill_ground.rgb, frame.fill_sky.rgb, s.normal.z * 0.5 + 0.5) + frame.fill_front.rgb * max(dot(s.normal, FRONT), 0.0);
-    return s.albedo * (frame.key_light.rgb * key + (frame.other_light.rgb * n_dot_other + fill) * s.visibility);
+    return s.albedo * (frame.key_light.rgb * key + frame.other_light.rgb * n_dot_other * s.visibility + fill * round);
 }
 
 fn specular(s: Surface, position: vec3<f32>, view: vec3<f32>, lit: f32) -> vec3<f32> {

@@ -150,7 +150,7 @@ impl SauteApp {
             || self.session.is_travelling()
             || self.sights.ways.catch_up
             || self.session.forecasts().need_frames()
-            || (self.sights.scene.rest.at_once && !self.sights.scene.rest.is_final())
+            || ((self.sights.scene.rest.at_once || self.samples() > 1) && !self.sights.scene.rest.is_final())
         {
             ctx.request_repaint();
         } else {

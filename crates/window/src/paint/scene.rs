@@ -22,6 +22,8 @@ pub struct SceneCallback {
     pub size: [u32; 2],
     /// Rendering quality.
     pub quality: Quality,
+    /// Samples of light that a picture at the best level gathers once it stays the same; 1 for none.
+    pub samples: u32,
     /// Which part of a split window, from 0: each has its own renderer, made when it is first used.
     pub pane: usize,
     /// Takes note of a picture that is not final.
@@ -87,6 +89,7 @@ impl ScenePresenter {
         callback: &SceneCallback,
     ) {
         self.renderer.set_quality(callback.quality);
+        self.renderer.set_samples(callback.samples);
         if callback.rest.at_once {
             self.renderer.set_rest(web_time::Duration::ZERO);
         }
@@ -191,6 +194,7 @@ mod tests {
             input: Arc::new(steak_in_pan(Doneness::Raw)),
             size: SIZE,
             quality: Quality::Quick,
+            samples: 1,
             pane: 0,
             rest: SceneRest::default(),
         };

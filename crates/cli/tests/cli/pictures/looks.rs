@@ -43,6 +43,21 @@ fn exposure_brightens_a_picture_and_blur_softens_what_lies_behind() {
 }
 
 #[test]
+fn samples_of_light_give_a_picture_of_their_own_and_need_the_best_look() {
+    let best = ["--quality", "best"];
+    let gathered = shot(&[&best[..], &["--samples", "4"]].concat());
+    assert!(gathered != shot(&best) && shot(&[&best[..], &["--samples", "1"]].concat()) == shot(&best));
+    for (options, remedy) in [
+        (&["--samples", "0"][..], "1..=256"),
+        (&["--samples", "8"], "add --quality best"),
+        (&["--samples", "8", "--quality", "best", "--view", "doneness"], "leave --view or --samples out"),
+    ] {
+        let ran = run(&[&["shot", "medium", "--at", "1", "--out", "never.png"], options].concat());
+        assert!(ran.code == Some(2) && ran.err.contains(remedy), "{}", ran.err);
+    }
+}
+
+#[test]
 fn an_unknown_white_balance_is_refused_and_the_choices_are_named() {
     let ran = run(&["shot", "medium", "--at", "1", "--out", "never.png", "--white-balance", "tungsten"]);
     assert_eq!(ran.code, Some(2));

@@ -1,6 +1,7 @@
 //! Targets and passes after the scene, for one picture size.
 
 use crate::gpu::post::kit::{AMBIENT_FORMAT, HDR_FORMAT, Post, PostKit};
+use crate::gpu::post::gathering::Gathering;
 use crate::gpu::post::lens::LensUniform;
 use crate::gpu::targets::{Attachments, Layer, MSAA_SAMPLES, texture, view};
 use crate::gpu::textures::DEPTH_FORMAT;
@@ -9,7 +10,7 @@ use crate::gpu::textures::DEPTH_FORMAT;
 const COARSEST: u32 = 16;
 
 /// One pass.
-struct Step {
+pub(super) struct Step {
     post: Post,
     group: wgpu::BindGroup,
     to: wgpu::TextureView,
@@ -25,6 +26,8 @@ pub(crate) struct Chain {
     before: Vec<Step>,
     after: Vec<Step>,
     lens: wgpu::Buffer,
+    /// Made when a still first gathers light.
+    gathering: Option<Gathering>,
 }
 
 /// Number of levels of the bloom for a height of the whole picture [pixels].
@@ -37,7 +40,7 @@ impl Chain {
     pub fn new(device: &wgpu::Device, kit: &PostKit, size: [u32; 2], picture: &Layer, whole: u32) -> Self {
         let target = |size, format| view(&texture(device, size, format, 1));
         let lens = LensUniform::buffer(device);
-        let bench = Bench { device, kit, lens: &lens, depth: &picture.depth, blank: target([1; 2], HDR_FORMAT) };
+        let bench = Bench::new(device, kit, &lens, &picture.depth);
         let sizes: Vec<[u32; 2]> = halves(size).take(bloom_levels(whole) as usize).collect();
         let half = sizes[0];
         let colour = target(size, HDR_FORMAT);
@@ -53,7 +56,20 @@ impl Chain {
             colour: view(&texture(device, size, HDR_FORMAT, MSAA_SAMPLES)),
             depth: view(&texture(device, size, DEPTH_FORMAT, MSAA_SAMPLES)),
         };
-        Self { msaa, colour, ambient, before, after, lens }
+        Self { msaa, colour, ambient, before, after, lens, gathering: None }
+    }
+
+    /// Makes what a still that gathers light needs besides, when it is first needed.
+    pub fn gather(&mut self, device: &wgpu::Device, kit: &PostKit, picture: &Layer, size: [u32; 2]) {
+        if self.gathering.is_none() {
+            let bench = Bench::new(device, kit, &self.lens, &picture.depth);
+            self.gathering = Some(Gathering::new(&bench, size, &self.colour));
+        }
+    }
+
+    /// What a still that gathers light needs besides.
+    pub fn gathering(&self) -> Option<&Gathering> {
+        self.gathering.as_ref()
     }
 
     /// What the scene is drawn into.
@@ -83,8 +99,8 @@ fn halves(size: [u32; 2]) -> impl Iterator<Item = [u32; 2]> {
 }
 
 /// What all steps of a chain share while it is made.
-struct Bench<'a> {
-    device: &'a wgpu::Device,
+pub(super) struct Bench<'a> {
+    pub device: &'a wgpu::Device,
     kit: &'a PostKit,
     lens: &'a wgpu::Buffer,
     depth: &'a wgpu::TextureView,
@@ -92,8 +108,17 @@ struct Bench<'a> {
     blank: wgpu::TextureView,
 }
 
-impl Bench<'_> {
-    fn step<const N: usize>(&self, post: Post, from: [&wgpu::TextureView; N], to: &wgpu::TextureView) -> Step {
+impl<'a> Bench<'a> {
+    fn new(
+        device: &'a wgpu::Device,
+        kit: &'a PostKit,
+        lens: &'a wgpu::Buffer,
+        depth: &'a wgpu::TextureView,
+    ) -> Self {
+        Self { device, kit, lens, depth, blank: view(&texture(device, [1; 2], HDR_FORMAT, 1)) }
+    }
+
+    pub fn step<const N: usize>(&self, post: Post, from: [&wgpu::TextureView; N], to: &wgpu::TextureView) -> Step {
         use wgpu::BindingResource::{Sampler, TextureView};
         let from = |k: usize| TextureView(from.get(k).copied().unwrap_or(&self.blank));
         let resources = [
@@ -139,19 +164,36 @@ impl Bench<'_> {
 }
 
 impl Step {
-    fn run(&self, encoder: &mut wgpu::CommandEncoder, kit: &PostKit) {
+    /// Draws it in the place of what its target holds.
+    pub fn run(&self, encoder: &mut wgpu::CommandEncoder, kit: &PostKit) {
+        self.run_mixed(encoder, kit, 1.0, wgpu::LoadOp::Clear(wgpu::Color::BLACK));
+    }
+
+    /// Mixes it with what its target holds; `share` is that of the new one.
+    pub fn run_over(&self, encoder: &mut wgpu::CommandEncoder, kit: &PostKit, share: f64) {
+        self.run_mixed(encoder, kit, share, wgpu::LoadOp::Load);
+    }
+
+    fn run_mixed(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        kit: &PostKit,
+        share: f64,
+        load: wgpu::LoadOp<wgpu::Color>,
+    ) {
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("post"),
             color_attachments: &[Some(wgpu::RenderPassColorAttachment {
                 view: &self.to,
                 depth_slice: None,
                 resolve_target: None,
-                ops: wgpu::Operations { load: wgpu::LoadOp::Clear(wgpu::Color::BLACK), store: wgpu::StoreOp::Store },
+                ops: wgpu::Operations { load, store: wgpu::StoreOp::Store },
             })],
             ..Default::default()
         });
         let Some(pipeline) = kit.pipeline(self.post) else { return };
         pass.set_pipeline(pipeline);
+        pass.set_blend_constant(wgpu::Color { r: share, g: share, b: share, a: share });
         pass.set_bind_group(0, &self.group, &[]);
         pass.draw(0..3, 0..1);
     }

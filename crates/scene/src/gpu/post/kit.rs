@@ -43,6 +43,12 @@ const SCATTER: &str = concat!(
     include_str!("../../shaders/post/scatter.wgsl")
 );
 
+const GATHER: &str = concat!(
+    include_str!("../../shaders/post/lens.wgsl"),
+    include_str!("../../shaders/post/radiance.wgsl"),
+    include_str!("../../shaders/post/gather.wgsl")
+);
+
 /// A pass over the whole of its target.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Post {
@@ -64,10 +70,14 @@ pub(crate) enum Post {
     Behind,
     /// The picture.
     Develop,
+    /// A sample of a still that gathers light, into the mean of them.
+    Sample,
+    /// Their mean as radiances of a picture.
+    Mean,
 }
 
 impl Post {
-    const ALL: [Self; 9] = [
+    const ALL: [Self; 11] = [
         Self::Ambient,
         Self::Even,
         Self::Rows,
@@ -77,7 +87,20 @@ impl Post {
         Self::Gather,
         Self::Behind,
         Self::Develop,
+        Self::Sample,
+        Self::Mean,
     ];
+
+    /// How a pass is mixed with what its target holds; the constant is the new one's share.
+    fn blend(self) -> Option<wgpu::BlendState> {
+        use wgpu::{BlendComponent, BlendFactor, BlendOperation};
+        let mixed = BlendComponent {
+            src_factor: BlendFactor::Constant,
+            dst_factor: BlendFactor::OneMinusConstant,
+            operation: BlendOperation::Add,
+        };
+        (self == Self::Sample).then_some(wgpu::BlendState { color: mixed, alpha: mixed })
+    }
 
     fn shader(self) -> (&'static str, &'static str, wgpu::TextureFormat) {
         match self {
@@ -90,6 +113,8 @@ impl Post {
             Self::Gather => (BLOOM, "fs_gather", HDR_FORMAT),
             Self::Behind => (FOCUS, "fs_behind", HDR_FORMAT),
             Self::Develop => (DEVELOP, "fs_develop", COLOUR_FORMAT),
+            Self::Sample => (GATHER, "fs_sample", HDR_FORMAT),
+            Self::Mean => (GATHER, "fs_mean", HDR_FORMAT),
         }
     }
 }
@@ -108,7 +133,7 @@ impl PostKit {
         let layout = overlay::layout(device, "post", wgpu::ShaderStages::FRAGMENT, kinds);
         let make = |post: Post| {
             let (shader, fragment, format) = post.shader();
-            let target = format.into();
+            let target = wgpu::ColorTargetState { blend: post.blend(), ..format.into() };
             Overlay { label: fragment, shader, vertex: VS_COVER, fragment, layout: &layout, target }.pipeline(device)
         };
         let pipelines = Post::ALL.into_iter().map(|post| (post, make(post))).collect();

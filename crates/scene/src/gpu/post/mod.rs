@@ -1,6 +1,7 @@
 //! What follows the scene at the best level: radiances in half floats are turned into the picture.
 
 mod chain;
+mod gathering;
 mod kit;
 mod lens;
 

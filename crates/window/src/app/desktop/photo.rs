@@ -17,6 +17,7 @@ impl SauteApp {
     /// Plays the cook again in the background, seen as now, and saves a time lapse of it.
     pub(crate) fn make_time_lapse(&mut self, ctx: &egui::Context) {
         let options = saute_picture::still::shot::ShotOptions {
+            samples: 1,
             view: self.settings.view,
             split: false,
             slice: self.sights.slice.is_some(),

@@ -7,13 +7,15 @@ use std::sync::mpsc::{Receiver, TryRecvError, channel};
 
 use saute_kitchen::Library;
 use saute_picture::still::animation::{FRAMES_PER_S, Format, animation};
-use saute_picture::still::headless::{Gpu, picture};
+use saute_picture::still::headless::{Gather, Gpu, picture};
 use saute_picture::still::png_file::png_bytes;
 use saute_picture::still::series::Series;
 use saute_picture::still::shot::ShotOptions;
 use saute_recipe::{Cook, Recording};
 use saute_scene::input::SceneInput;
+use saute_scene::light::gathered::LightSample;
 use saute_scene::quality::Quality;
+use saute_scene::renderer::SampleProgress;
 
 use crate::desktop::files::write_picture;
 
@@ -56,6 +58,7 @@ impl Drop for Making {
 }
 
 /// What the thread sends to the window.
+#[derive(Clone)]
 struct Executor {
     done: Arc<AtomicU32>,
     stopped: Arc<AtomicBool>,
@@ -88,9 +91,11 @@ pub struct Maker {
 impl Maker {
     /// A picture of a scene at the best quality.
     pub fn photo(self, scene: Arc<SceneInput>, size: [u32; 2]) -> std::io::Result<Making> {
-        self.begin(1, move |executor| {
+        self.begin(LightSample::KEPT, move |executor| {
             let gpu = Gpu::open().map_err(|error| error.to_string())?;
-            let drawn = picture(&gpu, &scene, size, Quality::Best);
+            let counting = executor.clone();
+            let told: SampleProgress = Box::new(move |_, _| _ = counting.goes_on());
+            let drawn = picture(&gpu, &scene, size, Quality::Best, Gather { samples: LightSample::KEPT, told: Some(told) });
             executor.save("png", &png_bytes(&drawn).map_err(|error| error.to_string())?)
         })
     }
