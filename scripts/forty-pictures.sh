@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Draws forty pictures of foods for somebody who is to name what they show (docs/looks.md), in random order and without
 # captions, and the key to them: 18 cut steaks of six classes (cores of 43–46, 49–52, 55–57, 61–63, 66–67 and 75 °C or more at their
-# highest), the rest raw, golden and burnt foods.
+# highest), every food of the pantry golden, two raw.
 #
 #   scripts/forty-pictures.sh SEED FOLDER    FOLDER/01.png to 40.png, FOLDER/key.tsv
 #
@@ -13,6 +13,8 @@ SEED="$1"
 OUT="$2"
 SAUTE="${SAUTE:-${CARGO_TARGET_DIR:-target}/release/saute}"
 export SAUTE
+# Samples of light of each picture.
+SAMPLES="${SAMPLES:-16}"
 WORK="$(mktemp -d)"
 trap 'rm -rf "$WORK"' EXIT
 mkdir -p "$OUT"
@@ -48,11 +50,10 @@ golden() {
     printf '[[step]]\nafter_s = %s\nflip = "it"\n[[step]]\nafter_s = %s\nend = true\n' "$5" "$5"
 }
 
-# burnt FOOD SEED KEYS SECONDS: forgotten on a strong flame.
-burnt() {
-    piece "$1" "$2" "$3" 250
-    printf '[[step]]\noil_g = 6\n[[step]]\nhob_w = 1500\n[[step]]\nput = "it"\n'
-    printf '[[step]]\nafter_s = %s\nflip = "it"\n[[step]]\nafter_s = 60\nend = true\n' "$4"
+# fried FOOD SEED KEYS C SECONDS: so long, not turned.
+fried() {
+    hot "$1" "$2" "$3" "$4"
+    printf '[[step]]\nafter_s = %s\nend = true\n' "$5"
 }
 
 # all: a line for each picture: name of the recipe, where the camera is, answer.
@@ -72,34 +73,48 @@ medium 52
 medium-well 58
 well-done 72
 LIST
-    # Food, how many, distance of the camera [mm], golden at [°C] for [s] a side, burnt after [s].
-    while read -r food count mm pan_c side_s burnt_s; do
+    # Food, how many, distance of the camera [mm], golden at [°C] for [s] a side.
+    while read -r food count mm pan_c side_s; do
         line=""
         [ "$count" = 1 ] || line="count = $count"
-        raw "$food" "$a" "$line" >"$WORK/raw-$food-$a.toml"
         golden "$food" "$b" "$line" "$pan_c" "$side_s" >"$WORK/golden-$food-$b.toml"
-        burnt "$food" "$c" "$line" "$burnt_s" >"$WORK/burnt-$food-$c.toml"
-        for state in "raw-$food-$a" "golden-$food-$b" "burnt-$food-$c"; do
-            printf '%s\t42,20,%s\t%s, %s, seed %s\n' "$state" "$mm" "$food" "${state%%-*}" "${state##*-}"
-        done
+        printf 'golden-%s-%s\t42,20,%s\t%s, golden, seed %s\n' "$food" "$b" "$mm" "$food" "$b"
     done <<LIST
-beef-lean 1 300 185 150 480
-beef-marbled 1 300 185 150 480
-beef-patty 1 280 180 170 480
-shrimp 5 260 190 110 420
-carrot-coin 9 240 170 230 480
-carrot-stick 7 240 170 230 480
-leek-ring 7 240 170 220 420
+bacon 3 240 165 150
+beef-lean 1 270 185 150
+beef-marbled 1 270 185 150
+beef-patty 1 260 180 170
+carrot-coin 9 230 170 230
+carrot-stick 7 230 170 230
+chicken-breast 1 270 165 300
+cod-fillet 1 250 165 200
+leek-ring 7 230 170 220
+mushroom-slice 7 250 180 180
+onion-dice 20 210 160 200
+onion-ring 4 250 165 240
+pepper-strip 8 250 175 200
+pork-chop 1 280 180 200
+potato-dice 12 210 175 240
+potato-slice 7 240 175 300
+salmon-fillet 1 250 165 200
+shrimp 5 240 190 110
+tofu 6 230 175 200
 LIST
-    raw beef-lean $((SEED + 41)) "" >"$WORK/raw-beef-lean-$((SEED + 41)).toml"
-    printf 'raw-beef-lean-%s\t42,20,270\tbeef-lean, raw, seed %s\n' $((SEED + 41)) $((SEED + 41))
+    fried egg "$b" "" 145 200 >"$WORK/fried-egg-$b.toml"
+    printf 'fried-egg-%s\t42,20,210\tegg, fried, seed %s\n' "$b" "$b"
+    for food in beef-lean shrimp; do
+        local line="" mm=270
+        [ "$food" = beef-lean ] || { line="count = 5"; mm=240; }
+        raw "$food" "$a" "$line" >"$WORK/raw-$food-$a.toml"
+        printf 'raw-%s-%s\t42,20,%s\t%s, raw, seed %s\n' "$food" "$a" "$mm" "$food" "$a"
+    done
 }
 
 # draw NUMBER RECIPE CAMERA: at its end.
 draw() {
     local end_s
     end_s="$("$SAUTE" cook "$WORK/$2.toml" --json | awk -F '[:,]' '/"simulated_s"/ { print $2 + 0 }')"
-    "$SAUTE" shot "$WORK/$2.toml" --at "$end_s" --camera "$3" --size 720x480 --quality best --out "$OUT/$1.png"
+    "$SAUTE" shot "$WORK/$2.toml" --at "$end_s" --camera "$3" --size 720x480 --quality best --samples "$SAMPLES" --out "$OUT/$1.png"
 }
 
 number=0

@@ -32,6 +32,7 @@ pub mod motion;
 mod pace;
 pub mod painted;
 mod pan;
+pub mod plated;
 pub mod pose;
 pub mod seen_point;
 pub mod skin;

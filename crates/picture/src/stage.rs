@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use glam::{Quat, Vec2, Vec3};
+use glam::{Mat4, Quat, Vec2, Vec3};
 use saute_kitchen::doneness::ScaleChoice;
 use saute_kitchen::dynamics::Tool;
 use saute_kitchen::food::change::colour::decoded;
@@ -15,7 +15,7 @@ use saute_kitchen::{Kitchen, Piece, Place, RestOn, celsius};
 use saute_scene::camera::Camera;
 use saute_scene::input::{
     Colouring, FLOOR_FIELD_RINGS, FoodLook, FoodVertex, HobLook, LidLook, PanLook, RestKind, RestLook, SEAR_SETS,
-    SceneInput, SearLook, StoveKind, ToolKind, ToolLook,
+    SceneInput, SearLook, SliceLook, StoveKind, ToolKind, ToolLook,
 };
 use saute_scene::light::photo::Photo;
 use saute_scene::light::room_light::RoomLight;
@@ -257,6 +257,17 @@ impl Stage {
             vertices: Arc::default(),
             made_for: None,
         })
+    }
+
+    /// A piece in its rest frame with the cut through its middle, or where it was halved; none of a body that cannot be cut.
+    pub(crate) fn cut_in_half(&self, piece: &Piece, options: &StageOptions) -> Option<(FoodLook, SliceLook)> {
+        let mut whole = self
+            .food(piece, &Pose::default(), &StageOptions { slice: Some(0.0), ..options.clone() })
+            .into_iter()
+            .next()?;
+        let cut = whole.slice.take()?;
+        whole.world_from_rest = Mat4::IDENTITY;
+        Some((whole, cut))
     }
 
     /// Returns the renderer's input for a piece; two for a piece that was halved.

@@ -50,14 +50,13 @@ fn smoke(kitchen: &Kitchen, pan: &Pose) -> Vec<SteamSource> {
     let state = kitchen.pan_state();
     let rate = 1e-3 * state.smoke_mg_s() as f32;
     let radius = 0.4e-3 * kitchen.pan_model().description.floor.radius_mm as f32;
-    let kind = if state.liquids.smoke.burning { Vapour::Flame } else { Vapour::Smoke };
-    let place = |k: u8| {
-        let around = Vec2::from_angle(f32::from(k) * std::f32::consts::TAU / 3.0 + 0.7) * radius * 1.3;
+    let place = |kind: Vapour, k: u8, flow_g_s: f32| {
+        let around = Vec2::from_angle(f32::from(k) * std::f32::consts::TAU / 6.0 + 0.7) * radius * 1.3;
         let position = pan.position + pan.rotation * around.extend(0.012);
-        // The height of flames does not follow from the smoke.
-        let flow_g_s = if kind == Vapour::Flame { 1.0 } else { rate / 3.0 };
         SteamSource { kind, position, radius, flow_g_s }
     };
-    let rising = rate > 1e-5 || kind == Vapour::Flame;
-    (0..if rising { 3 } else { 0 }).map(place).collect()
+    // The height of flames does not follow from the smoke.
+    let flames = (0..6u8).step_by(2).filter(|_| state.liquids.smoke.burning).map(|k| place(Vapour::Flame, k, 1.0));
+    let wisps = (0..6u8).filter(|_| rate > 1e-5).map(|k| place(Vapour::Smoke, k, rate / 6.0));
+    flames.chain(wisps).collect()
 }

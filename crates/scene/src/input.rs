@@ -174,10 +174,10 @@ pub enum ToolKind {
     },
 }
 
-/// A wire rack under resting food, or loose foil over it.
+/// A wire rack under resting food, loose foil over it, or the plate on which it is served.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RestLook {
-    /// Rack or foil.
+    /// Rack, foil or plate.
     pub kind: RestKind,
     /// Middle of the resting food's place on the board [m].
     pub centre: Vec3,
@@ -187,15 +187,19 @@ pub struct RestLook {
     pub height: f32,
 }
 
-/// Rack or foil.
+/// Rack, foil or plate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RestKind {
+    /// A plate, on which the food is served; its well is `PLATE_HEIGHT` above the board.
+    Plate,
     /// Wire rack; its wires' tops are `RACK_HEIGHT` above the board.
     Rack,
     /// A tent of foil, open in front.
     Foil,
 }
 
+/// Height of a plate's well above the board [m] (chosen: a dinner plate).
+pub const PLATE_HEIGHT: f32 = 0.006;
 /// Height of a rack's wires above the board [m] (chosen: a cooling rack).
 pub const RACK_HEIGHT: f32 = 0.016;
 

@@ -79,6 +79,7 @@ fn options(view: View, eye: Option<Eye>, slice: bool) -> PyResult<ShotOptions> {
         eye,
         field_of_view: FIELD_OF_VIEW,
         samples: 1,
+        plated: false,
     })
 }
 

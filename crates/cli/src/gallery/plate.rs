@@ -45,6 +45,7 @@ fn draw(gpu: &Gpu, panel: &Panel, kitchen: &Kitchen, scales: &ScaleChoice, size:
         eye: None,
         field_of_view: FIELD_OF_VIEW,
         samples: 1,
+        plated: false,
     };
     let mut stage = options.stage(kitchen);
     let place = kitchen.pieces().first().map(|piece| (piece.pose.position.as_vec3(), nearness(piece)));

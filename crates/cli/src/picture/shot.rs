@@ -58,6 +58,9 @@ pub struct ShotArgs {
     /// Shows the food cut open.
     #[arg(long)]
     pub slice: bool,
+    /// Shows the food as it is served: on a plate, a thick slice cut with one half on the other; the eye is at the plate.
+    #[arg(long, conflicts_with_all = ["slice", "camera", "mirror", "flat"])]
+    pub plated: bool,
     /// White balance of the look.
     #[arg(long, value_enum, default_value_t = WhiteName::AsShot)]
     pub white_balance: WhiteName,
@@ -168,6 +171,7 @@ pub fn run(args: &ShotArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
         eye: args.camera,
         field_of_view: args.fov.to_radians(),
         samples: args.samples,
+        plated: args.plated,
     };
     let mut cook = session_source::cook(source, data)?;
     let bytes = match kind {
@@ -191,7 +195,8 @@ pub fn run(args: &ShotArgs, data: &DataLibrary) -> Result<ExitCode, CliError> {
 /// Only a look at the best level gathers light.
 fn check_samples(args: &ShotArgs) -> Result<(), CliError> {
     let best = Quality::from(args.quality) == Quality::Best;
-    let wrong = |message: &str, remedy: &str| Err(CliError::place(format!("--samples {}", args.samples), message, remedy));
+    let wrong =
+        |message: &str, remedy: &str| Err(CliError::place(format!("--samples {}", args.samples), message, remedy));
     match (args.samples, View::from(args.view)) {
         (1, _) => Ok(()),
         (_, View::Look) if best => Ok(()),

@@ -60,6 +60,7 @@ impl Colorimeter {
             eye: None,
             field_of_view: FIELD_OF_VIEW,
             samples: 1,
+            plated: false,
         };
         let pose = held(piece, at);
         let camera = eye(&pose, at);

@@ -15,6 +15,8 @@ const WAVES: [f64; 5] = [0.45, 0.42, 0.30, 0.20, 0.14];
 const DOME_EXPONENT: f64 = 4.0;
 /// Half width of a crack at the rim [m] (chosen: two nodes of the section).
 const CRACK: f64 = 7.5e-3;
+/// Largest drop of a rim over the thickness [-] (chosen: a thin slice keeps an edge).
+const LARGEST_DROP: f64 = 0.2;
 /// Least number of cracks in a food that cracks [-], and the least depth over that of the deepest [-] (chosen).
 const LEAST_CRACKS: u32 = 3;
 const LEAST_CRACK: f64 = 0.35;
@@ -24,6 +26,13 @@ pub(crate) struct Variation<'a> {
     pub(crate) form: &'a NaturalForm,
     pub(crate) size: [f64; 3],
     pub(crate) seed: u64,
+}
+
+impl NaturalForm {
+    /// How much lower the rim is than the face beyond the shoulder, over a thickness [-]; 0 without a shoulder.
+    pub(crate) fn rim_drop(&self, thickness: f64) -> f64 {
+        if self.shoulder_mm > 0.0 { (1e-3 * self.rim_thinner_mm / thickness).min(LARGEST_DROP) } else { 0.0 }
+    }
 }
 
 impl Variation<'_> {
@@ -97,6 +106,18 @@ impl Variation<'_> {
         let slope = u * libm::cos(angle) + v * libm::sin(angle);
         let out = libm::pow(2.0 * libm::hypot(u, v), DOME_EXPONENT);
         self.form.wedge * (0.3 + 0.7 * self.share(515)) * slope - self.form.dome * out.min(1.5)
+    }
+
+    /// How much thinner the piece is where its shoulder falls to the rim, over the thickness [-]: a quarter of an ellipse
+    /// over the distance from the outline.
+    pub(crate) fn shoulder(&self, outline: &Outline, p: [f64; 2]) -> f64 {
+        let width = 1e-3 * self.form.shoulder_mm;
+        let drop = self.form.rim_drop(self.size[2]);
+        if drop <= 0.0 {
+            return 0.0;
+        }
+        let inwards = 1.0 - (outline.distance_to(p) / width).min(1.0);
+        drop * (1.0 - libm::sqrt(1.0 - inwards * inwards))
     }
 
     /// Seeded number from 0 to 1 [-].

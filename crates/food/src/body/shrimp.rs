@@ -77,8 +77,14 @@ fn spine_of(description: &FoodDescription) -> Result<&Spine, BuildError> {
 }
 
 /// Rounding of a natural head end: its length over the thickest diameter [-], and the least scale of the section there [-]
-/// (chosen: where the head was pulled off, flesh closes to a blunt tip).
-const HEAD: [f64; 2] = [0.42, 0.34];
+/// (chosen: where the head was cut off, the flesh is nearly plane with a rounded rim).
+const HEAD: [f64; 2] = [0.16, 0.72];
+/// How much more slender than the plain one a natural body is where the fan begins, over its thickness at the head [-] (chosen
+/// by eye from peeled shrimp).
+const TAPER: f64 = 0.20;
+/// Height of the rear edge of a natural segment over the front of the next [-] (chosen: the edges of peeled segments overlap by
+/// a third of a millimetre).
+const STEP: f64 = 0.05;
 /// Depth of a natural tail fan over the plain one [-] (chosen: the blades spread).
 const FAN_SPREAD: [f64; 2] = [1.0, 1.3];
 
@@ -175,7 +181,11 @@ impl Shape {
         let along = (share / FAN_FROM * SEGMENTS).min(SEGMENTS);
         // Each segment swells towards its rear edge, which overlaps the next.
         let within = along - libm::floor(along);
-        let groove = if share < FAN_FROM { GROOVE * (1.0 - libm::sin(PI * libm::pow(within, 1.4))) } else { 0.0 };
+        let groove = match share < FAN_FROM {
+            true if self.natural => STEP * (1.0 - libm::sqrt(within)) + TAPER * share / FAN_FROM,
+            true => GROOVE * (1.0 - libm::sin(PI * libm::pow(within, 1.4))),
+            false => 0.0,
+        };
         let swollen = 1.0 + bump * (self.swelling[0] * (0.6 - share) + self.swelling[1] * (share - 0.4))
             - 0.2 * bump * bump * libm::fabs(self.swelling[0]);
         let [depth, breadth] = [DEPTH, BREADTH]

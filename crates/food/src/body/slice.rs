@@ -33,7 +33,7 @@ impl Body {
             Some((rings, levels)) => (Section::concentric(&outline, rings)?, even_levels(piece.size[2], levels)),
             None => graded(&outline, piece)?,
         };
-        let further = |p| natural.as_ref().map_or(0.0, |natural| natural.thickness(p));
+        let further = |p| natural.as_ref().map_or(0.0, |natural| natural.thickness(p) - natural.shoulder(&outline, p));
         let mesh = SweptMesh::uneven(section, levels, |p| unevenness(description, piece, p) + further(p), rule(piece));
         let waves = description.outline.waves_mm.map(|length| Waves::new(1e-3 * length, piece.size[1], piece.seed));
         Ok(Self { waves, ..Self::swept(piece.size, mesh, outline) })

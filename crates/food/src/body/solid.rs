@@ -161,9 +161,17 @@ impl FoodModel {
         let lateral = state.stretch.lateral;
         let corners = |y: f64| {
             let column = rim_column(mesh, rim, [x, y]);
-            [0, last].map(|level| [x * lateral, y * lateral, flat[mesh.node(level, column)][2]])
+            let [below, above] = [0, last].map(|level| flat[mesh.node(level, column)][2]);
+            // The face lies on what is beyond its shoulder.
+            let face = below + (above - below) * (1.0 + self.rim_drop() / mesh.path.column(column));
+            [below, face].map(|z| [x * lateral, y * lateral, z])
         };
         [low, high].into_iter().flat_map(corners).collect()
+    }
+
+    /// How much lower the rim is than the face beyond the shoulder, over the thickness [-].
+    fn rim_drop(&self) -> f64 {
+        self.natural().map_or(0.0, |form| form.rim_drop(self.shape.size[2]))
     }
 
     /// Capsules along a curved body, each as thick as the body is high there.

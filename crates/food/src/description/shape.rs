@@ -91,6 +91,14 @@ sourced_table! {
         #[serde(default)]
         #[schemars(range(min = 0.0, max = 0.2), example = 0.07)]
         dome: f64,
+        /// Width of the rounded shoulder between the upper face and the side [mm]; absent in foods with a sharp rim.
+        #[serde(default)]
+        #[schemars(range(min = 0.0, max = 15.0), example = 8.0)]
+        shoulder_mm: f64,
+        /// How much thinner the rim is than the face beyond the shoulder [mm]; at most a fifth of the thickness counts.
+        #[serde(default)]
+        #[schemars(range(min = 0.0, max = 5.0), example = 3.0)]
+        rim_thinner_mm: f64,
         /// Largest number of cracks at the rim [-].
         #[serde(default)]
         #[schemars(range(min = 0, max = 12), example = 6)]

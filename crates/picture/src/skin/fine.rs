@@ -3,8 +3,6 @@
 //! The rim nodes of the stations form a grid, around the body and along it. The fine grid is on cubic curves through
 //! them (Catmull and Rom 1974). The head end closes to a blunt tip; the tail fan is split into blades.
 
-use core::f32::consts::TAU;
-
 use glam::Vec3;
 use saute_kitchen::food::{FoodModel, Form};
 use saute_kitchen::heat::{Station, SweptMesh};
@@ -16,14 +14,18 @@ const APART: f32 = 1.6e-3;
 const MOST_BETWEEN: usize = 4;
 /// Rings that close an end [-] (chosen: a round tip).
 const TIP_RINGS: usize = 4;
-/// Height of the head's tip over the half height of its end [-] (chosen: blunt).
-const TIP: f32 = 0.55;
+/// Height of the head's tip over the half height of its end [-] (chosen: a cut that the flesh bulges out of a little).
+const TIP: f32 = 0.14;
 /// Blades of the tail fan (anatomy: a telson between two pairs of uropods), from where along the body they part [-], the
 /// depth of the gaps over the body's length [-], and how far they thin the fan [-] (chosen).
 const BLADES: f32 = 5.0;
-const FAN_FROM: f32 = 0.88;
-const GAP: f32 = 0.034;
-const THINS: f32 = 0.3;
+const FAN_FROM: f32 = 0.84;
+const GAP: f32 = 0.058;
+const THINS: f32 = 0.72;
+/// How much shorter than the blades beside it the telson's sides and the outermost blades are, over the gaps' depth [-] (chosen: the
+/// telson is a spike).
+const SPIKE: f32 = 0.9;
+const OUTER: f32 = 0.30;
 
 /// Weights of up to four nodes.
 pub(crate) type Reads = [(u32, f32); 4];
@@ -180,10 +182,16 @@ fn bladed(p: Vec3, middle: Vec3, length: Vec3, share: f32, across: f32) -> Vec3 
     if fan == 0.0 {
         return p;
     }
-    // 1 in the gaps between blades, 0 along their middles; the outer blades are shorter.
-    let gap = (0.5 + 0.5 * (TAU * 0.5 * BLADES * (across + 1.0)).cos()).powi(3);
-    let gap = if across.abs() > 0.9 { 0.6 * gap.min(0.6) } else { gap } + 0.35 * across * across;
-    let p = Vec3::new(p.x, p.y, middle.z + (p.z - middle.z) * (1.0 - THINS * gap * fan.sqrt()));
+    // How far across its own blade the point is, −1 to 1, and which blade that is: 0 is the telson.
+    let (blade, off) = {
+        let place = 0.5 * BLADES * across;
+        (place.round(), 2.0 * (place - place.round()))
+    };
+    // A leaf's tip is round, the telson's pointed.
+    let drawn_back = if blade == 0.0 { SPIKE * off.abs() } else { off.abs().powi(4) };
+    let gap = drawn_back + OUTER * across * across;
+    let thin = 1.0 - THINS * fan.sqrt() * (0.75 + 0.25 * off * off);
+    let p = Vec3::new(p.x, p.y, middle.z + (p.z - middle.z) * thin);
     p - length * (GAP * gap * fan * fan)
 }
 

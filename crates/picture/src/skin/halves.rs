@@ -29,7 +29,7 @@ pub(crate) fn opened(piece: &Piece, look: FoodLook, cut: SliceLook) -> [FoodLook
 }
 
 /// The same cut seen from its other side.
-fn mirrored(cut: &SliceLook) -> SliceLook {
+pub(crate) fn mirrored(cut: &SliceLook) -> SliceLook {
     let vertices = cut.vertices.iter().map(|v| {
         let normal = (-Vec3::from(v.normal)).to_array();
         saute_scene::input::FoodVertex { normal, ..*v }

@@ -22,6 +22,8 @@ use crate::view::View;
 
 /// Radius of the rounded rim between a big face and the side of a steak [m] (chosen; only the picture is rounded).
 const RIM_RADIUS: f32 = 2.6e-3;
+/// The same above, where the body itself has a shoulder [m] (chosen: it ends within the outer ring of the face, which falls to the rim).
+const SHOULDERED_RIM: f32 = 1.3e-3;
 /// How far the drawn surface of a steak strays from the smooth shape [m], and over which distance [m] (chosen:
 /// hand-cut).
 pub(crate) const UNEVEN: [f64; 2] = [0.7e-3, 11.0e-3];
@@ -55,6 +57,16 @@ pub(crate) fn fineness(model: &FoodModel) -> f64 {
 /// Radius of the rounded rim of a piece [m].
 pub(crate) fn rim_radius(model: &FoodModel) -> f32 {
     RIM_RADIUS * fineness(model) as f32
+}
+
+/// The same at the face that a level is nearer to [m].
+fn rim_radius_at(model: &FoodModel, mesh: &SweptMesh, level: usize) -> f32 {
+    let shouldered = model.natural().is_some_and(|form| form.shoulder_mm > 0.0);
+    if shouldered && 2.0 * mesh.levels[level] > mesh.thickness() {
+        SHOULDERED_RIM * fineness(model) as f32
+    } else {
+        rim_radius(model)
+    }
 }
 
 impl Skin {
@@ -148,11 +160,11 @@ impl Skin {
     ) {
         let first = self.nodes.len() as u32;
         let up = if level == 0 { -1.0 } else { 1.0 };
-        for (i, out) in outward.iter().enumerate() {
-            let normal = match out {
-                Some(out) => (*out * 0.7 + Vec3::Z * up).normalize(),
-                None => Vec3::Z * up,
-            };
+        // The inset of the rim may reach beyond the next ring of nodes: slopes are those before it.
+        let places: Vec<Vec3> = (0..outward.len()).map(|i| drawn(model, mesh, level, i, Vec3::ZERO)).collect();
+        let slopes = face_normals(&mesh.section, &places);
+        for (i, (out, slope)) in outward.iter().zip(slopes).enumerate() {
+            let normal = (out.unwrap_or(Vec3::ZERO) * 0.7 + slope * up).normalize();
             let shift = out.map_or(Vec3::ZERO, |out| rim_inset(model, mesh, level, out));
             self.push(model, mesh, level, i, shift, normal);
             self.edges.push(None);
@@ -267,6 +279,17 @@ fn blended(corners: [(&FoodVertex, f32); 4], place: Place, normal: [f32; 3]) -> 
     }
 }
 
+/// Upward normals of a face at the nodes of its section, given where they are drawn.
+fn face_normals(section: &Section, places: &[Vec3]) -> Vec<Vec3> {
+    let mut sums = vec![Vec3::ZERO; places.len()];
+    for t in &section.triangles {
+        let [a, b, c] = t.map(|i| places[i as usize]);
+        let normal = (b - a).cross(c - a);
+        t.iter().for_each(|i| sums[*i as usize] += normal);
+    }
+    sums.into_iter().map(|sum| sum.normalize_or(Vec3::Z)).collect()
+}
+
 /// Where a node of a slice's surface is drawn in the rest frame, given how far the rounded rim shifts it [m].
 pub(crate) fn drawn(model: &FoodModel, mesh: &SweptMesh, level: usize, i: usize, shift: Vec3) -> Vec3 {
     let p = Vec3::from_array(model.rest_position(mesh.node(level, i)).map(|v| v as f32));
@@ -275,13 +298,13 @@ pub(crate) fn drawn(model: &FoodModel, mesh: &SweptMesh, level: usize, i: usize,
 
 /// How far the rounded rim and the bulge shift the side at a level, given the direction outwards [m].
 pub(crate) fn rim_inset(model: &FoodModel, mesh: &SweptMesh, level: usize, out: Vec3) -> Vec3 {
-    out * (bulge(model, mesh, level, out)[0] - rim_radius(model) * (1.0 - rim(model, mesh, level)[1]))
+    out * (bulge(model, mesh, level, out)[0] - rim_radius_at(model, mesh, level) * (1.0 - rim(model, mesh, level)[1]))
 }
 
 /// Sine and cosine of the angle at which the rounded rim leans at a level.
 fn rim(model: &FoodModel, mesh: &SweptMesh, level: usize) -> [f32; 2] {
     let (z, thickness) = (mesh.levels[level] as f32, mesh.thickness() as f32);
-    let radius = rim_radius(model);
+    let radius = rim_radius_at(model, mesh, level);
     let sine = 1.0 - z.min(thickness - z).min(radius) / radius;
     [sine, (1.0 - sine * sine).sqrt()]
 }

@@ -16,6 +16,7 @@ use saute_schema::InputError;
 
 use crate::colour::map::TemperatureMap;
 use crate::cut::section::Picture;
+use crate::plated::plated;
 use crate::split::scenes;
 use crate::stage::{CUT_YAW, Stage, StageOptions};
 use crate::still::headless::{Gather, Gpu, GpuError, picture};
@@ -118,6 +119,8 @@ pub struct ShotOptions {
     pub eye: Option<Eye>,
     /// Field of view [rad].
     pub field_of_view: f32,
+    /// True if the food is shown as it is served: on a plate, cut.
+    pub plated: bool,
     /// Samples of light that a look at the best level gathers.
     pub samples: u32,
 }
@@ -260,7 +263,10 @@ pub(crate) fn drawn(
     told: Option<SampleProgress>,
 ) -> Picture {
     let stage = options.stage(kitchen);
-    let input = Stage::default().scene(kitchen, &stage, &Default::default());
+    let input = match options.plated {
+        true => plated(kitchen, &stage),
+        false => Stage::default().scene(kitchen, &stage, &Default::default()),
+    };
     let gather = Gather { samples: options.samples, told };
     if options.split {
         return pair(gpu, input, size, options.quality, gather);
@@ -308,6 +314,7 @@ mod tests {
                 eye: Some(eye),
                 field_of_view: 0.6,
                 samples: 1,
+                plated: false,
             };
             options.stage(&kitchen).camera.yaw
         };

@@ -66,7 +66,8 @@ impl LightSample {
         let in_round = index < count / DOME_EVERY * DOME_EVERY;
         let dome = in_round && index % DOME_EVERY == DOME_EVERY - 1;
         let key = input.light.sources().key_direction.normalize();
-        let towards = if dome { dome_direction(at([2, 3], index / DOME_EVERY)) } else { near(key, on_disc(at([5, 7], index))) };
+        let towards =
+            if dome { dome_direction(at([2, 3], index / DOME_EVERY)) } else { near(key, on_disc(at([5, 7], index))) };
         let weight = match (in_round, dome) {
             (false, _) => 1.0,
             (true, true) => DOME_EVERY as f32,

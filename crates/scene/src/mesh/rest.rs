@@ -1,11 +1,11 @@
-//! What food rests on or under: a wire rack, a tent of foil.
+//! What food rests on or under: a wire rack, a tent of foil, the plate on which it is served.
 
 use std::f32::consts::PI;
 
 use glam::{Vec2, Vec3};
 
-use crate::input::{RACK_HEIGHT, RestKind, RestLook};
-use crate::mesh::solid::{Finish, Material, Mesh};
+use crate::input::{PLATE_HEIGHT, RACK_HEIGHT, RestKind, RestLook};
+use crate::mesh::solid::{Finish, Material, Mesh, ProfilePoint};
 
 /// Thickness of a wire [m] and distance between wires [m] (chosen: a cooling rack).
 const WIRE: f32 = 0.0024;
@@ -20,7 +20,44 @@ pub(crate) fn rest_mesh(mesh: &mut Mesh, rest: &RestLook) {
     match rest.kind {
         RestKind::Rack => rack(mesh, rest),
         RestKind::Foil => foil(mesh, rest),
+        RestKind::Plate => plate(mesh, rest.centre),
     }
+}
+
+/// Radius [m] and height [m] of a plate along its profile, from the middle over the well and the lip to the foot below (chosen: a
+/// dinner plate of 25 cm with a flat well of 17 cm).
+const PLATE: [[f32; 2]; 12] = [
+    [0.000, PLATE_HEIGHT],
+    [0.078, PLATE_HEIGHT],
+    [0.085, 0.0067],
+    [0.090, 0.0088],
+    [0.094, 0.0120],
+    [0.098, 0.0139],
+    [0.121, 0.0178],
+    [0.1250, 0.0182],
+    [0.1262, 0.0170],
+    [0.1246, 0.0155],
+    [0.098, 0.0095],
+    [0.070, 0.0],
+];
+const PLATE_AROUND: u32 = 96;
+
+/// A porcelain plate.
+fn plate(mesh: &mut Mesh, centre: Vec3) {
+    let glaze =
+        Finish { colour: Vec3::new(0.66, 0.65, 0.625), roughness: 0.22, metalness: 0.0, material: Material::Plain };
+    let at = |k: usize| Vec2::from(PLATE[k.min(PLATE.len() - 1)]);
+    let profile: Vec<ProfilePoint> = (0..PLATE.len())
+        .map(|k| {
+            let along = at(k + 1) - at(k.saturating_sub(1));
+            // Below its lip the plate is in its own shade.
+            let visibility = if k > 8 { 0.5 } else { 1.0 };
+            ProfilePoint { at: at(k), normal: along.perp().normalize_or(Vec2::Y), visibility }
+        })
+        .collect();
+    let first = mesh.vertices.len();
+    mesh.lathe(&profile, PLATE_AROUND, &glaze);
+    mesh.vertices[first..].iter_mut().for_each(|v| v.position = (Vec3::from(v.position) + centre).into());
 }
 
 fn rack(mesh: &mut Mesh, rest: &RestLook) {

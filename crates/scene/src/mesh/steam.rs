@@ -7,13 +7,12 @@ use glam::Vec3;
 use crate::input::{SteamSource, Vapour};
 
 /// Puffs in the whole picture, at most.
-pub(crate) const PUFFS_MAX: usize = 30;
-
-/// Puffs of one source, at most.
-const PUFFS_PER_SOURCE: usize = 2;
+pub(crate) const PUFFS_MAX: usize = 48;
 
 /// How what rises looks (chosen by eye: steam thin and quick, smoke slow and blue, flames short).
 struct Manner {
+    /// Puffs of one source, at most.
+    puffs: usize,
     /// Time from the surface to nothing [s].
     life: f32,
     /// Height reached [m].
@@ -30,21 +29,39 @@ struct Manner {
 impl Manner {
     fn of(kind: Vapour) -> Self {
         match kind {
-            Vapour::Steam => {
-                Self { life: 1.3, rise: 0.24, dense: 0.022, half_size: [0.013, 0.050], opacity: 0.40, mark: 0.0 }
-            }
-            Vapour::Smoke => {
-                Self { life: 2.2, rise: 0.30, dense: 0.004, half_size: [0.014, 0.048], opacity: 0.30, mark: 2.0 }
-            }
-            Vapour::Flame => {
-                Self { life: 0.55, rise: 0.16, dense: 1e-6, half_size: [0.030, 0.012], opacity: 0.85, mark: 4.0 }
-            }
+            Vapour::Steam => Self {
+                puffs: 2,
+                life: 1.3,
+                rise: 0.24,
+                dense: 0.022,
+                half_size: [0.013, 0.050],
+                opacity: 0.40,
+                mark: 0.0,
+            },
+            Vapour::Smoke => Self {
+                puffs: 4,
+                life: 2.2,
+                rise: 0.30,
+                dense: 0.0015,
+                half_size: [0.014, 0.048],
+                opacity: 0.30,
+                mark: 2.0,
+            },
+            Vapour::Flame => Self {
+                puffs: 2,
+                life: 0.55,
+                rise: 0.16,
+                dense: 1e-6,
+                half_size: [0.030, 0.012],
+                opacity: 0.85,
+                mark: 4.0,
+            },
         }
     }
 
     /// Opacity of each of `count` puffs at the middle of their lives.
     fn opacity(&self, flow: f32, count: usize) -> f32 {
-        let share = flow / self.dense * PUFFS_PER_SOURCE as f32 / count as f32;
+        let share = flow / self.dense * self.puffs as f32 / count as f32;
         (self.opacity * share).min(0.9)
     }
 }
@@ -71,11 +88,12 @@ pub(crate) struct PuffVertex {
 pub(crate) fn puffs(sources: &[SteamSource], time: f32) -> Vec<PuffVertex> {
     let mut vertices = Vec::new();
     // With many sources each one has fewer puffs; their opacity stays in proportion to the flow.
-    let count = (PUFFS_MAX / sources.len().max(1)).clamp(1, PUFFS_PER_SOURCE);
+    let most = PUFFS_MAX / sources.len().max(1);
     let mut ordered: Vec<(usize, &SteamSource)> = sources.iter().enumerate().collect();
     ordered.sort_by_key(|(_, source)| source.kind != Vapour::Flame);
     for (seed, source) in ordered.into_iter().take(PUFFS_MAX) {
         let manner = Manner::of(source.kind);
+        let count = most.clamp(1, manner.puffs);
         let opacity = manner.opacity(source.flow_g_s, count);
         if opacity < FAINTEST {
             continue;

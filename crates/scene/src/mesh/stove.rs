@@ -160,7 +160,7 @@ pub(crate) fn flames(power: f32) -> Mesh {
 
 /// One flame along +x.
 fn cone(mesh: &mut Mesh, length: f32) {
-    const SIDES: u32 = 8;
+    const SIDES: u32 = 12;
     const ROWS: u32 = 8;
     let at = |t: f32| {
         let height = PORTS[1] + 0.25 * length * t.min(0.4) + 0.55 * length * t * t;

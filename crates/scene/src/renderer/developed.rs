@@ -127,7 +127,9 @@ impl SceneRenderer {
         chain.write(queue, &LensUniform::new(&input, size));
         chain.gather(device, kit, picture, size);
         let (Some(pipelines), Some(subject)) = (self.pipelines.colour(Detail::Sample), self.subject()) else { return };
-        let Some((chain, gathering)) = self.targets.chain.as_ref().and_then(|c| Some((c, c.gathering()?))) else { return };
+        let Some((chain, gathering)) = self.targets.chain.as_ref().and_then(|c| Some((c, c.gathering()?))) else {
+            return;
+        };
         passes::draw_whole(encoder, &gathering.attachments(), pipelines, &self.groups(), &subject);
         gathering.add(encoder, kit, before);
         if shown {

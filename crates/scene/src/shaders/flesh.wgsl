@@ -79,6 +79,55 @@ fn grown(rest: vec3<f32>, footprint: f32) -> Grown {
     return Grown(fatty, cell.g, cell.b * food.grain_scale.w, cell.a);
 }
 
+// Fat at a place as it is seen near by.
+struct Fat {
+    grew: Grown,
+    // Where the silver-skin is, and where the fat is creased (0-1).
+    silver: f32,
+    crease: f32,
+};
+
+// How far round about a place fat is looked for to tell a cap from a seam [m], how far the border of a cap strays by region
+// [m], how much the lace of thin seams adds to the depth in fat, and the share of it that is seam (chosen: the mean stays).
+const CAP_ROUND = 0.0032;
+const CAP_STRAYS = 0.0125;
+const LACE = 1.7;
+const LACE_SHARE = 0.44;
+// Share of the lean that is seen through a thin seam (chosen).
+const THIN = 0.38;
+// Patterns of the lace over a metre, across and along the fibres.
+const LACES = vec3<f32>(100.0, 100.0, 42.0);
+
+// 1 within a cap, 0 at its border, less at a thin seam.
+fn capped(at: vec3<f32>) -> f32 {
+    let x = vec3<f32>(CAP_ROUND, 0.0, 0.0) * food.grain_scale.xyz;
+    let y = vec3<f32>(0.0, CAP_ROUND, 0.0) * food.grain_scale.xyz;
+    let round = textureSampleLevel(grain_volume, clamp_sampler, at + x, 0.0).r + textureSampleLevel(grain_volume, clamp_sampler, at - x, 0.0).r
+        + textureSampleLevel(grain_volume, clamp_sampler, at + y, 0.0).r + textureSampleLevel(grain_volume, clamp_sampler, at - y, 0.0).r;
+    return 0.5 * round - 1.0;
+}
+
+// Fat finer than the volume has it: seams fray into lace along the fibres, a cap interlocks with the lean.
+fn fat_near(rest: vec3<f32>, stray: vec3<f32>) -> Fat {
+    let place = rest + food.place.xyz;
+    let far = textureSampleLevel(solid_noise, tile_sampler, place.yxz * 9.0 + 0.41, 0.0).rgb - 0.5;
+    let fine_grain = textureSample(solid_noise, tile_sampler, place * LACES + 0.13);
+    let bent = rest + stray + far * CAP_STRAYS + (fine_grain.gbr - 0.5) * 0.0008;
+    let at = (bent - food.grain_origin.xyz) * food.grain_scale.xyz;
+    let cell = textureSampleLevel(grain_volume, clamp_sampler, at, 0.0);
+    let cap = capped(at);
+    let loose = 1.0 - smoothstep(-0.15, 0.35, cap);
+    let lace = 1.0 - smoothstep(0.02, 0.10, abs(fine_grain.a - 0.5));
+    let within = (cell.r * 2.0 - 1.0) * food.grain_origin.w + LACE * (lace - LACE_SHARE) * loose;
+    let blur = min(0.5 * fwidth(within), 1.5);
+    let through = THIN * loose * (1.0 - smoothstep(-0.3, 1.8, within));
+    let fatty = smoothstep(-0.5 - blur, 0.5 + blur, within) * (1.0 - through);
+    let silver = (1.0 - smoothstep(0.2, 1.1, abs(within + 0.3))) * smoothstep(-0.32, -0.05, cap);
+    let folds = textureSampleLevel(solid_noise, tile_sampler, place * vec3<f32>(16.0, 16.0, 30.0) + 0.67, 0.0);
+    let crease = (1.0 - smoothstep(0.0, 0.07, abs(folds.a + 0.10 * (fine_grain.a - 0.5) - 0.5))) * smoothstep(0.45, 0.65, folds.r);
+    return Fat(Grown(fatty, cell.g, cell.b * food.grain_scale.w, cell.a), silver, crease * fatty);
+}
+
 // Sets of lines on each face, and the data of a set.
 const SEAR_SETS = 2u;
 const SEAR_ROWS = 3u;

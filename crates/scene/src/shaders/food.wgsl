@@ -59,6 +59,10 @@ fn grain_of(in: FoodOut, grew: Grown, rest_normal: vec3<f32>) -> Grain {
     }
 }
 
+// Colour of silver-skin and of creases over that of fat, L*a*b* / 100 (chosen: skin is whiter and cooler, creases are yellower).
+const SILVER = vec3<f32>(0.03, -0.012, -0.050);
+const CREASE = vec3<f32>(-0.055, 0.004, 0.025);
+
 // How far a crust covers the seams of fat in it (chosen).
 const COVERED = 0.62;
 // Share of the blackening from which fat is spared (chosen: it contains no sugars or proteins that turn to char).
@@ -76,7 +80,12 @@ fn look_of(in: FoodOut, rest_normal: vec3<f32>) -> Look {
     if (texture_kind != MUSCLE) { grew = grown(in.rest, 1.0); }
     if (texture_kind == FLAKES) { grew.fatty = max(grew.fatty, sheets(in.rest)); }
     let grain = grain_of(in, grew, rest_normal);
-    if (texture_kind == MUSCLE) { grew = grown(in.rest + grain.stray, 1.0); }
+    var skin = vec3<f32>(0.0);
+    if (texture_kind == MUSCLE && fine) {
+        let fat = fat_near(in.rest, grain.stray);
+        grew = fat.grew;
+        skin = SILVER * fat.silver + CREASE * fat.crease;
+    } else if (texture_kind == MUSCLE) { grew = grown(in.rest + grain.stray, 1.0); }
     let seared = on_lines(in.state.x, in.state.y, in.place.w, in.rest, rest_normal, 0.0006 * grain.uneven);
     let browning = seared.browning;
     // The edge between face and side browns first: there the pan's heat comes from two sides.
@@ -91,7 +100,7 @@ fn look_of(in: FoodOut, rest_normal: vec3<f32>) -> Look {
     let shade = grain.shade * shade_share * (1.0 - 0.45 * uneven) * (1.0 - charring);
     // Browned juice and rendered fat cover seams in a crust: they stay visible, as darker gold.
     let fatty = grew.fatty * (1.0 - COVERED * smoothstep(0.30, 0.85, uneven));
-    let flesh = Flesh(in.lean + food.second.xyz * grew.second + shade, in.fat + 0.35 * shade, uneven, charring, fatty);
+    let flesh = Flesh(in.lean + food.second.xyz * grew.second + shade, in.fat + 0.35 * shade + skin, uneven, charring, fatty);
     // A crust that browned deeply is redder before it is dark.
     let colour = linear_from_lab(flesh_colour(flesh)) * grain.crevice * (1.0 - 0.75 * grain.crack * charring);
     return Look(colour, grain.slope * (1.0 + 0.6 * charring), grain.film_slope, grain.ridges, grew.fatty, uneven, charring, grain.clear);
@@ -121,6 +130,17 @@ const CREEPS = vec2<f32>(0.0010, 0.0055);
 // How far the volume of what grew reaches beyond the flesh [m].
 const GRAIN_MARGIN = 0.0007;
 
+// Browned juice and fat that ran down a side: how brown, and how far [m] (chosen).
+const STREAKED = 0.34;
+const STREAKS_RUN = 0.0110;
+
+fn streaks(place: vec3<f32>, depth: vec2<f32>) -> vec2<f32> {
+    let thin = textureSampleLevel(solid_noise, tile_sampler, place * vec3<f32>(125.0, 125.0, 11.0) + 0.83, 0.0).a;
+    let wide = textureSampleLevel(solid_noise, tile_sampler, place * vec3<f32>(37.0, 37.0, 16.0) + 0.17, 0.0).a;
+    let ran = smoothstep(0.42, 0.68, 0.55 * thin + 0.45 * wide);
+    return STREAKED * (0.15 + 0.85 * ran) * exp(-depth / STREAKS_RUN);
+}
+
 // Browning of the side of a slice near the edges of its faces.
 fn crept(in: FoodOut, rest_normal: vec3<f32>) -> f32 {
     let seared = in.place.yz;
@@ -128,12 +148,15 @@ fn crept(in: FoodOut, rest_normal: vec3<f32>) -> f32 {
     let place = in.rest + food.place.xyz;
     let far = textureSampleLevel(solid_noise, tile_sampler, place * 31.0 + 0.71, 0.0).a;
     let near = textureSampleLevel(solid_noise, tile_sampler, place * vec3<f32>(150.0, 150.0, 60.0) + 0.29, 0.0).a;
-    let reach = mix(CREEPS.x, CREEPS.y, smoothstep(0.30, 0.78, 0.62 * far + 0.38 * near));
+    var ragged = 0.62 * far + 0.38 * near;
+    if (fine) { ragged += 0.30 * (textureSampleLevel(solid_noise, tile_sampler, place * vec3<f32>(310.0, 310.0, 170.0) + 0.47, 0.0).a - 0.5); }
+    let reach = mix(CREEPS.x, CREEPS.y, smoothstep(0.30, 0.78, ragged));
     let thickness = 1.0 / food.grain_scale.z - 2.0 * GRAIN_MARGIN;
     let up = clamp(in.rest.z - food.grain_origin.z - GRAIN_MARGIN, 0.0, thickness);
     let depth = vec2<f32>(thickness - up, up);
     let near_face = exp(-depth * depth / (reach * reach));
-    let stained = 0.30 * exp(-depth / (2.2 * reach));
+    var stained = 0.30 * exp(-depth / (2.2 * reach));
+    if (fine) { stained = stained * 0.6 + streaks(place, depth) * in.state.w; }
     let both = seared * max(0.85 * near_face, stained);
     return max(both.x, both.y) * (1.0 - smoothstep(0.5, 0.9, abs(rest_normal.z)));
 }
@@ -160,7 +183,7 @@ fn lit_food(outside: FoodOut) -> vec4<f32> {
     let oiled = OILED * crust * (1.0 - look.charring);
     var beads = juice_on(in, rest_normal, smooth_normal, look.film_slope);
     // On a crust juice soaks in and joins the fat: few of its beads stand there.
-    beads.cover *= 1.0 - 0.30 * smoothstep(0.35, 0.80, crust);
+    beads.cover *= 1.0 - select(0.30, 0.72, fine) * smoothstep(0.35, 0.80, crust);
     // Red flesh is deeper under a film: light that is thrown back into it passes it twice.
     let coated = wetness * (1.0 - in.state.w) * (1.0 - crust) * (1.0 - look.fatty) * (1.0 - look.clear);
     let wet_flesh = mix(look.colour, pow(look.colour, vec3<f32>(1.55)), coated);
@@ -174,11 +197,12 @@ fn lit_food(outside: FoodOut) -> vec4<f32> {
     let through = look.clear * (1.0 - in.state.w) * (1.0 - crust);
     // Where it is thick and faces the eye, the dark pan is seen through it.
     let body = Surface(colour * (1.0 + through * (1.1 * rim - mix(0.12, SEEN_THROUGH, smoothstep(0.6, 1.0, look.clear)))), vec3<f32>(0.03), roughness, bumpy, visibility, wrap);
-    var radiance = diffuse(body, lit) + colour * side_fill(smooth_normal) * visibility;
+    var radiance = diffuse(body, lit) + colour * (side_fill(smooth_normal) * visibility + thrown_back(in.position, smooth_normal));
     let tint = mix(vec3<f32>(1.0), vec3<f32>(1.0, 0.82, 0.58), crust);
     // The film over it shines far more.
     if (!quick) { radiance += specular(body, in.position, view, lit) * mix(0.34, 0.16, max(wetness, crust)) * (1.0 - 0.6 * look.charring) * tint; }
     let film_slope = along_face(look.film_slope, rest_normal);
+    if (fine) { radiance += lamp_on_fat(world_normal(rest_normal - film_slope * LAMP_RELIEF), view) * (crust * (1.0 - look.charring) * visibility * look.ridges) * fat_here(in.rest); }
     // Raw flesh is coated by an even film of its own juice; later the film follows every pore.
     let raw = wetness * (1.0 - crust) * (1.0 - in.state.w);
     radiance += sheen(in, look, rest_normal - film_slope * mix(mix(0.8, 1.2, wetness), 0.75, raw), raw, view, lit, visibility, wetness) * (0.35 + 0.65 * max(smooth_normal.z, 0.0)) * tint;
@@ -192,6 +216,16 @@ fn lit_food(outside: FoodOut) -> vec4<f32> {
     return pixel_from_radiance(radiance, in.clip.xy);
 }
 
+// Light that a surface which looks down gets from what is under it, over that of the window (chosen: a wooden board close by, half
+// in the food's own shade; a dark pan gives next to none).
+const FROM_BOARD = vec3<f32>(0.135, 0.085, 0.045);
+const FROM_PAN = vec3<f32>(0.020, 0.019, 0.018);
+
+fn thrown_back(position: vec3<f32>, normal: vec3<f32>) -> vec3<f32> {
+    let on_board = step(frame.board.x, position.x) * step(position.x, frame.board.z);
+    return frame.key_light.rgb * mix(FROM_PAN, FROM_BOARD, on_board) * clamp(0.25 - normal.z, 0.0, 1.0);
+}
+
 // The side that the cook sees gets the light that the room behind him gives back.
 fn side_fill(normal: vec3<f32>) -> vec3<f32> {
     return frame.fill_front.rgb * max(dot(normal, FRONT), 0.0) * (1.0 - max(normal.z, 0.0)) * 1.1;
@@ -199,7 +233,7 @@ fn side_fill(normal: vec3<f32>) -> vec3<f32> {
 
 // Share of the light that raw translucent flesh loses to what lies under it, and how much of a cooked one a film of fat or glaze
 // covers (chosen).
-const SEEN_THROUGH = 0.34;
+const SEEN_THROUGH = 0.36;
 const GLAZED = 0.55;
 // Shine of the fat on a crust, in its dips and on its high points (chosen).
 const FAT_POOLS = 0.26;
@@ -215,11 +249,27 @@ fn amber_over(look: Look) -> vec3<f32> {
     return mix(vec3<f32>(1.0), AMBER, clamp(1.4 * look.browning, 0.0, 1.0) * (1.0 - look.charring));
 }
 
+// Where fat was drawn together on a crust (0-1).
+fn fat_here(rest: vec3<f32>) -> f32 {
+    return smoothstep(0.36, 0.64, textureSampleLevel(solid_noise, tile_sampler, (rest + food.place.xyz).zxy * 17.0 + 0.31, 0.0).a);
+}
+
+// The lamp on the fat of a crust: how bright, how sharp, and how much of the film's relief breaks it (chosen: a soft, broad shine).
+const LAMP = 0.22;
+const LAMP_SHARPNESS = 26.0;
+const LAMP_RELIEF = 0.55;
+
+fn lamp_on_fat(normal: vec3<f32>, view: vec3<f32>) -> vec3<f32> {
+    return frame.other_light.rgb * (LAMP * pow(max(dot(normal, normalize(view + frame.other.xyz)), 0.0), LAMP_SHARPNESS));
+}
+
 // Water on raw flesh, oil on a crust: a thin film that breaks the window into small glints.
 fn sheen(in: FoodOut, look: Look, bent: vec3<f32>, raw: f32, view: vec3<f32>, lit: f32, visibility: f32, wetness: f32) -> vec3<f32> {
     let crust = clamp(1.4 * look.browning, 0.0, 1.0);
     // Fat on a crust is thick in its dips and thin on its high points.
-    let oily = mix(FAT_POOLS, FAT_THIN, look.ridges) * crust * (1.0 - look.charring);
+    var oily = mix(FAT_POOLS, FAT_THIN, look.ridges) * crust * (1.0 - look.charring);
+    // It was drawn together here and wiped off there.
+    if (fine) { oily *= mix(0.5, 4.2, fat_here(in.rest)); }
     // Shrimps and vegetables that fried in fat are glazed by it.
     let glaze = GLAZED * in.state.w * smoothstep(0.10, 0.24, look.clear) * (1.0 - look.charring) * (0.45 + 0.55 * look.ridges);
     let film = max(wetness * mix(0.06 + 0.94 * look.ridges, 0.75 + 0.25 * look.ridges, raw), max(oily, glaze));
@@ -228,7 +278,7 @@ fn sheen(in: FoodOut, look: Look, bent: vec3<f32>, raw: f32, view: vec3<f32>, li
     let roughness = min(sqrt(pow(mix(mix(0.26, 0.15, max(wetness, glaze)), 0.25, crust), 2.0) + 0.16 * dot(turn, turn)), 0.6);
     let coat = Surface(vec3<f32>(0.0), vec3<f32>(0.026), roughness, world_normal(bent), visibility, vec3<f32>(0.0));
     // Only the bright parts of the room show as glints; the rest would lie on the flesh like milk.
-    let milk = GLINT * mix(1.0, 1.9, raw);
+    let milk = GLINT * mix(mix(1.0, select(1.0, 0.4, fine), crust), 1.9, raw);
     return max(specular(coat, in.position, view, lit) - milk, vec3<f32>(0.0)) * (mix(0.70, 0.75, raw) * film);
 }
 
@@ -256,24 +306,86 @@ fn below_face(browned: f32, depth: f32, waver: f32) -> f32 {
     return min(2.0 * browned, 1.0) * max(dark, 0.68 * brown);
 }
 
-// Juice on the cut in the cook's own light: it glints where a ripple turns it to him; how steep ripples are, up to which
-// height it gathers [m], how sharp and how bright its glints are (chosen).
-const RIPPLE = 1.1;
+// Juice on the cut in the cook's own light: up to which height it gathers [m], how sharp and how bright its soft shine and its
+// glints are, and how much a face that lost its juice still has of them (chosen: meat is damp, bread is not).
 const GATHERS = 0.0042;
-const MOIST_SHARPNESS = 16.0;
-const MOIST = 0.17;
-const MOIST_LIGHT = vec3<f32>(1.0, 0.93, 0.84);
-// Ripples lie along the fibres, which draw the juice with them: patterns over a metre across and along them (chosen).
-const RIPPLES = vec3<f32>(95.0, 95.0, 36.0);
+const MOIST_SHARPNESS = vec2<f32>(45.0, 800.0);
+const MOIST = vec2<f32>(0.060, 0.42);
+const MOIST_LIGHT = vec3<f32>(1.0, 0.91, 0.77);
+const DAMP = 0.55;
+// How much more fat shines than flesh, which share of its juice flesh holds as long as it has had no heat, and which share of
+// its light wet flesh loses besides its glints (chosen: the mean of the cut stays).
+const GREASY = 0.9;
+const HELD = 0.85;
+const SOAKED = 0.045;
+// How steep the juice's ripples are: those over the fibres, which draw it with them, and broad ones (chosen).
+const RIPPLE = vec2<f32>(0.85, 0.90);
+// How far the face must turn up to glint (chosen: his light is above him).
+const GLINTS_UP = 0.20;
 
-fn moist(rest: vec3<f32>, normal: vec3<f32>, view: vec3<f32>) -> f32 {
+// A soft shine where the juice lies, and in it small glints where the fibres turn it to him.
+fn moist(rest: vec3<f32>, normal: vec3<f32>, film_slope: vec3<f32>) -> f32 {
     let place = rest + food.place.xyz;
-    let ripple = textureSampleLevel(solid_noise, tile_sampler, place * RIPPLES + 0.23, 0.0).rgb - 0.5;
     // Juice is here and is wiped off there.
-    let patchy = smoothstep(0.40, 0.66, textureSampleLevel(solid_noise, tile_sampler, place.yzx * 19.0 + 0.57, 0.0).a);
-    let still = reflect(-view, world_normal(normal + vec3<f32>(0.0, 0.0, 0.38)));
-    let rippled = reflect(-view, world_normal(normal - along_face(ripple, normal) * RIPPLE));
-    return MOIST * patchy * pow(max(dot(still, rippled), 0.0), MOIST_SHARPNESS);
+    let broad = textureSampleLevel(solid_noise, tile_sampler, place.yzx * 19.0 + 0.57, 0.0);
+    let patchy = smoothstep(0.36, 0.64, broad.a);
+    let bent = film_slope * RIPPLE.x + (broad.brg - 0.5) * RIPPLE.y;
+    let glints = normalize(normal + vec3<f32>(0.0, 0.0, GLINTS_UP));
+    let turned = max(dot(glints, normalize(normal - along_face(bent, normal))), 0.0);
+    let shine = MOIST * pow(vec2<f32>(turned), MOIST_SHARPNESS);
+    // Seen coarsely both would be blots: there a faint shine stands for them.
+    return patchy * select(0.5 * shine.x, shine.x + shine.y, fine);
+}
+
+// How steep the marks of the knife are (chosen: felt in the shine, hardly seen), and their patterns over a metre along the
+// stroke and across it.
+const DRAG = 0.34;
+const STROKES = vec2<f32>(5.0, 310.0);
+
+// Faint marks that the knife drew, a little askew, where it did not cut clean.
+fn knife(rest: vec3<f32>) -> vec3<f32> {
+    let place = rest + food.place.xyz;
+    let across = place.z + 0.05 * (place.x + place.y);
+    let drawn = textureSample(solid_noise, tile_sampler, vec3<f32>(place.xy * STROKES.x, across * STROKES.y) + 0.43);
+    let unclean = smoothstep(0.45, 0.70, textureSampleLevel(solid_noise, tile_sampler, place.zxy * 23.0 + 0.19, 0.0).a);
+    return vec3<f32>(0.0, 0.0, (drawn.b - 0.5) * DRAG * unclean);
+}
+
+// Beads of juice on a cut: distance of the smaller ones [m], their largest radius over it, and how many there are above the
+// lower edge, where most stand, on a wet face (chosen).
+const CUT_BEADS = 0.0023;
+const CUT_BEAD_RADIUS = 0.42;
+const CUT_SWEATS = 0.03;
+const CUT_DRIPS = 0.90;
+// Between which heights beads of juice hang above the foot of a cut, over its lower crust [m].
+const FOOT = vec2<f32>(0.0040, 0.0090);
+
+fn foot(height: f32) -> f32 {
+    return 1.0 - smoothstep(FOOT.x, FOOT.y, height);
+}
+
+// Cover in x, slope along the face and upwards in yz.
+fn cut_beads(rest: vec3<f32>, normal: vec3<f32>, amount: f32) -> vec3<f32> {
+    let along = select(rest.y, rest.x, abs(normal.y) > abs(normal.x));
+    let small = beads_of(vec2<f32>(along, rest.z), CUT_BEADS, CUT_BEAD_RADIUS, amount, 2.1);
+    let large = beads_of(vec2<f32>(along, rest.z), 1.9 * CUT_BEADS, CUT_BEAD_RADIUS, 0.7 * amount - 0.12, 0.7);
+    return select(large, small, small.x > large.x);
+}
+
+// How much the relief of a cut counts in the cook's own light (chosen: it comes from the side).
+const CUT_RELIEF = 0.70;
+
+// Light of a cut under its beads of juice: deeper and redder, with the window in each.
+fn beaded(in: FoodOut, rest_normal: vec3<f32>, under: vec3<f32>, amount: f32, view: vec3<f32>, lit: f32) -> vec3<f32> {
+    let bead = cut_beads(in.rest, rest_normal, amount);
+    let side = abs(rest_normal.y) > abs(rest_normal.x);
+    let bend = select(vec3<f32>(0.0, bead.y, bead.z), vec3<f32>(bead.y, 0.0, bead.z), side);
+    let normal = world_normal(rest_normal + bend * 0.9);
+    let drop = Surface(vec3<f32>(0.0), vec3<f32>(0.026), 0.10, normal, 0.9, vec3<f32>(0.0));
+    // A bead gathers the light on its lower side and has his lamp above.
+    let tint = mix(vec3<f32>(0.76, 0.46, 0.38), vec3<f32>(0.84, 0.68, 0.54), in.state.w) * (1.08 - 0.38 * bead.z);
+    let glint = 0.45 * pow(max(dot(normalize(rest_normal + bend * 0.9), normalize(rest_normal + vec3<f32>(0.0, 0.0, 0.6))), 0.0), 90.0);
+    return mix(under, under * tint + specular(drop, in.position, view, lit) + MOIST_LIGHT * glint, bead.x);
 }
 
 // A fresh cut: crust, band, gradient and centre, moist, in a soft light from the cook's side besides that of the room, so
@@ -293,11 +405,16 @@ fn lit_cut(cut: FoodOut) -> vec4<f32> {
     laid_open = 1.0;
     let look = look_of(in, rest_normal);
     let view = normalize(frame.eye.xyz - in.position);
-    let slope = along_face(look.slope, rest_normal);
+    let near_meat = fine && (texture_kind == MUSCLE || texture_kind == GROUND);
+    var marks = vec3<f32>(0.0);
+    if (near_meat) { marks = knife(in.rest); }
+    let slope = along_face(look.slope + marks, rest_normal);
     let bent = world_normal(rest_normal - slope * 0.85);
     let lit = mix(0.45, 1.0, shadow(in.position, bent));
     let wet = in.state.z * (1.0 - clamp(2.0 * look.browning, 0.0, 1.0));
-    let own = 0.42 + 0.30 * clamp(dot(bent, normalize(view + vec3<f32>(-0.35, 0.1, 0.8))), 0.0, 1.0);
+    let cooks = normalize(view + vec3<f32>(-0.35, 0.1, 0.8));
+    var own = 0.42 + 0.30 * clamp(dot(bent, cooks), 0.0, 1.0);
+    if (near_meat) { own += CUT_RELIEF * clamp(dot(bent - world_normal(rest_normal), cooks), -0.25, 0.25); }
     // Juice runs down and gathers where the cut meets the board.
     let height = max(in.position.z - support(in.position), 0.0);
     let gathered = wet * (1.0 - smoothstep(0.0004, GATHERS, height + 2.0 * waver));
@@ -310,11 +427,17 @@ fn lit_cut(cut: FoodOut) -> vec4<f32> {
     // The light of its own is a little warmer than white as shot; another balance tints the cut as it tints
     // the outside.
     var radiance = colour * own * WARM / frame.as_shot.rgb + diffuse(body, lit) * 0.22;
-    let film_slope = along_face(look.film_slope, rest_normal);
+    let film_slope = along_face(look.film_slope + marks, rest_normal);
     let film = Surface(vec3<f32>(0.0), vec3<f32>(0.028), 0.20, world_normal(rest_normal - film_slope * 0.9), 0.9, vec3<f32>(0.0));
     radiance += max(specular(film, in.position, view, lit) - GLINT, vec3<f32>(0.0)) * (0.9 * wet);
     radiance *= 1.0 - 0.30 * gathered;
-    radiance += MOIST_LIGHT * (moist(in.rest, rest_normal, view) * wet * (1.0 + 2.0 * gathered));
+    var damp = wet;
+    if (near_meat) {
+        damp = max(wet, DAMP * (1.0 - clamp(2.0 * look.browning, 0.0, 1.0))) * (1.0 + GREASY * look.fatty);
+        radiance *= 1.0 - SOAKED * wet;
+    }
+    radiance += MOIST_LIGHT * (moist(in.rest, rest_normal, look.film_slope + marks) * damp * (1.0 + 0.3 * gathered) * (1.0 - HELD * unheated));
+    if (near_meat) { radiance = beaded(in, rest_normal, radiance, max(CUT_DRIPS * foot(height + 3.0 * waver), CUT_SWEATS) * damp * (1.0 - HELD * unheated), view, lit); }
     return noted(pixel_from_radiance(radiance, in.clip.xy), in.state);
 }
 

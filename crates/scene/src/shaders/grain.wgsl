@@ -80,13 +80,109 @@ const STRAYS = 0.0030;
 // How far bundles stray by region [m] (chosen).
 const LEANS = 0.0045;
 
+// Pitch of the bundles across and along the fibres [m] (chosen: irregular cells of 2 to 6 mm that taper off over a slice), and
+// how far they are bent over a slice, by region and near by [m].
+const BUNDLE = vec3<f32>(0.0036, 0.0036, 0.0260);
+const BENDS = vec3<f32>(0.0150, 0.0034, 0.0008);
+// Steepest lean of a bundle's fibres off the mean (chosen: 17°), and how high a bundle bulges [m] (chosen: to be felt, not seen
+// as cobbles).
+const FIBRE_LEAN = 0.30;
+const BULGE = 0.00011;
+
+struct Bundle {
+    // Distance from the tissue round it: 0 there, about 0.5 in its middle.
+    inside: f32,
+    // Slope of the bulge, rest frame.
+    slope: vec3<f32>,
+    // How far its own fibres are shifted across [m].
+    shift: vec3<f32>,
+    // A free value (0-1).
+    tone: f32,
+};
+
+fn scattered(cell: vec3<f32>) -> vec3<f32> {
+    let at = vec3<f32>(dot(cell, vec3<f32>(12.9898, 78.233, 37.719)), dot(cell, vec3<f32>(39.346, 11.135, 83.155)), dot(cell, vec3<f32>(73.156, 52.235, 9.151)));
+    return fract(sin(at) * 43758.5453);
+}
+
+// Bundles of muscle as irregular spindles: how much nearer the nearest of scattered middles is than the next.
+fn bundle_at(rest: vec3<f32>, region: vec4<f32>, broad: vec4<f32>) -> Bundle {
+    let far = textureSampleLevel(solid_noise, tile_sampler, (rest + food.place.xyz).yxz * 4.7 + 0.83, 0.0).rg;
+    let bent = vec3<f32>((far - 0.5) * BENDS.x + (region.rg - 0.5) * BENDS.y + (broad.rg - 0.5) * BENDS.z, 0.0);
+    let at = (rest + food.place.xyz + bent) / BUNDLE;
+    let home = floor(at);
+    var first = vec4<f32>(0.0, 0.0, 0.0, 9.0);
+    var second = first;
+    var own = vec3<f32>(0.5);
+    for (var k = 0; k < 27; k++) {
+        let cell = home + vec3<f32>(f32(k % 3 - 1), f32(k / 3 % 3 - 1), f32(k / 9 - 1));
+        let chance = scattered(cell);
+        let off = at - cell - chance;
+        let away = vec4<f32>(off, dot(off, off));
+        if (away.w < first.w) {
+            second = first;
+            first = away;
+            own = fract(chance * 7.31 + 0.17);
+        } else if (away.w < second.w) { second = away; }
+    }
+    let apart = sqrt(vec2<f32>(first.w, second.w));
+    let inside = apart.y - apart.x;
+    let outward = (second.xyz / max(apart.y, 1e-3) - first.xyz / max(apart.x, 1e-3)) / BUNDLE;
+    let steep = BULGE * 4.0 * (1.0 - smoothstep(0.0, 0.5, inside));
+    let lean = (own.xy - 0.5) * (2.0 * FIBRE_LEAN) * first.z * BUNDLE.z;
+    return Bundle(inside, outward * steep, vec3<f32>(lean, 0.0), own.z);
+}
+
+// Lightness of the cut between bundles, from one to the next and from strand to strand: where tissue holds they are joined by a
+// pale line, where they tore there is a shadow (chosen); what all that adds on the mean is taken off.
+const JOINT = 0.045;
+const TORN = 0.085;
+const BUNDLE_TONES = 0.036;
+const STRANDS = 0.120;
+const JOINT_MEAN = -0.006;
+
+fn parted(apart: f32, torn: f32, tone: f32, strands: f32, cooked: f32) -> vec3<f32> {
+    let light = apart * mix(JOINT * (1.0 - 0.5 * cooked), -TORN, torn) + BUNDLE_TONES * (tone - 0.5) + STRANDS * strands - JOINT_MEAN;
+    return vec3<f32>(light, -0.10 * light, 0.05 * light);
+}
+
+// The grain of a bundle, along its own fibres.
+fn along_fibres(noise: Noise, rest: vec3<f32>, shift: vec3<f32>) -> Noise {
+    let place = rest + food.place.xyz + shift;
+    let stretch = vec3<f32>(1.0, 1.0, 0.10);
+    // Shifts leap from bundle to bundle: they do not count in the size of a pixel.
+    let x = dpdx(rest) * stretch;
+    let y = dpdy(rest) * stretch;
+    let grain = textureSampleGrad(solid_noise, tile_sampler, place * 250.0 * stretch + 0.37, x * 250.0, y * 250.0);
+    let fibre = textureSampleGrad(solid_noise, tile_sampler, (place * 610.0 * stretch).yxz + 0.11, x.yxz * 610.0, y.yxz * 610.0);
+    return Noise(noise.region, noise.broad, grain, fibre);
+}
+
+// How steep a crust is besides, by region and in its blisters and pits, and how much of the light its deep pits keep (chosen:
+// by a low light it has hills and holes).
+const CRUST_STEEP = vec3<f32>(1.10, 1.70, 0.60);
+const PITTED = 0.30;
+// How much more a crust's browning varies near by than that of flesh (chosen: red-brown dips between dark blisters).
+const BLISTERED = 0.55;
+
+fn crust_relief(noise: Noise, crust: f32) -> vec3<f32> {
+    if (!fine) { return vec3<f32>(0.0); }
+    return crust * ((noise.region.gbr - 0.5) * CRUST_STEEP.x + (noise.broad.rgb - 0.5) * CRUST_STEEP.y + (noise.grain.rgb - 0.5) * CRUST_STEEP.z);
+}
+
 // Fibres along z in bundles of 0.8 mm, in fascicles of 3.6 mm with pale tissue between some of them.
 fn muscle(rest: vec3<f32>, cooked: f32, crust: f32) -> Grain {
-    let noise = noise_at(rest, vec3<f32>(1.0, 1.0, 0.17));
+    var noise = noise_at(rest, vec3<f32>(1.0, 1.0, 0.17));
+    var spindle = Bundle(0.5, vec3<f32>(0.0), vec3<f32>(0.0), 0.5);
+    if (fine) {
+        spindle = bundle_at(rest, noise.region, noise.broad);
+        noise = along_fibres(noise, rest, spindle.shift);
+    }
     // Bundles lean this way and that by region, 10° to 25° off their mean.
-    let warped = rest.xy + food.place.xy + (noise.broad.rg - 0.5) * 0.0022 + (noise.region.rg - 0.5) * LEANS + rest.z * vec2<f32>(0.06, -0.04);
+    let warped = rest.xy + food.place.xy + (noise.broad.rg - 0.5) * 0.0022 + (noise.region.rg - 0.5) * LEANS + rest.z * vec2<f32>(0.06, -0.04) + spindle.shift.xy;
     let bundle = textureSample(bundle_picture, tile_sampler, warped * 78.0);
-    let fascicle = textureSample(bundle_picture, tile_sampler, warped.yx * 17.3 + 0.29);
+    var fascicle = textureSample(bundle_picture, tile_sampler, warped.yx * 17.3 + 0.29);
+    if (fine) { fascicle = vec4<f32>(2.2 * spindle.inside, spindle.tone, 0.0, 0.0); }
     let strand = 1.0 - smoothstep(0.0, 0.35, bundle.r);
     let seam = (1.0 - smoothstep(0.02, 0.16, fascicle.r)) * smoothstep(0.40, 0.75, noise.broad.a);
     let tone = 0.5 * (bundle.g - 0.5) + 0.45 * (fascicle.g - 0.5) + 0.9 * (noise.grain.a - 0.5) + 0.5 * (noise.fine.a - 0.5);
@@ -96,14 +192,25 @@ fn muscle(rest: vec3<f32>, cooked: f32, crust: f32) -> Grain {
     var shade = vec3<f32>(light, -0.10 * light * (1.0 - cooked), 0.05 * light);
     // Tissue between the bundles: pale in raw flesh, a thin shadow where cooked bundles part.
     shade += seam * mix(vec3<f32>(0.06, -0.03, 0.0), vec3<f32>(-0.03, 0.0, 0.0), cooked);
+    // On a cut the bundles differ in tone, and part here and there.
+    let apart = 1.0 - smoothstep(0.01, 0.11, spindle.inside);
+    let torn = smoothstep(0.40, 0.62, noise.broad.a);
+    let strands = 1.1 * (noise.grain.a - 0.5) + 0.9 * (noise.fine.a - 0.5) + 0.45 * (bundle.g - 0.5);
+    if (fine) { shade += laid_open * parted(apart, torn, spindle.tone, strands, cooked); }
     // A seared face is deep and even from afar, and varied near by; where it browns late, it does so in islands.
     let islands = (1.0 - smoothstep(0.70, 1.0, crust)) * (2.6 * (far_noise(rest) - 0.46) + 2.0 * (noise.region.a - 0.47));
-    let uneven = islands + 0.55 * (noise.region.a - 0.5) + 0.9 * (noise.broad.a - 0.5) + 0.9 * (noise.grain.a - 0.5) + 0.5 * (noise.fine.a - 0.5) + 0.4 * tone;
+    let blistered = 1.0 + select(0.0, BLISTERED * crust, fine);
+    let uneven = islands + blistered * (0.55 * (noise.region.a - 0.5) + 0.9 * (noise.broad.a - 0.5) + 0.9 * (noise.grain.a - 0.5) + 0.5 * (noise.fine.a - 0.5) + 0.4 * tone);
     // Dips of a crust keep some light and are filled with fat; its high points, which lay on the metal, are the dark ones.
     let high = smoothstep(0.42, 0.70, 0.25 * noise.region.a + 0.40 * noise.broad.a + 0.35 * noise.grain.a);
-    let crevice = 1.0 - crust * (0.25 * (1.0 - smoothstep(0.0, 0.30, fascicle.r)) + 0.30 * smoothstep(0.50, 0.30, noise.grain.a) + 0.24 * high);
+    // Between bundles a crust is creased here and there only.
+    let creased = select(0.25, 0.30 * smoothstep(0.46, 0.62, noise.region.a), fine);
+    var crevice = 1.0 - crust * (creased * (1.0 - smoothstep(0.0, 0.30, fascicle.r)) + 0.30 * smoothstep(0.50, 0.30, noise.grain.a) + select(0.24, 0.34, fine) * high);
+    if (fine) { crevice *= 1.0 - crust * PITTED * smoothstep(0.47, 0.31, 0.25 * noise.region.a + 0.45 * noise.broad.a + 0.30 * noise.grain.a); }
     let crack = (1.0 - smoothstep(0.015, 0.11, fascicle.r)) * smoothstep(0.42, 0.58, noise.region.a);
-    return Grain(shade, uneven, relief(noise, crust), film_relief(noise, crust), ridges_of(noise), crevice, 0.0, crack, (noise.region.gbr - 0.5) * STRAYS + (noise.broad.gbr - 0.5) * (0.3 * STRAYS));
+    let bulge = spindle.slope * (0.35 + 0.65 * laid_open + 0.9 * crust);
+    let rough = crust_relief(noise, crust);
+    return Grain(shade, uneven, relief(noise, crust) + bulge + rough, film_relief(noise, crust) + bulge + 0.55 * rough, ridges_of(noise), crevice, 0.0, crack, (noise.region.gbr - 0.5) * STRAYS + (noise.broad.gbr - 0.5) * (0.3 * STRAYS));
 }
 
 // Strands of ground meat, some 3 mm thick and pressed together, with crumbs of fat and dark gaps.
@@ -120,7 +227,7 @@ fn ground(rest: vec3<f32>, cooked: f32, crust: f32) -> Grain {
     let round = (noise.broad.rgb - 0.5) * 0.55 * (0.4 + gap);
     let crevice = 1.0 - gap * (0.35 + 0.30 * crust);
     let islands = 1.5 * (1.0 - crust) * (far_noise(rest) - 0.5);
-    return Grain(shade, islands + patches(noise) + 0.5 * (strand.g - 0.5) - 0.5 * gap, relief(noise, 0.5 + 0.5 * crust) + round, film_relief(noise, crust), ridges_of(noise), crevice, 0.0, 0.0, vec3<f32>(0.0));
+    return Grain(shade, islands + patches(noise) + 0.5 * (strand.g - 0.5) - 0.5 * gap, relief(noise, 0.5 + 0.5 * crust) + round + 0.6 * crust_relief(noise, crust), film_relief(noise, crust), ridges_of(noise), crevice, 0.0, 0.0, vec3<f32>(0.0));
 }
 
 // A root cut across its axis: rays from the core, a thin line where both meet, a rougher skin at the side.
@@ -180,9 +287,9 @@ fn shrimp(rest: vec3<f32>, along: f32, dorsal: f32, cooked: f32, crust: f32) -> 
     let pearl = (noise.grain.a - 0.5) * 0.05 + (noise.fine.a - 0.5) * 0.03;
     let vein = smoothstep(0.90, 0.985, dorsal) * (1.0 - fan) * smoothstep(0.3, 0.6, noise.broad.a + 0.3);
     let done = vec3<f32>(0.085, -0.105, -0.095) * (1.0 - red) + vec3<f32>(-0.085, 0.135, 0.10) * red;
-    // Raw flesh is blue-grey, darker where the body is thick.
-    let deep = vec3<f32>(-0.07, -0.015, -0.055);
-    let raw = deep + vec3<f32>(-0.03, 0.01, 0.0) * red - vec3<f32>(0.13, -0.01, 0.0) * specks * (0.25 + 0.75 * back) - vec3<f32>(0.14, 0.0, 0.02) * vein;
+    // Raw flesh is glassy and pale grey, its bands faintly pink.
+    let deep = vec3<f32>(-0.03, 0.0, -0.035);
+    let raw = deep + vec3<f32>(-0.05, 0.035, 0.02) * red - vec3<f32>(0.11, -0.01, 0.0) * specks * (0.25 + 0.75 * back) - vec3<f32>(0.14, 0.0, 0.02) * vein;
     var shade = mix(raw, done, smoothstep(0.15, 0.85, cooked)) + vec3<f32>(pearl, 0.0, 0.0);
     shade += vec3<f32>(-0.05, 0.01, 0.02) * joint;
     // The tail fan keeps its shell: ribbed, darker and redder.

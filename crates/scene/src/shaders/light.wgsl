@@ -187,8 +187,10 @@ fn diffuse(s: Surface, lit: f32) -> vec3<f32> {
     let key = max((vec3<f32>(n_dot_l) + s.wrap) / (1.0 + s.wrap), vec3<f32>(0.0)) * (lit + s.wrap * 0.2 * (1.0 - lit));
     let n_dot_other = max(dot(s.normal, frame.other.xyz) * (1.0 - OTHER_WRAP) + OTHER_WRAP, 0.0);
     let round = select(s.visibility, from_dome(s.normal, lit), frame.origin.z > 0.5);
-    let fill = mix(frame.fill_ground.rgb, frame.fill_sky.rgb, s.normal.z * 0.5 + 0.5) + frame.fill_front.rgb * max(dot(s.normal, FRONT), 0.0);
-    return s.albedo * (frame.key_light.rgb * key + frame.other_light.rgb * n_dot_other * s.visibility + fill * round);
+    let upwards = s.normal.z * 0.5 + 0.5;
+    let above = frame.fill_sky.rgb * upwards + frame.fill_front.rgb * max(dot(s.normal, FRONT), 0.0);
+    let below = frame.other_light.rgb * n_dot_other + frame.fill_ground.rgb * (1.0 - upwards);
+    return s.albedo * (frame.key_light.rgb * key + below * s.visibility + above * round);
 }
 
 fn specular(s: Surface, position: vec3<f32>, view: vec3<f32>, lit: f32) -> vec3<f32> {

@@ -12,28 +12,97 @@ struct PuffOut {
     @builtin(position) clip: vec4<f32>,
     @location(0) corner: vec2<f32>,
     @location(1) look: vec2<f32>,
+    // Height above the floor of the pan [m].
+    @location(2) height: f32,
 };
+
+// Width and height of the sprites over their half size: steam, smoke and flames (chosen: smoke rolls broadly, flames lick up).
+const STEAM_SHAPE = vec2<f32>(1.0, 1.5);
+const SMOKE_SHAPE = vec2<f32>(1.45, 1.7);
+const FLAME_SHAPE = vec2<f32>(1.5, 2.4);
+// Half the thickness of a flame [m] (chosen: it is in front of a steak among the flames, but not of the pan's wall).
+const FLAME_DEPTH = 0.05;
 
 @vertex
 fn vs_steam(in: PuffIn) -> PuffOut {
     let forward = normalize(in.position - frame.eye.xyz);
     let right = normalize(cross(forward, vec3<f32>(0.0, 0.0, 1.0)) + vec3<f32>(1e-4, 0.0, 0.0));
     let up = cross(right, forward);
-    let offset = (right * in.corner.x + up * in.corner.y * 1.35) * in.look.x;
-    return PuffOut(frame.clip_from_world * vec4<f32>(in.position + offset, 1.0), in.corner, in.look.yz);
+    let shape = select(STEAM_SHAPE, SMOKE_SHAPE, in.look.z >= 2.0);
+    var place = in.position + (right * in.corner.x * shape.x + up * in.corner.y * shape.y) * in.look.x;
+    let floor = frame.pan_place.z + frame.pan_place.w;
+    if (in.look.z >= 4.0) {
+        // A flame stands on the fat, however high its tip has risen.
+        let tip = in.position.z + FLAME_SHAPE.y * in.look.x;
+        let sideways = right.xy * in.corner.x * FLAME_SHAPE.x * (0.016 + 0.9 * in.look.x);
+        place = vec3<f32>(in.position.xy + sideways, mix(floor + 0.001, tip, in.corner.y * 0.5 + 0.5));
+    }
+    var clip = frame.clip_from_world * vec4<f32>(place, 1.0);
+    if (in.look.z >= 4.0) {
+        // A flame is as thick as it is broad: food in its middle must not cut it along a line.
+        let front = frame.clip_from_world * vec4<f32>(place - forward * FLAME_DEPTH, 1.0);
+        clip.z = front.z / front.w * clip.w;
+    }
+    return PuffOut(clip, in.corner, in.look.yz, place.z - floor);
+}
+
+// Whirls that rise in a puff, about 0 to 1: broad ones, and threads that the broad ones carry along.
+fn whirls(corner: vec2<f32>, random: f32, speed: f32, threads: f32) -> f32 {
+    let at = vec3<f32>(corner * vec2<f32>(0.17, 0.12) - vec2<f32>(0.0, frame.eye.w * speed), random);
+    let broad = textureSampleLevel(solid_noise, tile_sampler, at, 0.0);
+    if (quick) { return broad.a; }
+    let carried = at * vec3<f32>(1.9, 1.5, 1.0) + vec3<f32>((broad.rg - 0.5) * 0.22, 0.37);
+    let off = 2.0 * textureSampleLevel(solid_noise, tile_sampler, carried, 0.0).a - 1.0;
+    return broad.a + threads * (0.35 - min(5.0 * off * off, 1.0));
+}
+
+// Share of a puff that is there at a place: torn at its edge, not round.
+fn torn(corner: vec2<f32>, whirl: f32, ragged: f32) -> f32 {
+    let away = dot(corner, corner);
+    let body = 1.0 - away + ragged * (whirl - 0.5);
+    return smoothstep(0.0, 1.25, body) * smoothstep(1.0, 0.25, away);
+}
+
+// Tongues of burning fat: yellow low in their middle, orange above, red where they end.
+fn tongues(in: PuffOut) -> vec4<f32> {
+    let high = in.corner.y * 0.5 + 0.5;
+    let own = fract(in.look.y);
+    let broad = textureSampleLevel(solid_noise, tile_sampler, vec3<f32>(in.corner.x * 0.13 + own, high * 0.16 - frame.eye.w * 0.23, own * 3.0), 0.0);
+    var lick = broad.a - 0.5;
+    if (!quick) {
+        let carried = vec3<f32>(in.corner.x * 0.30 + (broad.r - 0.5) * 0.30 * high + own, high * 0.26 - frame.eye.w * 0.41, own * 5.0);
+        lick = 0.75 * lick + 0.75 * (textureSampleLevel(solid_noise, tile_sampler, carried, 0.0).a - 0.5);
+    }
+    // It sways, most at its tip, and narrows upwards; the licks tear it into tongues.
+    let aside = in.corner.x + (broad.g - 0.5) * 1.2 * high;
+    let width = mix(0.80, 0.42, high);
+    // A young and a dying flame is low, not faint.
+    let strength = min(in.look.x / 0.9, 1.0);
+    let heat = 0.40 + 0.55 * strength - aside * aside / (width * width) * 1.05 - 0.80 * high + 2.6 * lick * (0.25 + high) - 0.5 * in.corner.x * in.corner.x * smoothstep(0.25, 0.0, high);
+    let inside = smoothstep(1.0, 0.70, abs(in.corner.x)) * smoothstep(1.0, 0.82, high);
+    let body = smoothstep(0.02, 0.50, heat) * inside;
+    let red = mix(vec3<f32>(0.72, 0.13, 0.01), vec3<f32>(1.0, 0.48, 0.07), smoothstep(0.05, 0.45, heat));
+    let colour = mix(red, vec3<f32>(1.10, 0.88, 0.48), smoothstep(0.35, 0.95, heat));
+    // A flame gives light and hides hardly anything; at its root it is thin.
+    let alpha = body * smoothstep(0.0, 0.5, strength) * 0.85 * smoothstep(0.0, 0.30, high);
+    return vec4<f32>(colour * alpha, 0.25 * alpha);
 }
 
 @fragment
 fn fs_steam(in: PuffOut) -> @location(0) vec4<f32> {
-    let away = dot(in.corner, in.corner);
-    let wisp = textureSampleLevel(solid_noise, tile_sampler, vec3<f32>(in.corner * vec2<f32>(0.16, 0.10), in.look.y), 0.0).a;
-    let body = max(1.0 - away, 0.0);
-    let alpha = body * body * smoothstep(0.30, 0.75, wisp + 0.12) * in.look.x;
-    if (in.look.y >= 4.0) {
-        // A flame gives light: yellow at its heart, orange at its edge, and hides little.
-        let heart = smoothstep(0.0, 0.6, body * (0.6 + 0.8 * wisp));
-        return vec4<f32>(mix(vec3<f32>(0.95, 0.30, 0.04), vec3<f32>(1.0, 0.82, 0.36), heart) * alpha, 0.35 * alpha);
+    if (in.look.y >= 4.0) { return tongues(in); }
+    if (dot(in.corner, in.corner) >= 1.0) { return vec4<f32>(0.0); }
+    if (in.look.y >= 2.0) {
+        let whirl = whirls(in.corner, in.look.y, 0.030, 0.24);
+        // Thin smoke is seen as well; it lies dense over the pan and thins out above it.
+        let dense = 1.0 - exp(-5.0 * in.look.x);
+        let high = smoothstep(0.03, 0.30, in.height);
+        let torn_there = torn(in.corner, whirl, 1.9) * smoothstep(mix(0.0, 0.14, high), 1.05, whirl);
+        let alpha = min(torn_there * dense * mix(1.25, 0.65, high), 0.92);
+        return vec4<f32>(mix(vec3<f32>(0.46, 0.49, 0.54), vec3<f32>(0.60, 0.62, 0.65), whirl) * alpha, alpha);
     }
-    if (in.look.y >= 2.0) { return vec4<f32>(vec3<f32>(0.56, 0.60, 0.68) * alpha, alpha); }
+    // Steam is thin and torn.
+    let whirl = whirls(in.corner, in.look.y, 0.060, 0.12);
+    let alpha = torn(in.corner, whirl, 2.0) * smoothstep(0.25, 0.90, whirl) * in.look.x;
     return vec4<f32>(vec3<f32>(0.86, 0.87, 0.88) * alpha, alpha);
 }

@@ -1,7 +1,7 @@
 //! Targets and passes after the scene, for one picture size.
 
-use crate::gpu::post::kit::{AMBIENT_FORMAT, HDR_FORMAT, Post, PostKit};
 use crate::gpu::post::gathering::Gathering;
+use crate::gpu::post::kit::{AMBIENT_FORMAT, HDR_FORMAT, Post, PostKit};
 use crate::gpu::post::lens::LensUniform;
 use crate::gpu::targets::{Attachments, Layer, MSAA_SAMPLES, texture, view};
 use crate::gpu::textures::DEPTH_FORMAT;
@@ -109,12 +109,7 @@ pub(super) struct Bench<'a> {
 }
 
 impl<'a> Bench<'a> {
-    fn new(
-        device: &'a wgpu::Device,
-        kit: &'a PostKit,
-        lens: &'a wgpu::Buffer,
-        depth: &'a wgpu::TextureView,
-    ) -> Self {
+    fn new(device: &'a wgpu::Device, kit: &'a PostKit, lens: &'a wgpu::Buffer, depth: &'a wgpu::TextureView) -> Self {
         Self { device, kit, lens, depth, blank: view(&texture(device, [1; 2], HDR_FORMAT, 1)) }
     }
 

@@ -18,6 +18,7 @@ impl SauteApp {
     pub(crate) fn make_time_lapse(&mut self, ctx: &egui::Context) {
         let options = saute_picture::still::shot::ShotOptions {
             samples: 1,
+            plated: false,
             view: self.settings.view,
             split: false,
             slice: self.sights.slice.is_some(),

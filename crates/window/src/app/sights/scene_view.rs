@@ -95,7 +95,8 @@ impl SauteApp {
         for (place, (pane, input)) in panes.iter().zip(scenes).enumerate() {
             let size = [pane.rect.width(), pane.rect.height()].map(|v| (v * fineness).round().max(1.0) as u32);
             let rest = self.sights.scene.rest.clone();
-            let callback = SceneCallback { input, size, quality: self.quality(), samples: self.samples(), pane: place, rest };
+            let callback =
+                SceneCallback { input, size, quality: self.quality(), samples: self.samples(), pane: place, rest };
             ui.painter().add(egui_wgpu::Callback::new_paint_callback(pane.rect, callback));
         }
         self.draw_ways(ui, layout, &options, fineness);

@@ -82,7 +82,8 @@ impl SauteApp {
             let input = Arc::new(stage.scene(way.kitchen, options, &Places::default()));
             let size = [column.picture.width(), column.picture.height()];
             let size = size.map(|points| (points * fineness).round().max(1.0) as u32);
-            let callback = SceneCallback { input, size, quality, samples: 1, pane, rest: self.sights.scene.rest.clone() };
+            let callback =
+                SceneCallback { input, size, quality, samples: 1, pane, rest: self.sights.scene.rest.clone() };
             ui.painter().add(egui_wgpu::Callback::new_paint_callback(column.picture, callback));
         }
     }

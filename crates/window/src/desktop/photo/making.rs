@@ -95,7 +95,8 @@ impl Maker {
             let gpu = Gpu::open().map_err(|error| error.to_string())?;
             let counting = executor.clone();
             let told: SampleProgress = Box::new(move |_, _| _ = counting.goes_on());
-            let drawn = picture(&gpu, &scene, size, Quality::Best, Gather { samples: LightSample::KEPT, told: Some(told) });
+            let drawn =
+                picture(&gpu, &scene, size, Quality::Best, Gather { samples: LightSample::KEPT, told: Some(told) });
             executor.save("png", &png_bytes(&drawn).map_err(|error| error.to_string())?)
         })
     }
