@@ -80,7 +80,7 @@ LIST
         golden "$food" "$b" "$line" "$pan_c" "$side_s" >"$WORK/golden-$food-$b.toml"
         printf 'golden-%s-%s\t42,20,%s\t%s, golden, seed %s\n' "$food" "$b" "$mm" "$food" "$b"
     done <<LIST
-bacon 3 240 165 150
+bacon 2 240 165 150
 beef-lean 1 270 185 150
 beef-marbled 1 270 185 150
 beef-patty 1 260 180 170
@@ -98,7 +98,7 @@ potato-dice 12 210 175 240
 potato-slice 7 240 175 300
 salmon-fillet 1 250 165 200
 shrimp 5 240 190 110
-tofu 6 230 175 200
+tofu 4 230 175 200
 LIST
     fried egg "$b" "" 145 200 >"$WORK/fried-egg-$b.toml"
     printf 'fried-egg-%s\t42,20,210\tegg, fried, seed %s\n' "$b" "$b"

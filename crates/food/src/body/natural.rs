@@ -16,7 +16,7 @@ const DOME_EXPONENT: f64 = 4.0;
 /// Half width of a crack at the rim [m] (chosen: two nodes of the section).
 const CRACK: f64 = 7.5e-3;
 /// Largest drop of a rim over the thickness [-] (chosen: a thin slice keeps an edge).
-const LARGEST_DROP: f64 = 0.2;
+const LARGEST_DROP: f64 = 0.09;
 /// Least number of cracks in a food that cracks [-], and the least depth over that of the deepest [-] (chosen).
 const LEAST_CRACKS: u32 = 3;
 const LEAST_CRACK: f64 = 0.35;

@@ -95,7 +95,7 @@ sourced_table! {
         #[serde(default)]
         #[schemars(range(min = 0.0, max = 15.0), example = 8.0)]
         shoulder_mm: f64,
-        /// How much thinner the rim is than the face beyond the shoulder [mm]; at most a fifth of the thickness counts.
+        /// How much thinner the rim is than the face beyond the shoulder [mm]; at most 9 % of the thickness count.
         #[serde(default)]
         #[schemars(range(min = 0.0, max = 5.0), example = 3.0)]
         rim_thinner_mm: f64,

@@ -94,7 +94,8 @@ impl Reduction {
     }
 }
 
-/// The coarse mesh of a slice: rings of the area of its section, its layers, and its height at every node.
+/// The coarse mesh of a slice: rings of the area of its section, its layers, and the mean height of the full columns that each of its
+/// own stands for.
 fn coarse_mesh(fine: &FoodModel, mesh: &SweptMesh) -> Result<SweptMesh, MeshError> {
     let outline = &fine.shape.outline;
     let narrow = Section::concentric(outline, RINGS)?;
@@ -102,7 +103,12 @@ fn coarse_mesh(fine: &FoodModel, mesh: &SweptMesh) -> Result<SweptMesh, MeshErro
     let wider = libm::sqrt(mesh.section.area() / narrow.area());
     let rings: Vec<(usize, f64)> = RINGS.iter().map(|(count, share)| (*count, share * wider)).collect();
     let section = Section::concentric(outline, &rings)?;
-    let height = |p: [f64; 2]| mesh.column_at(&mesh.locate_or_nearest(p));
+    let areas = &mesh.section.areas;
+    let columns = Coarsening::between((&mesh.section.points, areas), (&section, &section.areas), |_, _| true);
+    let heights: Vec<f64> = (0..areas.len()).map(|i| mesh.path.column(i)).collect();
+    let means = columns.means(&heights, areas);
+    let places = section.points.clone();
+    let height = |p: [f64; 2]| places.iter().position(|place| *place == p).map_or(1.0, |i| means[i]);
     Ok(SweptMesh::uneven(section, mesh.levels.clone(), height, rule_of(fine.rules)))
 }
 

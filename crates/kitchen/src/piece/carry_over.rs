@@ -89,7 +89,8 @@ fn mean_profile(model: &FoodModel, state: &FoodState) -> (Vec<f64>, Vec<f64>) {
         .map(|t: f64| t.min(boiling))
         .collect();
     profile[mesh.levels.len() / 2] = model.core_temperature(state);
-    (mesh.levels.clone(), profile)
+    let height = inner.iter().map(|&i| mesh.path.column(i) * mesh.section.areas[i]).sum::<f64>() / area;
+    (mesh.levels.iter().map(|level| level * height).collect(), profile)
 }
 
 fn masses_per_volume(model: &FoodModel, state: &FoodState) -> [f64; 3] {

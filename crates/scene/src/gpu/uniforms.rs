@@ -51,6 +51,7 @@ impl FrameUniform {
 
     pub fn new(input: &SceneInput, aspect: f32, quality: Quality, contact: &ContactMap) -> Self {
         let (shadow, lit) = (ShadowView::of(input), input.light.sources());
+        let (kind, shift) = input.sample.map_or((0.0, 0.0), |sample| (sample.kind(), sample.noise_shift()));
         let [left, top] = input.tile.map_or([0; 2], |tile| tile.origin);
         let pan = &input.pan;
         let field = matches!(input.colouring, Colouring::Field { .. });
@@ -73,7 +74,7 @@ impl FrameUniform {
             oil: pan.oil_colour.extend(f32::from(input.mirror.is_some_and(|mirror| !mirror.pan_shown))),
             white: (exposure(input) * balance(input).gains(input.light)).extend(pan.oil_turbidity),
             shadow_fine: shadow.uniform(quality),
-            origin: Vec4::new(left as f32, top as f32, input.sample.map_or(0.0, |sample| sample.kind()), 0.0),
+            origin: Vec4::new(left as f32, top as f32, kind, shift),
             floor_field: pan.floor_field,
         }
     }

@@ -22,6 +22,7 @@ const DOME_FROM: f32 = 0.12;
 /// One sample.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LightSample {
+    index: u32,
     /// Shift in normalised device coordinates of the whole picture.
     pixel: Vec2,
     /// Place in the aperture, to the right and up [m], and the distance that is sharp [m].
@@ -74,6 +75,7 @@ impl LightSample {
             (true, false) => DOME_EVERY as f32 / (DOME_EVERY - 1) as f32,
         };
         Self {
+            index,
             pixel: (2.0 * Vec2::from_array(at([2, 3], index)) - 1.0) / size,
             lens: LENS_RADIUS * input.photo.aperture * on_disc(at([11, 13], index)),
             sharp: sharp_distance(input),
@@ -118,6 +120,11 @@ impl LightSample {
     /// How much softer the shadows of this sample are than those of a picture of its own: few directions stand for a dome.
     pub(crate) fn softness(&self) -> f32 {
         if self.dome { DOME_SOFTNESS } else { KEY_SOFTNESS }
+    }
+
+    /// How far noise is shifted in this sample [pixels] (chosen: its mean over the samples is even).
+    pub(crate) fn noise_shift(&self) -> f32 {
+        5.588_238 * self.index as f32
     }
 
     /// Number of the kind of sample, as the shaders read it.

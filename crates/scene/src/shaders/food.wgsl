@@ -255,7 +255,7 @@ fn fat_here(rest: vec3<f32>) -> f32 {
 }
 
 // The lamp on the fat of a crust: how bright, how sharp, and how much of the film's relief breaks it (chosen: a soft, broad shine).
-const LAMP = 0.22;
+const LAMP = 0.12;
 const LAMP_SHARPNESS = 26.0;
 const LAMP_RELIEF = 0.55;
 
@@ -269,7 +269,7 @@ fn sheen(in: FoodOut, look: Look, bent: vec3<f32>, raw: f32, view: vec3<f32>, li
     // Fat on a crust is thick in its dips and thin on its high points.
     var oily = mix(FAT_POOLS, FAT_THIN, look.ridges) * crust * (1.0 - look.charring);
     // It was drawn together here and wiped off there.
-    if (fine) { oily *= mix(0.5, 4.2, fat_here(in.rest)); }
+    if (fine) { oily *= mix(0.5, 3.3, fat_here(in.rest)); }
     // Shrimps and vegetables that fried in fat are glazed by it.
     let glaze = GLAZED * in.state.w * smoothstep(0.10, 0.24, look.clear) * (1.0 - look.charring) * (0.45 + 0.55 * look.ridges);
     let film = max(wetness * mix(0.06 + 0.94 * look.ridges, 0.75 + 0.25 * look.ridges, raw), max(oily, glaze));

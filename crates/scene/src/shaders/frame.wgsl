@@ -38,7 +38,8 @@ struct Frame {
     white: vec4<f32>,
     // Middle of the shadow map's fine part in the clip space of the coarse one; scale to it; sample step over the coarse one.
     shadow_fine: vec4<f32>,
-    // Left and upper edge of this picture in a larger one [pixels]; z = 1 where the dome of the room alone lights, from `key`.
+    // Left and upper edge of this picture in a larger one [pixels]; z = 1 where the dome of the room alone lights, from `key`;
+    // w = shift of noise, another one in each sample.
     origin: vec4<f32>,
     // Rings of the pan floor's field.
     floor_field: array<vec4<f32>, 4>,

@@ -612,7 +612,7 @@ fn under_oil(below: vec3<f32>, in: SolidOut, n: vec3<f32>, view: vec3<f32>, lit:
     let film = normalize(n + vec3<f32>(wave.xy * 0.06 + slope, 0.0));
     // A used pan is smeared: a thin film is smooth here and dull there; a deep one is a mirror.
     let smeared = textureSampleLevel(solid_noise, tile_sampler, vec3<f32>(local.xy * 23.0, 0.71), 0.0).a;
-    let mirror = liquid_mirror(in, film, mix(0.32, mix(0.045, mix(0.20, 0.07, smoothstep(0.05, 0.30, thickness)), smoothstep(0.35, 0.70, smeared)), cover), view, lit, open) * (1.0 - hidden_by_food(in.position, reflect(-view, film), 0.2 + 0.8 * gradient_noise(in.clip.xy + frame.origin.xy)));
+    let mirror = liquid_mirror(in, film, mix(0.32, mix(0.045, mix(0.20, 0.07, smoothstep(0.05, 0.30, thickness)), smoothstep(0.35, 0.70, smeared)), cover), view, lit, open) * (1.0 - hidden_by_food(in.position, reflect(-view, film), 0.2 + 0.8 * gradient_noise(in.clip.xy + frame.origin.xy + frame.origin.w)));
     // Light passes the film twice; a deep pool also sends some back itself.
     let passed = pow(frame.oil.rgb, vec3<f32>(2.0 * thickness / OIL_DEPTH));
     let deep = 1.0 - exp(-thickness * mix(1.0 / OIL_DEPTH, TURBID, frame.white.w));

@@ -69,7 +69,9 @@ impl SauteApp {
     /// The result while its card is open; its mark is kept.
     fn shown_result(&mut self) -> Option<(ResultWords, Option<f64>)> {
         self.keep_mark();
-        if self.desk.card == Some(Card::Result) { self.result() } else { None }
+        let result = if self.desk.card == Some(Card::Result) { self.result() } else { None };
+        self.serve(result.as_ref().map(|(words, _)| words));
+        result
     }
 
     /// Reads the rig of the half mirror while its card is open, which shows the error of one that cannot be read.

@@ -1,5 +1,6 @@
 //! The scene inside an egui window.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -57,7 +58,7 @@ impl SceneRest {
 
 /// A presenter for each part of the window; lives in egui's callback resources.
 struct Presenters {
-    panes: Vec<ScenePresenter>,
+    panes: BTreeMap<usize, ScenePresenter>,
     target: wgpu::TextureFormat,
 }
 
@@ -126,7 +127,7 @@ impl ScenePresenter {
 impl SceneCallback {
     /// Prepares renderers, for the format egui draws with. Called once, when the app starts; the first frame makes them.
     pub fn install(state: &egui_wgpu::RenderState) {
-        let presenters = Presenters { panes: Vec::new(), target: state.target_format };
+        let presenters = Presenters { panes: BTreeMap::new(), target: state.target_format };
         state.renderer.write().callback_resources.insert(presenters);
     }
 }
@@ -141,10 +142,8 @@ impl CallbackTrait for SceneCallback {
         resources: &mut CallbackResources,
     ) -> Vec<wgpu::CommandBuffer> {
         if let Some(Presenters { panes, target }) = resources.get_mut::<Presenters>() {
-            while panes.len() <= self.pane {
-                panes.push(ScenePresenter::new(device, queue, *target));
-            }
-            panes[self.pane].prepare(device, queue, encoder, self);
+            let presenter = panes.entry(self.pane).or_insert_with(|| ScenePresenter::new(device, queue, *target));
+            presenter.prepare(device, queue, encoder, self);
         }
         Vec::new()
     }
@@ -155,7 +154,7 @@ impl CallbackTrait for SceneCallback {
         pass: &mut wgpu::RenderPass<'static>,
         resources: &CallbackResources,
     ) {
-        if let Some(presenter) = resources.get::<Presenters>().and_then(|p| p.panes.get(self.pane)) {
+        if let Some(presenter) = resources.get::<Presenters>().and_then(|p| p.panes.get(&self.pane)) {
             presenter.paint(pass);
         }
     }

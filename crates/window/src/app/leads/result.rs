@@ -1,12 +1,19 @@
 //! The result of a cook: when it is shown by itself, and its picture that is shared.
 
+use std::sync::Arc;
+
 use crate::app::SauteApp;
 use crate::host::Host;
 use crate::learn::on_its_own;
+use crate::panels::cards::serving::Serving;
 use saute_controls::act::Card;
 use saute_controls::goal_choice::goal_of;
 use saute_kitchen::advice::Advice;
+use saute_picture::plated::plated;
+use saute_picture::stage::StageOptions;
 use saute_plan::goal::{Goal, Judgement};
+use saute_scene::light::gathered::LightSample;
+use saute_scene::quality::Quality;
 use saute_words::judgement_words::ResultWords;
 
 /// Longest interval between the marks of one taking out [s] (chosen: pieces of a group follow each other within it).
@@ -70,6 +77,28 @@ impl SauteApp {
         };
         let try_from_s = judgement.better.and_then(|better| self.session.deciding_s(&better));
         Some((words, try_from_s))
+    }
+
+    /// Puts the food of a result on its plate, once for each result; without one the plate is cleared.
+    pub(crate) fn serve(&mut self, words: Option<&ResultWords>) {
+        let served = &self.desk.memory.result.plate;
+        let Some(words) = words.filter(|_| self.drawable()) else {
+            self.desk.memory.result.plate = None;
+            return;
+        };
+        if served.as_ref().is_some_and(|plate| plate.words == *words) {
+            return;
+        }
+        let (white_balance, light) = (self.settings.white_balance, self.settings.light);
+        let options = StageOptions { white_balance, light, ..StageOptions::default() };
+        let quality = self.quality();
+        self.desk.memory.result.plate = Some(Serving {
+            input: Arc::new(plated(&self.session.kitchen, &options)),
+            quality,
+            samples: if quality == Quality::Best { LightSample::KEPT } else { 1 },
+            rest: self.sights.scene.rest.clone(),
+            words: words.clone(),
+        });
     }
 
     /// Opens the result of a plan once its rest is over, unless it is switched off: time is then stopped.

@@ -11,6 +11,7 @@ pub mod lessons;
 pub mod messages;
 pub mod mirror;
 pub mod result;
+pub mod serving;
 pub mod setting_row;
 pub mod settings;
 pub mod unfinished;

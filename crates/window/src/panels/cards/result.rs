@@ -10,6 +10,7 @@ use saute_picture::View;
 use saute_picture::cut::section::section_picture;
 
 use crate::panels::cards::frame::Framed;
+use crate::panels::cards::serving::Serving;
 use crate::ui::theme;
 use saute_controls::act::{Act, Acts, AppAct, Card, CookAct, TimeAct};
 use saute_controls::context::PanelContext;
@@ -19,6 +20,8 @@ use saute_words::judgement_words::ResultWords;
 /// Width of the card at most, and below which its parts are below each other [points].
 const WIDTH: f32 = 720.0;
 const NARROW: f32 = 560.0;
+/// Width that the plate takes beside them [points].
+const PLATE: f32 = 330.0;
 /// Size of the picture of the cut at most [points], and room beside it for the brackets of the grey band.
 const CUT: egui::Vec2 = vec2(440.0, 118.0);
 const BRACKET: f32 = 76.0;
@@ -30,6 +33,8 @@ const PER_MM: f64 = 8.0;
 pub struct CutOfResult {
     texture: Option<TextureHandle>,
     painted_for: Option<ResultWords>,
+    /// The food on its plate; none where nothing can be drawn.
+    pub plate: Option<Serving>,
     /// Thickness that the picture shows, of food whose section is seen as it lies [mm].
     thickness_mm: Option<f64>,
 }
@@ -61,7 +66,9 @@ pub fn show(
     acts: &mut Acts,
     whole: Rect,
 ) {
-    let framed = Framed { card: Card::Result, id: "result", title: "result.title", width: WIDTH };
+    let wide = whole.width() > WIDTH + PLATE + 80.0 && memory.plate.is_some();
+    let width = if wide { WIDTH + PLATE } else { WIDTH };
+    let framed = Framed { card: Card::Result, id: "result", title: "result.title", width };
     framed.show(state, ui, acts, whole, |ui, acts| {
         let l = state.settings.language;
         let Some(((words, try_from_s), piece)) = result.zip(state.session.shown_piece()) else {
@@ -71,10 +78,18 @@ pub fn show(
         memory.refresh(piece, words, ui.ctx());
         let narrow = ui.available_width() < NARROW;
         let height = whole.height() - if narrow { 230.0 } else { 180.0 };
-        ScrollArea::vertical()
-            .max_height(height)
-            .min_scrolled_height(height)
-            .show(ui, |ui| content(ui, words, memory, narrow));
+        ui.horizontal_top(|ui| {
+            ui.vertical(|ui| {
+                ui.set_width(ui.available_width() - if wide { PLATE } else { 0.0 });
+                ScrollArea::vertical()
+                    .max_height(height)
+                    .min_scrolled_height(height)
+                    .show(ui, |ui| content(ui, words, memory, narrow));
+            });
+            if let Some(plate) = memory.plate.as_ref().filter(|_| wide) {
+                plate.show(ui, ui.available_width(), l);
+            }
+        });
         ui.add_space(4.0);
         ui.horizontal_wrapped(|ui| buttons(state, *try_from_s, ui, acts));
     });
