@@ -188,7 +188,7 @@ fn lit_food(outside: FoodOut) -> vec4<f32> {
     let coated = wetness * (1.0 - in.state.w) * (1.0 - crust) * (1.0 - look.fatty) * (1.0 - look.clear);
     let wet_flesh = mix(look.colour, pow(look.colour, vec3<f32>(1.55)), coated);
     let amber = amber_over(look);
-    let dry = wet_flesh * mix(vec3<f32>(1.0), sqrt(look.colour), oiled) * (1.0 - 0.05 * oiled) * amber;
+    let dry = wet_flesh * mix(vec3<f32>(1.0), sqrt(look.colour), oiled) * (1.0 - select(0.05, 0.12, fine) * oiled) * amber;
     // A bead gathers the window's light on its far side.
     let towards = dot((food.world_from_rest * vec4<f32>(beads.bend, 0.0)).xyz, frame.key.xyz);
     let colour = dry * mix(vec3<f32>(1.0), beads.tint * (1.0 - 0.55 * towards), beads.cover);
@@ -255,7 +255,7 @@ fn fat_here(rest: vec3<f32>) -> f32 {
 }
 
 // The lamp on the fat of a crust: how bright, how sharp, and how much of the film's relief breaks it (chosen: a soft, broad shine).
-const LAMP = 0.12;
+const LAMP = 0.08;
 const LAMP_SHARPNESS = 26.0;
 const LAMP_RELIEF = 0.55;
 
@@ -269,7 +269,7 @@ fn sheen(in: FoodOut, look: Look, bent: vec3<f32>, raw: f32, view: vec3<f32>, li
     // Fat on a crust is thick in its dips and thin on its high points.
     var oily = mix(FAT_POOLS, FAT_THIN, look.ridges) * crust * (1.0 - look.charring);
     // It was drawn together here and wiped off there.
-    if (fine) { oily *= mix(0.5, 3.3, fat_here(in.rest)); }
+    if (fine) { oily *= mix(0.5, 2.9, fat_here(in.rest)); }
     // Shrimps and vegetables that fried in fat are glazed by it.
     let glaze = GLAZED * in.state.w * smoothstep(0.10, 0.24, look.clear) * (1.0 - look.charring) * (0.45 + 0.55 * look.ridges);
     let film = max(wetness * mix(0.06 + 0.94 * look.ridges, 0.75 + 0.25 * look.ridges, raw), max(oily, glaze));
