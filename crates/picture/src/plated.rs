@@ -39,13 +39,21 @@ pub fn plated(kitchen: &Kitchen, options: &StageOptions) -> SceneInput {
     let mut stage = Stage::default();
     let options = StageOptions { slice: None, ..options.clone() };
     let scene = stage.scene(kitchen, &options, &Default::default());
-    let [yaw, pitch, distance] = EYE;
-    let target = MIDDLE + Vec3::new(0.0, 0.004, PLATE_HEIGHT + 0.012);
-    let camera = Camera { yaw, pitch, distance, target, ..options.camera.clone() };
     let alone = if let [piece] = kitchen.pieces() { halved(&stage, piece, &options) } else { None };
     let foods = alone.unwrap_or_else(|| heaped(&scene.foods));
+    let [yaw, pitch, distance] = EYE;
+    let distance = distance * nearness(&foods);
+    let target = MIDDLE + Vec3::new(0.0, 0.004, PLATE_HEIGHT + 0.012);
+    let camera = Camera { yaw, pitch, distance, target, ..options.camera.clone() };
     let rest = RestLook { kind: RestKind::Plate, centre: MIDDLE, half: Vec2::splat(WELL), height: 0.0 };
     SceneInput { camera, foods, rest: Some(rest), tool: None, steam: Vec::new(), ..scene }
+}
+
+/// Factor by which the eye is nearer to a small serving [-] (chosen: food fills half of the picture, and some of the plate is seen).
+fn nearness(foods: &[FoodLook]) -> f32 {
+    let corners = foods.iter().map(extent).flat_map(|(low, high)| [low, high]);
+    let far = corners.map(|p| (p - MIDDLE).truncate().length()).fold(0.0, f32::max);
+    (far / 0.068).clamp(0.55, 1.1)
 }
 
 /// Both halves of a slice that is thick enough to be cut; none of another piece.
@@ -128,9 +136,11 @@ fn heaped(foods: &[FoodLook]) -> Vec<FoodLook> {
     served.collect()
 }
 
-/// Lowest and highest corner of a food in the world.
+/// Lowest and highest corner of what is seen of a food, in the world.
 fn extent(food: &FoodLook) -> (Vec3, Vec3) {
-    bounds(food.vertices.iter().map(|v| food.world_from_rest.transform_point3(Vec3::from(v.position))))
+    let seen = |p: &Vec3| food.slice.as_ref().is_none_or(|cut| (*p - cut.point).dot(cut.normal) <= 1e-4);
+    let places = food.vertices.iter().map(|v| Vec3::from(v.position)).filter(seen);
+    bounds(places.map(|p| food.world_from_rest.transform_point3(p)))
 }
 
 #[cfg(test)]
@@ -152,15 +162,9 @@ mod tests {
     /// Lowest point of what is seen of each food above the plate's well [m], and the farthest from its middle [m].
     fn lies(scene: &SceneInput) -> Vec<[f32; 2]> {
         let measure = |food: &FoodLook| {
-            let place =
-                |v: &saute_scene::input::FoodVertex| food.world_from_rest.transform_point3(Vec3::from(v.position));
-            let kept = |v: &&saute_scene::input::FoodVertex| {
-                food.slice.as_ref().is_none_or(|cut| (Vec3::from(v.position) - cut.point).dot(cut.normal) <= 1e-4)
-            };
-            let places = food.vertices.iter().filter(kept).map(place);
-            places.fold([f32::INFINITY, 0.0], |[low, far], p| {
-                [low.min(p.z - on_plate(Vec2::ZERO).z), far.max((p - MIDDLE).truncate().length())]
-            })
+            let (low, high) = extent(food);
+            let far = [low, high].map(|p| (p - MIDDLE).truncate().length());
+            [low.z - on_plate(Vec2::ZERO).z, far[0].max(far[1])]
         };
         scene.foods.iter().map(measure).collect()
     }
@@ -171,7 +175,7 @@ mod tests {
         let scene = served(steak);
         let [below, above] = lies(&scene)[..] else { panic!("two halves") };
         assert!(below[0].abs() < 1e-3 && (0.020..0.030).contains(&above[0]), "{below:?} {above:?}");
-        assert!(below[1] < 0.09 && above[1] < 0.09, "{below:?} {above:?}");
+        assert!(below[1] < 0.10 && above[1] < 0.10, "{below:?} {above:?}");
         assert!(scene.foods.iter().all(|food| food.slice.as_ref().is_some_and(|cut| !cut.ghost)));
     }
 
@@ -180,6 +184,6 @@ mod tests {
         let coins = "[pan]\nkind = \"cast-iron-26\"\n[[food]]\nid = \"it\"\nkind = \"carrot-coin\"\ncount = 12\n[[step]]\nput = \"it\"\n[[step]]\nafter_s = 5\nend = true\n";
         let lies = lies(&served(coins));
         assert_eq!(lies.len(), 12);
-        assert!(lies.iter().all(|[low, far]| (-1e-3..0.02).contains(low) && *far < 0.09), "{lies:?}");
+        assert!(lies.iter().all(|[low, far]| (-1e-3..0.02).contains(low) && *far < 0.10), "{lies:?}");
     }
 }

@@ -3,9 +3,6 @@
 
 use glam::{Mat4, Vec2, Vec3, Vec4};
 
-use crate::gpu::foods::world_positions;
-use crate::input::SceneInput;
-
 /// Every so many samples one lights by the dome of the room alone; the others do by all else.
 const DOME_EVERY: u32 = 4;
 /// Radius of the aperture [m] (chosen: a steak is sharp from its nearest to its farthest edge in the working view; in a
@@ -18,6 +15,21 @@ const DOME_SOFTNESS: f32 = 3.0;
 const KEY_SOFTNESS: f32 = 0.8;
 /// Lowest direction of the dome: what is lower is hidden by what stands in a kitchen (chosen).
 const DOME_FROM: f32 = 0.12;
+
+/// What the samples of one picture have in common.
+#[derive(Clone, Copy, Debug)]
+pub struct Gathers {
+    /// Direction towards the light that casts shadows.
+    pub towards: Vec3,
+    /// Width of the aperture over the usual one [-].
+    pub aperture: f32,
+    /// Distance along the axis of the eye that is sharp [m].
+    pub sharp: f32,
+    /// Size of the whole picture [pixels].
+    pub size: [u32; 2],
+    /// Number of samples.
+    pub count: u32,
+}
 
 /// One sample.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -59,16 +71,18 @@ impl LightSample {
     /// Number of samples after which their mean shows light of each kind in its proportion.
     pub const ROUND: u32 = DOME_EVERY;
 
-    /// Sample `index` of `count` for a whole picture of a size [pixels]. Fewer than [`Self::ROUND`] have none of the dome.
-    pub fn new(input: &SceneInput, index: u32, count: u32, size: [u32; 2]) -> Self {
+    /// Sample `index`. Fewer than [`Self::ROUND`] have none of the dome.
+    pub fn new(index: u32, all: &Gathers) -> Self {
         let at = |bases: [u32; 2], index| bases.map(|base| halton(index + 1, base));
-        let size = Vec2::new(size[0] as f32, size[1] as f32);
+        let size = Vec2::new(all.size[0] as f32, all.size[1] as f32);
         // Whole rounds only: otherwise the last samples would give one kind of light more than its share.
-        let in_round = index < count / DOME_EVERY * DOME_EVERY;
+        let in_round = index < all.count / DOME_EVERY * DOME_EVERY;
         let dome = in_round && index % DOME_EVERY == DOME_EVERY - 1;
-        let key = input.light.sources().key_direction.normalize();
-        let towards =
-            if dome { dome_direction(at([2, 3], index / DOME_EVERY)) } else { near(key, on_disc(at([5, 7], index))) };
+        let towards = if dome {
+            dome_direction(at([2, 3], index / DOME_EVERY))
+        } else {
+            near(all.towards, on_disc(at([5, 7], index)))
+        };
         let weight = match (in_round, dome) {
             (false, _) => 1.0,
             (true, true) => DOME_EVERY as f32,
@@ -77,8 +91,8 @@ impl LightSample {
         Self {
             index,
             pixel: (2.0 * Vec2::from_array(at([2, 3], index)) - 1.0) / size,
-            lens: LENS_RADIUS * input.photo.aperture * on_disc(at([11, 13], index)),
-            sharp: sharp_distance(input),
+            lens: LENS_RADIUS * all.aperture * on_disc(at([11, 13], index)),
+            sharp: all.sharp,
             towards,
             dome,
             weight,
@@ -145,30 +159,19 @@ fn dome_direction(at: [f32; 2]) -> Vec3 {
     across.extend((1.0 - across.length_squared()).max(0.0).sqrt().max(DOME_FROM)).normalize()
 }
 
-/// Distance along the axis of the eye that is sharp [m]: the middle of the foods that are looked at, or what is looked at.
-fn sharp_distance(input: &SceneInput) -> f32 {
-    let (eye, forward) = (input.camera.eye(), input.camera.forward());
-    let away = |point: Vec3| (point - eye).dot(forward);
-    let foods: Vec<f32> = input.foods.iter().flat_map(world_positions).map(away).collect();
-    let nearest = foods.iter().copied().fold(f32::INFINITY, f32::min);
-    let farthest = foods.iter().copied().fold(0.0, f32::max);
-    // The nearer half is what the eye goes to.
-    if farthest > 0.0 { nearest + 0.4 * (farthest - nearest) } else { input.camera.distance }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sample::{Doneness, steak_in_pan};
 
     fn samples(count: u32) -> Vec<LightSample> {
-        let scene = steak_in_pan(Doneness::Browned);
-        (0..count).map(|index| LightSample::new(&scene, index, count, [640, 360])).collect()
+        let towards = Vec3::new(-0.6, 0.5, 0.62).normalize();
+        let all = Gathers { towards, aperture: 1.0, sharp: 0.5, size: [640, 360], count };
+        (0..count).map(|index| LightSample::new(index, &all)).collect()
     }
 
     #[test]
     fn the_mean_of_all_samples_has_all_the_light() {
-        let light = crate::light::room_light::RoomLight::Daylight.uniform();
+        let light = [2.1, 0.8, 0.3, 0.1, 0.5].map(Vec4::splat);
         for count in [1, 2, 4, 6, 32] {
             let mut mean = [Vec4::ZERO; 5];
             for sample in samples(count) {
@@ -201,7 +204,7 @@ mod tests {
 
     #[test]
     fn light_comes_from_near_the_window_or_from_above() {
-        let key = crate::light::room_light::RoomLight::Daylight.sources().key_direction.normalize();
+        let key = Vec3::new(-0.6, 0.5, 0.62).normalize();
         for sample in samples(32) {
             assert!((sample.towards.length() - 1.0).abs() < 1e-5);
             assert!(if sample.dome { sample.towards.z > 0.1 } else { sample.towards.angle_between(key) < 0.11 });

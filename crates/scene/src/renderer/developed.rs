@@ -3,11 +3,11 @@
 use super::SceneRenderer;
 use crate::gpu::passes::{self, Subject};
 use crate::gpu::pipeline_build::Detail;
-use crate::gpu::post::{Chain, LensUniform, PostKit};
+use crate::gpu::post::{Chain, LensUniform, PostKit, sharp_distance};
 use crate::gpu::targets::Targets;
 use crate::gpu::uniforms::FrameUniform;
 use crate::input::{Colouring, SceneInput};
-use crate::light::gathered::LightSample;
+use crate::light::gathered::{Gathers, LightSample};
 use crate::light::shadow::ShadowView;
 use crate::quality::Quality;
 
@@ -116,8 +116,14 @@ impl SceneRenderer {
         let size = self.targets.size;
         let whole = input.tile.map_or(size, |tile| tile.whole);
         let before = self.samples.taken;
-        let sample = LightSample::new(input, before, self.samples.wanted, whole);
-        let input = SceneInput { sample: Some(sample), ..input.clone() };
+        let all = Gathers {
+            towards: input.towards_light(),
+            aperture: input.photo.aperture,
+            sharp: sharp_distance(input),
+            size: whole,
+            count: self.samples.wanted,
+        };
+        let input = SceneInput { sample: Some(LightSample::new(before, &all)), ..input.clone() };
         self.write_sample(queue, &input);
         self.update_shadow(encoder, &input);
         self.pipelines.stock(device, Detail::Sample, self.contents.foods.textures());

@@ -61,6 +61,17 @@ impl LensUniform {
     }
 }
 
+/// Distance along the axis of the eye that is sharp [m]: the middle of the foods that are looked at, or what is looked at.
+pub(crate) fn sharp_distance(input: &SceneInput) -> f32 {
+    let (eye, forward) = (input.camera.eye(), input.camera.forward());
+    let away = |point: Vec3| (point - eye).dot(forward);
+    let foods: Vec<f32> = input.foods.iter().flat_map(world_positions).map(away).collect();
+    let nearest = foods.iter().copied().fold(f32::INFINITY, f32::min);
+    let farthest = foods.iter().copied().fold(0.0, f32::max);
+    // The nearer half is what the eye goes to.
+    if farthest > 0.0 { nearest + 0.4 * (farthest - nearest) } else { input.camera.distance }
+}
+
 /// Distance along the axis of the eye up to which the picture is sharp [m]: the farthest food, or the pan.
 fn sharp_until(input: &SceneInput) -> f32 {
     let (eye, forward) = (input.camera.eye(), input.camera.forward());

@@ -7,4 +7,4 @@ mod lens;
 
 pub(crate) use self::chain::{Chain, bloom_levels};
 pub(crate) use self::kit::{AMBIENT_FORMAT, DEPTH, HDR_FORMAT, PostKit};
-pub(crate) use self::lens::LensUniform;
+pub(crate) use self::lens::{LensUniform, sharp_distance};
