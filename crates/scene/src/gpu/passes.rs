@@ -4,7 +4,8 @@ use crate::gpu::foods::Foods;
 use crate::gpu::pipelines::{ColourPipelines, DepthPipelines, FlatPipelines};
 use crate::gpu::solids::Solids;
 use crate::gpu::sprites::SpriteBuffers;
-use crate::gpu::targets::{Attachments, Kept, Layer};
+use crate::gpu::targets::Kept;
+use crate::gpu::targets::layer::{Attachments, Layer};
 
 /// Colour around the subject in flat pictures, sRGB.
 pub const FLAT_BACKGROUND: [u8; 3] = [24, 24, 24];

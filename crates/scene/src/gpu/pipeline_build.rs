@@ -1,7 +1,7 @@
 //! Building one render pipeline: its detail, and the constants that its shaders leave open.
 
 use crate::gpu::post::HDR_FORMAT;
-use crate::gpu::targets::{COLOUR_FORMAT, MSAA_SAMPLES};
+use crate::gpu::targets::layer::{COLOUR_FORMAT, MSAA_SAMPLES};
 use crate::input::FleshTexture;
 
 /// Rendering detail of a pixel, lowest first.

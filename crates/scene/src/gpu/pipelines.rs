@@ -3,7 +3,8 @@
 use std::collections::BTreeMap;
 
 use crate::gpu::pipeline_build::{Detail, PipelineOptions, build};
-use crate::gpu::textures::{DEPTH_FORMAT, fragment_entry};
+use crate::gpu::targets::layer::DEPTH_FORMAT;
+use crate::gpu::textures::fragment_entry;
 use crate::input::{FleshTexture, FoodVertex, pan};
 use crate::light::room_light;
 use crate::mesh::solid::SolidVertex;

@@ -1,19 +1,9 @@
 //! Render targets for one picture size.
 
+pub(crate) mod layer;
+
+use self::layer::{Attachments, COLOUR_FORMAT, DEPTH_FORMAT, Layer, MSAA_SAMPLES, layer, texture, view};
 use crate::gpu::post::Chain;
-use crate::gpu::textures::DEPTH_FORMAT;
-
-/// Contains sRGB-encoded values in a format without sRGB: the shaders encode, so that they control blending and exact
-/// colours.
-pub(crate) const COLOUR_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
-/// Samples of an anti-aliased pixel.
-pub(crate) const MSAA_SAMPLES: u32 = 4;
-
-/// Colour and depth of one pass.
-pub(crate) struct Layer {
-    pub colour: wgpu::TextureView,
-    pub depth: wgpu::TextureView,
-}
 
 /// A cached layer, with the bind group that restores it.
 pub(crate) struct Kept {
@@ -57,7 +47,7 @@ impl Targets {
     pub fn new(device: &wgpu::Device, size: [u32; 2], restore_layout: &wgpu::BindGroupLayout) -> Self {
         let texture = texture(device, size, COLOUR_FORMAT, 1);
         let (still, lively) = (Kept::new(device, size, restore_layout), layer(device, size, 1));
-        let picture = Layer { colour: view(&texture), depth: view(&self::texture(device, size, DEPTH_FORMAT, 1)) };
+        let picture = Layer { colour: view(&texture), depth: view(&layer::texture(device, size, DEPTH_FORMAT, 1)) };
         Self { size, texture, picture, still, lively, msaa: None, chain: None }
     }
 
@@ -75,53 +65,4 @@ impl Targets {
             None => into.attachments(),
         }
     }
-}
-
-/// Attachments of a pass.
-pub(crate) struct Attachments<'a> {
-    pub colour: &'a wgpu::TextureView,
-    pub resolve: Option<&'a wgpu::TextureView>,
-    pub depth: &'a wgpu::TextureView,
-}
-
-impl Layer {
-    pub fn attachments(&self) -> Attachments<'_> {
-        Attachments { colour: &self.colour, resolve: None, depth: &self.depth }
-    }
-}
-
-fn layer(device: &wgpu::Device, size: [u32; 2], samples: u32) -> Layer {
-    Layer {
-        colour: view(&texture(device, size, COLOUR_FORMAT, samples)),
-        depth: view(&texture(device, size, DEPTH_FORMAT, samples)),
-    }
-}
-
-pub(crate) fn view(texture: &wgpu::Texture) -> wgpu::TextureView {
-    texture.create_view(&wgpu::TextureViewDescriptor::default())
-}
-
-pub(crate) fn texture(
-    device: &wgpu::Device,
-    size: [u32; 2],
-    format: wgpu::TextureFormat,
-    sample_count: u32,
-) -> wgpu::Texture {
-    let mut usage = wgpu::TextureUsages::RENDER_ATTACHMENT;
-    if sample_count == 1 {
-        usage |= wgpu::TextureUsages::TEXTURE_BINDING;
-    }
-    if sample_count == 1 && format == COLOUR_FORMAT {
-        usage |= wgpu::TextureUsages::COPY_SRC | wgpu::TextureUsages::COPY_DST;
-    }
-    device.create_texture(&wgpu::TextureDescriptor {
-        label: Some("scene target"),
-        size: wgpu::Extent3d { width: size[0], height: size[1], depth_or_array_layers: 1 },
-        mip_level_count: 1,
-        sample_count,
-        dimension: wgpu::TextureDimension::D2,
-        format,
-        usage,
-        view_formats: &[],
-    })
 }

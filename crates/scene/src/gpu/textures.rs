@@ -3,14 +3,12 @@
 use wgpu::util::{DeviceExt, TextureDataOrder};
 
 use crate::gpu::post::AMBIENT_FORMAT;
+use crate::gpu::targets::layer::DEPTH_FORMAT;
 use crate::input::FILM_SIZE;
 use crate::light::environment::{self, ENVIRONMENT_LEVELS, ENVIRONMENT_SIZE};
 use crate::light::room_light::RoomLight;
 use crate::noise::{bundles, halve_picture, halve_volume, solid_noise};
 use crate::quality::Quality;
-
-/// Depth format of every pass.
-pub(crate) const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
 
 /// Shared textures and samplers.
 pub(crate) struct SceneTextures {

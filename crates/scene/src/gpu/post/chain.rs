@@ -3,8 +3,7 @@
 use crate::gpu::post::gathering::Gathering;
 use crate::gpu::post::kit::{AMBIENT_FORMAT, HDR_FORMAT, Post, PostKit};
 use crate::gpu::post::lens::LensUniform;
-use crate::gpu::targets::{Attachments, Layer, MSAA_SAMPLES, texture, view};
-use crate::gpu::textures::DEPTH_FORMAT;
+use crate::gpu::targets::layer::{Attachments, DEPTH_FORMAT, Layer, MSAA_SAMPLES, texture, view};
 
 /// Least height of the coarsest level of the bloom, of the whole picture [texels] (chosen: its halo is as wide as a pan).
 const COARSEST: u32 = 16;

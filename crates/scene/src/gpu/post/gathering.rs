@@ -2,8 +2,7 @@
 
 use super::chain::{Bench, Step};
 use super::kit::{HDR_FORMAT, Post, PostKit};
-use crate::gpu::targets::{Attachments, Layer, texture, view};
-use crate::gpu::textures::DEPTH_FORMAT;
+use crate::gpu::targets::layer::{Attachments, DEPTH_FORMAT, Layer, texture, view};
 
 /// The samples of one size, and their mean so far.
 pub(crate) struct Gathering {

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::gpu::overlay::{self, Overlay, PICTURE, SAMPLER, UNIFORM, VS_COVER};
-use crate::gpu::targets::COLOUR_FORMAT;
+use crate::gpu::targets::layer::COLOUR_FORMAT;
 
 /// Format of radiances.
 pub(crate) const HDR_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
