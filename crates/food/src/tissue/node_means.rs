@@ -60,9 +60,10 @@ fn swept_means(mesh: &SweptMesh, field: &impl Grown, samples: Samples) -> Vec<f6
             let nodes = [level, level + 1].map(|l| triangle.map(|i| mesh.node(l, i as usize)));
             let corners = nodes.map(|nodes| nodes.map(|node| mesh.position(node)));
             for half in 0..2 {
-                // Columns that stand upright weigh by what they cover, however their faces slope.
-                let covered =
-                    if mesh.is_upright() { corners[half].map(|[x, y, _]| [x, y, 0.0]) } else { corners[half] };
+                // Columns of marbled slices weigh by what they cover, however their faces slope. (What was poured, and is sampled
+                // otherwise, keeps the areas of its slopes.)
+                let upright = mesh.is_upright() && matches!(samples, Samples::Single(_));
+                let covered = if upright { corners[half].map(|[x, y, _]| [x, y, 0.0]) } else { corners[half] };
                 let weight = area(covered) * (mesh.levels[level + 1] - mesh.levels[level]);
                 let even = even(field, corners.as_flattened());
                 for (k, node) in nodes[half].into_iter().enumerate() {

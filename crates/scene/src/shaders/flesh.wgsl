@@ -94,9 +94,11 @@ const CAP_STRAYS = 0.0125;
 const LACE = 1.7;
 const LACE_SHARE = 0.44;
 // Share of the lean that is seen through a thin seam (chosen).
-const THIN = 0.38;
+const THIN = 0.42;
+// How much softer the edge of a thin seam is (chosen: it lies at a slant in the flesh, which is seen through it).
+const MELTS = 0.5;
 // Patterns of the lace over a metre, across and along the fibres.
-const LACES = vec3<f32>(100.0, 100.0, 42.0);
+const LACES = vec3<f32>(105.0, 105.0, 74.0);
 
 // 1 within a cap, 0 at its border, less at a thin seam.
 fn capped(at: vec3<f32>) -> f32 {
@@ -120,8 +122,9 @@ fn fat_near(rest: vec3<f32>, stray: vec3<f32>) -> Fat {
     let lace = 1.0 - smoothstep(0.02, 0.10, abs(fine_grain.a - 0.5));
     let within = (cell.r * 2.0 - 1.0) * food.grain_origin.w + LACE * (lace - LACE_SHARE) * loose;
     let blur = min(0.5 * fwidth(within), 1.5);
-    let through = THIN * loose * (1.0 - smoothstep(-0.3, 1.8, within));
-    let fatty = smoothstep(-0.5 - blur, 0.5 + blur, within) * (1.0 - through);
+    let through = THIN * loose * (1.0 - smoothstep(-0.3, 5.0, within));
+    let soft = 0.5 + blur + MELTS * loose;
+    let fatty = smoothstep(-soft, soft, within) * (1.0 - through);
     let silver = (1.0 - smoothstep(0.2, 1.1, abs(within + 0.3))) * smoothstep(-0.32, -0.05, cap);
     let folds = textureSampleLevel(solid_noise, tile_sampler, place * vec3<f32>(16.0, 16.0, 30.0) + 0.67, 0.0);
     let crease = (1.0 - smoothstep(0.0, 0.07, abs(folds.a + 0.10 * (fine_grain.a - 0.5) - 0.5))) * smoothstep(0.45, 0.65, folds.r);

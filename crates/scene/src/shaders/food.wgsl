@@ -52,8 +52,8 @@ fn grain_of(in: FoodOut, grew: Grown, rest_normal: vec3<f32>) -> Grain {
         case MUSCLE: { return muscle(in.rest, cooked, crust); }
         case GROUND: { return ground(in.rest, cooked, crust); }
         case ROOT: { return root(in.rest, grew, cooked, crust); }
-        case SHEATHS: { return sheaths(in.rest, grew, max(abs(rest_normal.z), laid_open), cooked, crust); }
-        case SHRIMP: { return shrimp(in.rest, in.place.y, in.place.z, cooked, crust); }
+        case SHEATHS: { return sheaths(in.rest, grew, max(abs(rest_normal.z), laid_open), cooked, in.state.x, crust); }
+        case SHRIMP: { return shrimp(in.rest, in.place.y, in.place.z, cooked, in.state.x, crust); }
         case FLAKES: { return flakes(in.rest, cooked, crust); }
         default: { return plain(in.rest, crust); }
     }
@@ -62,6 +62,8 @@ fn grain_of(in: FoodOut, grew: Grown, rest_normal: vec3<f32>) -> Grain {
 // Colour of silver-skin and of creases over that of fat, L*a*b* / 100 (chosen: skin is whiter and cooler, creases are yellower).
 const SILVER = vec3<f32>(0.03, -0.012, -0.050);
 const CREASE = vec3<f32>(-0.055, 0.004, 0.025);
+// Colour of the fat of a cooked side over that in the flesh (chosen: rendered, it is clear and golden).
+const GOLDEN = vec3<f32>(-0.025, 0.030, 0.038);
 
 // How far a crust covers the seams of fat in it (chosen).
 const COVERED = 0.62;
@@ -73,11 +75,14 @@ var<private> shade_share: f32 = 1.0;
 const CUT_SHADE = 0.62;
 // 1 on a cut, which shows gaps between sheaths as the faces do.
 var<private> laid_open: f32 = 0.0;
+// 1 on the side of a body seen near by.
+var<private> aside: f32 = 0.0;
 
 fn look_of(in: FoodOut, rest_normal: vec3<f32>) -> Look {
     // Muscle does not depend on what grew in it, and lets it stray a little.
     var grew = Grown(0.0, 0.0, 0.0, 0.0);
     if (texture_kind != MUSCLE) { grew = grown(in.rest, 1.0); }
+    if (fine && texture_kind == SHEATHS) { grew = grown(in.rest + wander(in.rest), 1.0); }
     if (texture_kind == FLAKES) { grew.fatty = max(grew.fatty, sheets(in.rest)); }
     let grain = grain_of(in, grew, rest_normal);
     var skin = vec3<f32>(0.0);
@@ -100,7 +105,8 @@ fn look_of(in: FoodOut, rest_normal: vec3<f32>) -> Look {
     let shade = grain.shade * shade_share * (1.0 - 0.45 * uneven) * (1.0 - charring);
     // Browned juice and rendered fat cover seams in a crust: they stay visible, as darker gold.
     let fatty = grew.fatty * (1.0 - COVERED * smoothstep(0.30, 0.85, uneven));
-    let flesh = Flesh(in.lean + food.second.xyz * grew.second + shade, in.fat + 0.35 * shade + skin, uneven, charring, fatty);
+    skin += GOLDEN * (aside * in.state.w);
+    let flesh = Flesh(in.lean + food.second.xyz * grew.second + shade, in.fat + select(0.35, 0.60, fine) * shade + skin, uneven, charring, fatty);
     // A crust that browned deeply is redder before it is dark.
     let colour = linear_from_lab(flesh_colour(flesh)) * grain.crevice * (1.0 - 0.75 * grain.crack * charring);
     return Look(colour, grain.slope * (1.0 + 0.6 * charring), grain.film_slope, grain.ridges, grew.fatty, uneven, charring, grain.clear);
@@ -131,15 +137,22 @@ const CREEPS = vec2<f32>(0.0010, 0.0055);
 const GRAIN_MARGIN = 0.0007;
 
 // Browned juice and fat that ran down a side: how brown, and how far [m] (chosen).
-const STREAKED = 0.34;
+const STREAKED = 0.42;
 const STREAKS_RUN = 0.0110;
 
 fn streaks(place: vec3<f32>, depth: vec2<f32>) -> vec2<f32> {
-    let thin = textureSampleLevel(solid_noise, tile_sampler, place * vec3<f32>(125.0, 125.0, 11.0) + 0.83, 0.0).a;
+    let thin = textureSampleLevel(solid_noise, tile_sampler, place * vec3<f32>(125.0, 125.0, 22.0) + 0.83, 0.0).a;
     let wide = textureSampleLevel(solid_noise, tile_sampler, place * vec3<f32>(37.0, 37.0, 16.0) + 0.17, 0.0).a;
     let ran = smoothstep(0.42, 0.68, 0.55 * thin + 0.45 * wide);
     return STREAKED * (0.15 + 0.85 * ran) * exp(-depth / STREAKS_RUN);
 }
+
+// How much further browning creeps than is seen from afar, and how brown the hot air and fat left the rest of a side (chosen:
+// brown for 3 to 6 mm, then tan, then grey).
+const FINE_REACH = 1.35;
+const TANNED = 0.23;
+// How brown a side gets away from the metal (chosen: no blots as dark as the crust).
+const STAINED_MOST = 0.56;
 
 // Browning of the side of a slice near the edges of its faces.
 fn crept(in: FoodOut, rest_normal: vec3<f32>) -> f32 {
@@ -150,28 +163,35 @@ fn crept(in: FoodOut, rest_normal: vec3<f32>) -> f32 {
     let near = textureSampleLevel(solid_noise, tile_sampler, place * vec3<f32>(150.0, 150.0, 60.0) + 0.29, 0.0).a;
     var ragged = 0.62 * far + 0.38 * near;
     if (fine) { ragged += 0.30 * (textureSampleLevel(solid_noise, tile_sampler, place * vec3<f32>(310.0, 310.0, 170.0) + 0.47, 0.0).a - 0.5); }
-    let reach = mix(CREEPS.x, CREEPS.y, smoothstep(0.30, 0.78, ragged));
+    var reach = mix(CREEPS.x, CREEPS.y, smoothstep(0.30, 0.78, ragged));
     let thickness = 1.0 / food.grain_scale.z - 2.0 * GRAIN_MARGIN;
     let up = clamp(in.rest.z - food.grain_origin.z - GRAIN_MARGIN, 0.0, thickness);
     let depth = vec2<f32>(thickness - up, up);
-    let near_face = exp(-depth * depth / (reach * reach));
     var stained = 0.30 * exp(-depth / (2.2 * reach));
-    if (fine) { stained = stained * 0.6 + streaks(place, depth) * in.state.w; }
+    if (fine) {
+        reach = reach * FINE_REACH;
+        stained = min(0.34 * exp(-depth / (1.6 * reach)) + (streaks(place, depth) + TANNED * (0.4 + 1.2 * ragged)) * in.state.w, vec2<f32>(STAINED_MOST));
+    }
+    let near_face = exp(-depth * depth / (reach * reach));
     let both = seared * max(0.85 * near_face, stained);
-    return max(both.x, both.y) * (1.0 - smoothstep(0.5, 0.9, abs(rest_normal.z)));
+    // Seen near by the edge itself is browned too, or it would lie on the side as a pale hoop.
+    let turned = (abs(rest_normal.z) - select(0.5, 0.80, fine)) / select(0.4, 0.195, fine);
+    return max(both.x, both.y) * (1.0 - smoothstep(0.0, 1.0, turned));
 }
 
 fn lit_food(outside: FoodOut) -> vec4<f32> {
     var in = outside;
     let rest_normal = normalize(in.normal);
+    if (fine && texture_kind == MUSCLE) { aside = 1.0 - smoothstep(0.75, 0.99, abs(rest_normal.z)); }
     in.state.x = max(in.state.x, crept(in, rest_normal));
+    above_support = max(in.position.z - support(in.position), 0.0);
     let look = look_of(in, rest_normal);
     let wetness = in.state.z * (1.0 - look.charring);
     let crust = clamp(1.4 * look.browning, 0.0, 1.0);
     let view = normalize(frame.eye.xyz - in.position);
     let slope = along_face(look.slope, rest_normal);
     let smooth_normal = world_normal(in.normal);
-    let height = max(in.position.z - support(in.position), 0.0);
+    let height = above_support;
     let visibility = (0.30 + 0.70 * smoothstep(-0.001, 0.010, height)) * (0.80 + 0.20 * smooth_normal.z) * nearby(in.clip.xy);
     let lit = shadow(in.position, smooth_normal);
     let bumpy = world_normal(rest_normal - slope * (0.85 - 0.35 * wetness));
@@ -206,6 +226,11 @@ fn lit_food(outside: FoodOut) -> vec4<f32> {
     // Raw flesh is coated by an even film of its own juice; later the film follows every pore.
     let raw = wetness * (1.0 - crust) * (1.0 - in.state.w);
     radiance += sheen(in, look, rest_normal - film_slope * mix(mix(0.8, 1.2, wetness), 0.75, raw), raw, view, lit, visibility, wetness) * (0.35 + 0.65 * max(smooth_normal.z, 0.0)) * tint;
+    if (fine && (texture_kind == SHEATHS || texture_kind == SHRIMP)) {
+        let gloss = Surface(vec3<f32>(0.0), vec3<f32>(0.032), skin_rough, world_normal(rest_normal - along_face(skin_slope, rest_normal)), visibility, vec3<f32>(0.0));
+        radiance += max(specular(gloss, in.position, view, lit) - 0.7 * GLINT, vec3<f32>(0.0)) * (skin_gloss * (1.0 - look.charring));
+        radiance += frame.key_light.rgb * colour * (lets_through * visibility * (1.0 - 0.75 * max(smooth_normal.z, 0.0)));
+    }
     let bead_turn = fwidth(beads.bend);
     if (beads.cover > 0.0) {
         let drop = Surface(vec3<f32>(0.0), vec3<f32>(0.026), widened(0.07, bead_turn), world_normal(rest_normal + beads.bend), visibility, vec3<f32>(0.0));
@@ -238,6 +263,8 @@ const GLAZED = 0.55;
 // Shine of the fat on a crust, in its dips and on its high points (chosen).
 const FAT_POOLS = 0.26;
 const FAT_THIN = 0.30;
+// Shine of the fat that was rendered on a cooked side (chosen: slight).
+const RENDERED = 0.34;
 
 // Reflections weaker than this do not count as glints, and how much of a crust's pores oil fills (chosen).
 const GLINT = 0.075;
@@ -269,7 +296,7 @@ fn sheen(in: FoodOut, look: Look, bent: vec3<f32>, raw: f32, view: vec3<f32>, li
     // Fat on a crust is thick in its dips and thin on its high points.
     var oily = mix(FAT_POOLS, FAT_THIN, look.ridges) * crust * (1.0 - look.charring);
     // It was drawn together here and wiped off there.
-    if (fine) { oily *= mix(0.5, 2.9, fat_here(in.rest)); }
+    if (fine) { oily = oily * mix(0.5, 2.9, fat_here(in.rest)) + RENDERED * aside * in.state.w * (0.3 + look.fatty) * look.ridges; }
     // Shrimps and vegetables that fried in fat are glazed by it.
     let glaze = GLAZED * in.state.w * smoothstep(0.10, 0.24, look.clear) * (1.0 - look.charring) * (0.45 + 0.55 * look.ridges);
     let film = max(wetness * mix(0.06 + 0.94 * look.ridges, 0.75 + 0.25 * look.ridges, raw), max(oily, glaze));
@@ -314,10 +341,10 @@ const MOIST = vec2<f32>(0.060, 0.42);
 const MOIST_LIGHT = vec3<f32>(1.0, 0.91, 0.77);
 const DAMP = 0.55;
 // How much more fat shines than flesh, which share of its juice flesh holds as long as it has had no heat, and which share of
-// its light wet flesh loses besides its glints (chosen: the mean of the cut stays).
+// its light wet flesh keeps besides its glints (chosen: the mean of the cut stays).
 const GREASY = 0.9;
 const HELD = 0.85;
-const SOAKED = 0.045;
+const SOAKED = vec3<f32>(0.988, 0.920, 0.850);
 // How steep the juice's ripples are: those over the fibres, which draw it with them, and broad ones (chosen).
 const RIPPLE = vec2<f32>(0.85, 0.90);
 // How far the face must turn up to glint (chosen: his light is above him).
@@ -335,6 +362,24 @@ fn moist(rest: vec3<f32>, normal: vec3<f32>, film_slope: vec3<f32>) -> f32 {
     let shine = MOIST * pow(vec2<f32>(turned), MOIST_SHARPNESS);
     // Seen coarsely both would be blots: there a faint shine stands for them.
     return patchy * select(0.5 * shine.x, shine.x + shine.y, fine);
+}
+
+// Pools of juice on a cut: their patterns over a metre along the cut and upwards, how bright they are in their soft rims
+// and in their middles, and how much their edge follows the bundles (chosen: 2 to 8 mm long, lying along the stroke).
+const POOLS = vec3<f32>(22.0, 22.0, 43.0);
+const POOL_LIGHT = vec2<f32>(0.16, 0.32);
+const POOL_EDGE = 0.32;
+
+fn pools(rest: vec3<f32>, normal: vec3<f32>, film_slope: vec3<f32>) -> f32 {
+    let place = rest + food.place.xyz;
+    let wide = textureSampleLevel(solid_noise, tile_sampler, place.zyx * 13.0 + 0.23, 0.0).a;
+    let long = textureSampleLevel(solid_noise, tile_sampler, place * POOLS + 0.77, 0.0);
+    let small = textureSampleLevel(solid_noise, tile_sampler, (place * POOLS * 2.7).yxz + 0.07, 0.0);
+    // The film is bright where it faces a light above, and breaks at each bundle.
+    let tilt = along_face(film_slope, normal);
+    let lies = 0.68 * long.a + 0.32 * small.a - POOL_EDGE * (0.35 * length(tilt) + tilt.z);
+    let shines = vec2<f32>(smoothstep(0.40, 0.68, lies), smoothstep(0.54, 0.76, lies));
+    return dot(POOL_LIGHT, shines * shines) * smoothstep(0.40, 0.60, wide) * (0.55 + 0.9 * small.g);
 }
 
 // How steep the marks of the knife are (chosen: felt in the shine, hardly seen), and their patterns over a metre along the
@@ -434,9 +479,10 @@ fn lit_cut(cut: FoodOut) -> vec4<f32> {
     var damp = wet;
     if (near_meat) {
         damp = max(wet, DAMP * (1.0 - clamp(2.0 * look.browning, 0.0, 1.0))) * (1.0 + GREASY * look.fatty);
-        radiance *= 1.0 - SOAKED * wet;
+        radiance *= mix(vec3<f32>(1.0), SOAKED, wet);
     }
     radiance += MOIST_LIGHT * (moist(in.rest, rest_normal, look.film_slope + marks) * damp * (1.0 + 0.3 * gathered) * (1.0 - HELD * unheated));
+    if (near_meat) { radiance += MOIST_LIGHT * (pools(in.rest, rest_normal, look.film_slope + marks) * damp * (0.72 + 0.10 * wet - 0.32 * deep) * (1.0 - HELD * unheated)); }
     if (near_meat) { radiance = beaded(in, rest_normal, radiance, max(CUT_DRIPS * foot(height + 3.0 * waver), CUT_SWEATS) * damp * (1.0 - HELD * unheated), view, lit); }
     return noted(pixel_from_radiance(radiance, in.clip.xy), in.state);
 }
