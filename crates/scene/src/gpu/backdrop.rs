@@ -4,7 +4,7 @@ use crate::gpu::overlay::{self, Overlay, PICTURE, UNIFORM, VS_COVER};
 use crate::gpu::post::{DEPTH, LensUniform};
 use crate::gpu::targets::layer::COLOUR_FORMAT;
 
-const SHADER: &str = concat!(include_str!("../shaders/post/lens.wgsl"), include_str!("../shaders/post/backdrop.wgsl"));
+const SHADER: &str = concat!(shader!("lens"), shader!("backdrop"));
 const NEAREST: wgpu::BindingType = wgpu::BindingType::Sampler(wgpu::SamplerBindingType::NonFiltering);
 
 /// A pass that blurs what is behind the sharp part of a picture.

@@ -1,5 +1,12 @@
 //! Pipelines, buffers and textures.
 
+/// A shader by the name of its file, as `build.rs` made it ready.
+macro_rules! shader {
+    ($name:literal) => {
+        include_str!(concat!(env!("OUT_DIR"), "/", $name, ".wgsl"))
+    };
+}
+
 pub(crate) mod backdrop;
 pub(crate) mod clip;
 pub(crate) mod dirty;

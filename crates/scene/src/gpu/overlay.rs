@@ -1,7 +1,7 @@
 //! Overlay pipelines that draw into a window's own pass: one triangle, no vertex buffer, no depth.
 
 /// First part of every overlay's shader.
-const COVER: &str = include_str!("../shaders/cover.wgsl");
+const COVER: &str = shader!("cover");
 /// The vertex function that covers the whole viewport.
 pub const VS_COVER: &str = "vs_cover";
 

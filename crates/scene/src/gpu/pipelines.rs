@@ -10,18 +10,18 @@ use crate::light::room_light;
 use crate::mesh::solid::SolidVertex;
 use crate::mesh::steam::PuffVertex;
 
-const FRAME: &str = include_str!("../shaders/frame.wgsl");
-const LIGHT: &str = include_str!("../shaders/light.wgsl");
-const SOLID: &str = include_str!("../shaders/solid.wgsl");
-const FLESH: &str = include_str!("../shaders/flesh.wgsl");
-const GRAIN: &str = include_str!("../shaders/grain.wgsl");
-const BEADS: &str = include_str!("../shaders/beads.wgsl");
-const FOOD: &str = include_str!("../shaders/food.wgsl");
-const HATCH: &str = include_str!("../shaders/hatch.wgsl");
-const STEAM: &str = include_str!("../shaders/steam.wgsl");
-const FRY: &str = include_str!("../shaders/fry.wgsl");
-const DEPTH: &str = include_str!("../shaders/depth.wgsl");
-const RESTORE: &str = include_str!("../shaders/restore.wgsl");
+const FRAME: &str = shader!("frame");
+const LIGHT: &str = shader!("light");
+const SOLID: &str = shader!("solid");
+const FLESH: &str = shader!("flesh");
+const GRAIN: &str = shader!("grain");
+const BEADS: &str = shader!("beads");
+const FOOD: &str = shader!("food");
+const HATCH: &str = shader!("hatch");
+const STEAM: &str = shader!("steam");
+const FRY: &str = shader!("fry");
+const DEPTH: &str = shader!("depth");
+const RESTORE: &str = shader!("restore");
 
 const SOLID_ATTRIBUTES: [wgpu::VertexAttribute; 4] =
     wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3, 2 => Float32x3, 3 => Float32x4];

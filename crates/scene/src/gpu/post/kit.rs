@@ -17,37 +17,13 @@ pub(crate) const DEPTH: wgpu::BindingType = wgpu::BindingType::Texture {
     multisampled: false,
 };
 
-const AMBIENT: &str = concat!(
-    include_str!("../../shaders/post/lens.wgsl"),
-    include_str!("../../shaders/post/radiance.wgsl"),
-    include_str!("../../shaders/post/ambient.wgsl")
-);
-const BLOOM: &str = concat!(
-    include_str!("../../shaders/post/lens.wgsl"),
-    include_str!("../../shaders/post/radiance.wgsl"),
-    include_str!("../../shaders/post/bloom.wgsl")
-);
-const FOCUS: &str = concat!(
-    include_str!("../../shaders/post/lens.wgsl"),
-    include_str!("../../shaders/post/radiance.wgsl"),
-    include_str!("../../shaders/post/focus.wgsl")
-);
-const DEVELOP: &str = concat!(
-    include_str!("../../shaders/post/lens.wgsl"),
-    include_str!("../../shaders/post/radiance.wgsl"),
-    include_str!("../../shaders/post/develop.wgsl")
-);
-const SCATTER: &str = concat!(
-    include_str!("../../shaders/post/lens.wgsl"),
-    include_str!("../../shaders/post/radiance.wgsl"),
-    include_str!("../../shaders/post/scatter.wgsl")
-);
+const AMBIENT: &str = concat!(shader!("lens"), shader!("radiance"), shader!("ambient"));
+const BLOOM: &str = concat!(shader!("lens"), shader!("radiance"), shader!("bloom"));
+const FOCUS: &str = concat!(shader!("lens"), shader!("radiance"), shader!("focus"));
+const DEVELOP: &str = concat!(shader!("lens"), shader!("radiance"), shader!("develop"));
+const SCATTER: &str = concat!(shader!("lens"), shader!("radiance"), shader!("scatter"));
 
-const GATHER: &str = concat!(
-    include_str!("../../shaders/post/lens.wgsl"),
-    include_str!("../../shaders/post/radiance.wgsl"),
-    include_str!("../../shaders/post/gather.wgsl")
-);
+const GATHER: &str = concat!(shader!("lens"), shader!("radiance"), shader!("gather"));
 
 /// A pass over the whole of its target.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
