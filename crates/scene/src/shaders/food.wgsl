@@ -336,8 +336,8 @@ fn below_face(browned: f32, depth: f32, waver: f32) -> f32 {
 // Juice on the cut in the cook's own light: up to which height it gathers [m], how sharp and how bright its soft shine and its
 // glints are, and how much a face that lost its juice still has of them (chosen: meat is damp, bread is not).
 const GATHERS = 0.0042;
-const MOIST_SHARPNESS = vec2<f32>(45.0, 800.0);
-const MOIST = vec2<f32>(0.060, 0.42);
+const MOIST_SHARPNESS = vec2<f32>(45.0, 420.0);
+const MOIST = vec2<f32>(0.060, 0.28);
 const MOIST_LIGHT = vec3<f32>(1.0, 0.91, 0.77);
 const DAMP = 0.55;
 // How much more fat shines than flesh, which share of its juice flesh holds as long as it has had no heat, and which share of

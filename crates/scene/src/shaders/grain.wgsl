@@ -141,9 +141,9 @@ fn bundle_at(rest: vec3<f32>, region: vec4<f32>, broad: vec4<f32>) -> Bundle {
 // Lightness of the cut between bundles, from one to the next and from strand to strand: where tissue holds they are joined by a
 // pale line, where they tore there is a shadow (chosen); what all that adds on the mean is taken off.
 const JOINT = 0.050;
-const TORN = 0.130;
+const TORN = 0.110;
 const BUNDLE_TONES = 0.075;
-const STRANDS = 0.300;
+const STRANDS = 0.210;
 const JOINT_MEAN = 0.004;
 // How much redder one bundle is than the next, a* / 100 (chosen).
 const HUES = 0.035;
