@@ -296,7 +296,7 @@ fn sheen(in: FoodOut, look: Look, bent: vec3<f32>, raw: f32, view: vec3<f32>, li
     // Fat on a crust is thick in its dips and thin on its high points.
     var oily = mix(FAT_POOLS, FAT_THIN, look.ridges) * crust * (1.0 - look.charring);
     // It was drawn together here and wiped off there.
-    if (fine) { oily = oily * mix(0.5, 2.0, fat_here(in.rest)) + RENDERED * aside * in.state.w * (0.3 + look.fatty) * look.ridges; }
+    if (fine) { oily = oily * mix(0.5, 1.4, fat_here(in.rest)) + RENDERED * aside * in.state.w * (0.3 + look.fatty) * look.ridges; }
     // Shrimps and vegetables that fried in fat are glazed by it.
     let glaze = GLAZED * in.state.w * smoothstep(0.10, 0.24, look.clear) * (1.0 - look.charring) * (0.45 + 0.55 * look.ridges);
     let film = max(wetness * mix(0.06 + 0.94 * look.ridges, 0.75 + 0.25 * look.ridges, raw), max(oily, glaze));

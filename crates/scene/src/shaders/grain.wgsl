@@ -198,10 +198,10 @@ const CLOUDED = 0.16;
 
 // How steep a crust is besides, by region and in its blisters and pits, and how much of the light its deep pits keep (chosen:
 // by a low light it has hills and holes).
-const CRUST_STEEP = vec3<f32>(0.75, 1.05, 0.35);
+const CRUST_STEEP = vec3<f32>(0.45, 0.60, 0.16);
 const PITTED = 0.30;
 // How much more a crust's browning varies near by than that of flesh (chosen: red-brown dips between dark blisters).
-const BLISTERED = 0.55;
+const BLISTERED = 0.48;
 
 fn crust_relief(noise: Noise, crust: f32) -> vec3<f32> {
     if (!fine) { return vec3<f32>(0.0); }
