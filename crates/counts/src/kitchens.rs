@@ -25,6 +25,9 @@ after_s = 900
 end = true
 "#;
 
+/// Ticks that are counted together (chosen: a piece's shape follows every twentieth).
+pub const TICKS: u32 = 20;
+
 /// Names of the kitchens' files.
 const STEAK_FILE: &str = "steak.kitchen";
 const SHRIMPS_FILE: &str = "shrimps.kitchen";
@@ -34,8 +37,11 @@ const STEAK_AT_S: f64 = 60.0;
 
 /// Writes the kitchens to a folder.
 pub fn write(folder: &Path) -> Result<(), Box<dyn Error>> {
-    fs::write(folder.join(STEAK_FILE), cooked_steak()?.to_bytes())?;
-    fs::write(folder.join(SHRIMPS_FILE), cooked(full_pan::SHRIMPS, full_pan::SHRIMPS_LIE_S)?.to_bytes())?;
+    for (file, recipe, at_s) in
+        [(STEAK_FILE, STEAK, STEAK_AT_S), (SHRIMPS_FILE, full_pan::SHRIMPS, full_pan::SHRIMPS_LIE_S)]
+    {
+        fs::write(folder.join(file), sound_asleep(cooked(recipe, at_s)?).to_bytes())?;
+    }
     Ok(())
 }
 
@@ -54,16 +60,18 @@ fn read(file: &Path) -> Result<Kitchen, Box<dyn Error>> {
     Ok(Kitchen::from_bytes(&bytes, &Library::embedded()?)?)
 }
 
-/// The steak at its moment, once its body has been awake and sleeps again: as it shrinks it wakes for half a second every six to
-/// ten, which is left to the counts of rigid steps.
-fn cooked_steak() -> Result<Kitchen, Box<dyn Error>> {
-    let mut kitchen = cooked(STEAK, STEAK_AT_S)?;
-    for asleep in [true, false] {
-        while kitchen.bodies_sleep() == asleep {
-            kitchen.step();
+/// A kitchen from when on all its bodies sleep for as long as is counted: as food shrinks they wake for half a second every few seconds,
+/// which is left to the counts of rigid steps.
+fn sound_asleep(mut kitchen: Kitchen) -> Kitchen {
+    let (mut from, mut slept) = (kitchen.clone(), 0);
+    while slept <= TICKS {
+        if slept == 0 {
+            from = kitchen.clone();
         }
+        slept = if kitchen.bodies_sleep() { slept + 1 } else { 0 };
+        kitchen.step();
     }
-    Ok(kitchen)
+    from
 }
 
 fn cooked(recipe: &str, until_s: f64) -> Result<Kitchen, Box<dyn Error>> {

@@ -12,6 +12,7 @@ use saute_picture::stage::{Places, Stage, StageOptions};
 
 use crate::counted::counted;
 use crate::kitchens;
+use crate::kitchens::TICKS;
 
 /// Sets up and does one piece of work with the kitchens of a folder; returns its units.
 type Work = fn(&Path) -> Result<u32, Box<dyn Error>>;
@@ -26,9 +27,6 @@ pub const WORK: [(&str, Work); 7] = [
     ("first-scene", first_scene),
     ("next-scene", next_scene),
 ];
-
-/// Ticks that are counted together (chosen: a piece's shape follows every twentieth).
-const TICKS: u32 = 20;
 
 /// The brick of `saute bench heat` with twice its spacings.
 const BRICK: &str = r#"

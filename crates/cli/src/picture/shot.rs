@@ -16,11 +16,12 @@ use saute_picture::mirrored::still::mirror_shot_of;
 use saute_picture::still::animation::Format;
 use saute_picture::still::png_file::png_bytes;
 use saute_picture::still::series::Series;
-use saute_picture::still::shot::{Eye, ShotOptions, cook_to_end, gathered_shot_of};
+use saute_picture::still::shot::{Eye, ShotOptions, cook_to_end, shot_of};
 use saute_recipe::Cook;
 use saute_scene::camera::FIELD_OF_VIEW;
 use saute_scene::light::photo::Photo;
 use saute_scene::quality::Quality;
+use saute_scene::renderer::SampleProgress;
 
 use super::choices::{LightName, QualityName, StereoName, ViewName, WhiteName};
 use super::contact_sheet::{check_sheet, contact_sheet};
@@ -241,8 +242,8 @@ impl Rendered {
 fn one(args: &ShotArgs, cook: Cook, at_s: f64, options: ShotOptions) -> Result<Picture, CliError> {
     let Some(name) = &args.mirror else {
         let progress = Progress::over(args.samples.into());
-        let told = Box::new(move |taken, of| progress.next(format!("sample {taken} of {of}")));
-        return Ok(gathered_shot_of(cook, at_s, options, args.size, told)?);
+        let told: SampleProgress = Box::new(move |taken, of| progress.next(format!("sample {taken} of {of}")));
+        return Ok(shot_of(cook, at_s, options, args.size, Some(told))?);
     };
     let rig = rig(name)?;
     let stereo = args.stereo.map_or(Stereo::Off, Stereo::from);

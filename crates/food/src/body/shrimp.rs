@@ -81,10 +81,10 @@ fn spine_of(description: &FoodDescription) -> Result<&Spine, BuildError> {
 const HEAD: [f64; 2] = [0.16, 0.72];
 /// How much more slender than the plain one a natural body is where the fan begins, over its thickness at the head [-] (chosen
 /// by eye from peeled shrimp).
-const TAPER: f64 = 0.20;
+const TAPER: f64 = 0.12;
 /// Height of the rear edge of a natural segment over the front of the next [-] (chosen: the edges of peeled segments overlap by
 /// a third of a millimetre).
-const STEP: f64 = 0.05;
+const STEP: f64 = 0.04;
 /// Depth of a natural tail fan over the plain one [-] (chosen: the blades spread).
 const FAN_SPREAD: [f64; 2] = [1.0, 1.3];
 

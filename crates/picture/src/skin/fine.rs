@@ -87,7 +87,7 @@ impl<'a> Grid<'a> {
         }
         self.tip(0, 0, true);
         self.tip(self.places.len() - 1, (rings as u32 - 1) * count, false);
-        self.fine.normals = normals(&self.fine);
+        self.fine.normals = normals(&self.fine.positions, &self.fine.triangles);
         self.fine
     }
 
@@ -202,10 +202,10 @@ fn curve([a, b, c, d]: [Vec3; 4], t: f32) -> Vec3 {
 }
 
 /// Mean normals of the triangles around each vertex.
-pub(crate) fn normals(fine: &Fine) -> Vec<Vec3> {
-    let mut sums = vec![Vec3::ZERO; fine.positions.len()];
-    for t in &fine.triangles {
-        let [a, b, c] = t.map(|i| fine.positions[i as usize]);
+pub(crate) fn normals(positions: &[Vec3], triangles: &[[u32; 3]]) -> Vec<Vec3> {
+    let mut sums = vec![Vec3::ZERO; positions.len()];
+    for t in triangles {
+        let [a, b, c] = t.map(|i| positions[i as usize]);
         let normal = (b - a).cross(c - a);
         t.iter().for_each(|i| sums[*i as usize] += normal);
     }

@@ -79,7 +79,7 @@ pub(crate) fn fine(model: &FoodModel) -> Option<Fine> {
     fine.triangles.extend(face.iter().map(|&[a, b, c]| [a, c, b]));
     fine.triangles.extend(face.iter().map(|t| t.map(|i| i + count)));
     fine.triangles.extend(rim.iter().flat_map(|&[a, b]| [[a, b, b + count], [a, b + count, a + count]]));
-    fine.normals = normals(&fine);
+    fine.normals = normals(&fine.positions, &fine.triangles);
     Some(fine)
 }
 

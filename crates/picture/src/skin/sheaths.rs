@@ -38,7 +38,7 @@ pub(crate) fn sheathed(model: &FoodModel) -> Option<Fine> {
     ring.side();
     ring.face(0);
     ring.face(mesh.levels.len() - 1);
-    ring.fine.normals = normals(&ring.fine);
+    ring.fine.normals = normals(&ring.fine.positions, &ring.fine.triangles);
     Some(ring.fine)
 }
 

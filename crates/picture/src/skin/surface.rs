@@ -13,7 +13,7 @@ use saute_scene::input::{FoodMesh, FoodVertex};
 
 use crate::colour::map::ColourMap;
 use crate::skin::cells::CellLook;
-use crate::skin::fine::{Fine, Reads};
+use crate::skin::fine::{Fine, Reads, normals};
 use crate::skin::grain::{browning_palette, flesh_texture, grain_volume};
 use crate::skin::poured;
 use crate::skin::sheaths::sheathed;
@@ -162,11 +162,11 @@ impl Skin {
         let up = if level == 0 { -1.0 } else { 1.0 };
         // The inset of the rim may reach beyond the next ring of nodes: slopes are those before it.
         let places: Vec<Vec3> = (0..outward.len()).map(|i| drawn(model, mesh, level, i, Vec3::ZERO)).collect();
-        let slopes = face_normals(&mesh.section, &places);
+        let slopes = normals(&places, &mesh.section.triangles);
         for (i, (out, slope)) in outward.iter().zip(slopes).enumerate() {
             let normal = (out.unwrap_or(Vec3::ZERO) * 0.7 + slope * up).normalize();
-            let shift = out.map_or(Vec3::ZERO, |out| rim_inset(model, mesh, level, out));
-            self.push(model, mesh, level, i, shift, normal);
+            let inset = out.map_or(Vec3::ZERO, |out| rim_inset(model, mesh, level, out));
+            self.push(mesh.node(level, i) as u32, places[i] + inset, normal);
             self.edges.push(None);
         }
         for t in &mesh.section.triangles {
@@ -192,7 +192,8 @@ impl Skin {
                 let up = if 2.0 * z as f32 > thickness { 1.0 } else { -1.0 };
                 let slope = bulge(model, mesh, level, *out)[1];
                 let normal = (*out * (cosine + 0.3) + Vec3::Z * (up * sine - slope)).normalize();
-                self.push(model, mesh, level, i, rim_inset(model, mesh, level, *out), normal);
+                let place = drawn(model, mesh, level, i, rim_inset(model, mesh, level, *out));
+                self.push(mesh.node(level, i) as u32, place, normal);
                 self.edges.push(Some([0, mesh.levels.len() - 1].map(|level| mesh.node(level, i) as u32)));
             }
         }
@@ -205,9 +206,9 @@ impl Skin {
         }
     }
 
-    fn push(&mut self, model: &FoodModel, mesh: &SweptMesh, level: usize, i: usize, shift: Vec3, normal: Vec3) {
-        self.nodes.push(mesh.node(level, i) as u32);
-        self.positions.push(drawn(model, mesh, level, i, shift).to_array());
+    fn push(&mut self, node: u32, place: Vec3, normal: Vec3) {
+        self.nodes.push(node);
+        self.positions.push(place.to_array());
         self.normals.push(normal.to_array());
     }
 
@@ -277,17 +278,6 @@ fn blended(corners: [(&FoodVertex, f32); 4], place: Place, normal: [f32; 3]) -> 
         dorsal: place.body[1],
         ..FoodVertex::mean(corners)
     }
-}
-
-/// Upward normals of a face at the nodes of its section, given where they are drawn.
-fn face_normals(section: &Section, places: &[Vec3]) -> Vec<Vec3> {
-    let mut sums = vec![Vec3::ZERO; places.len()];
-    for t in &section.triangles {
-        let [a, b, c] = t.map(|i| places[i as usize]);
-        let normal = (b - a).cross(c - a);
-        t.iter().for_each(|i| sums[*i as usize] += normal);
-    }
-    sums.into_iter().map(|sum| sum.normalize_or(Vec3::Z)).collect()
 }
 
 /// Where a node of a slice's surface is drawn in the rest frame, given how far the rounded rim shifts it [m].

@@ -231,27 +231,20 @@ pub fn shot(
     options: ShotOptions,
     size: [u32; 2],
 ) -> Result<Picture, ShotError> {
-    shot_of(Cook::new(recipe, library)?, at_s, options, size)
+    shot_of(Cook::new(recipe, library)?, at_s, options, size, None)
 }
 
-/// Cooks on to a time [s], or plays a session again up to it, and draws the kitchen.
-pub fn shot_of(mut cook: Cook, at_s: f64, options: ShotOptions, size: [u32; 2]) -> Result<Picture, ShotError> {
-    cook_to(&mut cook, at_s)?;
-    let gpu = Gpu::open()?;
-    Ok(drawn(&gpu, &cook.kitchen, &options, size, None))
-}
-
-/// As [`shot_of`]; `told` is called after each sample of light.
-pub fn gathered_shot_of(
+/// Cooks on to a time [s], or plays a session again up to it, and draws the kitchen; `told` is called after each sample of light.
+pub fn shot_of(
     mut cook: Cook,
     at_s: f64,
     options: ShotOptions,
     size: [u32; 2],
-    told: SampleProgress,
+    told: Option<SampleProgress>,
 ) -> Result<Picture, ShotError> {
     cook_to(&mut cook, at_s)?;
     let gpu = Gpu::open()?;
-    Ok(drawn(&gpu, &cook.kitchen, &options, size, Some(told)))
+    Ok(drawn(&gpu, &cook.kitchen, &options, size, told))
 }
 
 /// Draws a kitchen as the options state.

@@ -44,8 +44,8 @@ pub struct LightSample {
     towards: Vec3,
     /// True if only the dome of the room lights, from that direction.
     dome: bool,
-    /// Number of samples for each of this kind.
-    weight: f32,
+    /// Shares of the light that casts shadows and of the dome that fall to it: their means over all samples are 1.
+    shares: [f32; 2],
 }
 
 /// Element `index`, from 1, of the Halton sequence of a base, 0 to 1 (Halton 1964).
@@ -83,10 +83,11 @@ impl LightSample {
         } else {
             near(all.towards, on_disc(at([5, 7], index)))
         };
-        let weight = match (in_round, dome) {
-            (false, _) => 1.0,
-            (true, true) => DOME_EVERY as f32,
-            (true, false) => DOME_EVERY as f32 / (DOME_EVERY - 1) as f32,
+        let every = DOME_EVERY as f32;
+        let shares = match (in_round, dome) {
+            (false, _) => [1.0, 1.0],
+            (true, true) => [0.0, every],
+            (true, false) => [every / (every - 1.0), 0.0],
         };
         Self {
             index,
@@ -95,7 +96,7 @@ impl LightSample {
             sharp: all.sharp,
             towards,
             dome,
-            weight,
+            shares,
         }
     }
 
@@ -123,12 +124,10 @@ impl LightSample {
 
     /// Light that casts shadows, other light, and three fills, for this sample alone: as the mean of all, each is whole.
     pub(crate) fn share(&self, lights: [Vec4; 5]) -> [Vec4; 5] {
+        let [of_key, of_dome] = self.shares;
         let [key, other, fills @ ..] = lights;
-        let of = |dome: bool| if dome == self.dome { self.weight } else { 0.0 };
-        let whole = self.weight == 1.0;
-        let fill = if whole { 1.0 } else { of(true) };
-        let [sky, ground, front] = fills.map(|light| light * fill);
-        [key * of(false), other, sky, ground, front]
+        let [sky, ground, front] = fills.map(|light| light * of_dome);
+        [key * of_key, other, sky, ground, front]
     }
 
     /// How much softer the shadows of this sample are than those of a picture of its own: few directions stand for a dome.

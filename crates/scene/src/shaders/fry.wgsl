@@ -29,12 +29,6 @@ const TURNS = vec3<f32>(1.4, 2.2, 3.2);
 // Share of the cells that have a bubble where they crowd (chosen: few large ones among many small).
 const SHARES = vec3<f32>(0.50, 0.85, 1.0);
 
-fn random3(at: vec3<f32>) -> vec3<f32> {
-    var p = fract(at * vec3<f32>(0.1031, 0.1030, 0.0973));
-    p += dot(p, p.yxz + 33.33);
-    return fract((p.xxy + p.yxx) * p.zyx);
-}
-
 struct Strip {
     // Unit vector away from the food.
     outward: vec2<f32>,

@@ -104,11 +104,6 @@ struct Bundle {
     tone: f32,
 };
 
-fn scattered(cell: vec3<f32>) -> vec3<f32> {
-    let at = vec3<f32>(dot(cell, vec3<f32>(12.9898, 78.233, 37.719)), dot(cell, vec3<f32>(39.346, 11.135, 83.155)), dot(cell, vec3<f32>(73.156, 52.235, 9.151)));
-    return fract(sin(at) * 43758.5453);
-}
-
 // Bundles of muscle as irregular spindles: how much nearer the nearest of scattered middles is than the next.
 fn bundle_at(rest: vec3<f32>, region: vec4<f32>, broad: vec4<f32>) -> Bundle {
     let far = textureSampleLevel(solid_noise, tile_sampler, (rest + food.place.xyz).yxz * 4.7 + 0.83, 0.0).rg;
@@ -121,7 +116,7 @@ fn bundle_at(rest: vec3<f32>, region: vec4<f32>, broad: vec4<f32>) -> Bundle {
     var own = vec3<f32>(0.5);
     for (var k = 0; k < 27; k++) {
         let cell = home + vec3<f32>(f32(k % 3 - 1), f32(k / 3 % 3 - 1), f32(k / 9 - 1));
-        let chance = scattered(cell);
+        let chance = random3(cell);
         let off = at - cell - chance;
         let away = vec4<f32>(off, dot(off, off));
         if (away.w < first.w) {

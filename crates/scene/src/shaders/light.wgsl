@@ -20,6 +20,13 @@
 
 // FRONT and OTHER_WRAP are those of `room_light.rs`.
 
+// Three values from 0 to 1 of a cell, without a sine: that one differs from device to device.
+fn random3(at: vec3<f32>) -> vec3<f32> {
+    var p = fract(at * vec3<f32>(0.1031, 0.1030, 0.0973));
+    p += dot(p, p.yxz + 33.33);
+    return fract((p.xxy + p.yxx) * p.zyx);
+}
+
 struct Surface {
     albedo: vec3<f32>,
     // Reflectance at normal incidence.

@@ -644,12 +644,6 @@ const FOAM_SHARES = vec3<f32>(0.20, 0.62, 0.95);
 // Changes of a bubble a second (chosen: large ones stay for seconds).
 const FOAM_TURNS = vec3<f32>(0.35, 0.60, 0.90);
 
-fn foam_random(at: vec3<f32>) -> vec3<f32> {
-    var p = fract(at * vec3<f32>(0.1031, 0.1030, 0.0973));
-    p += dot(p, p.yxz + 33.33);
-    return fract((p.xxy + p.yxx) * p.zyx);
-}
-
 // The highest of the bubbles at a place: the way from its middle over its radius, how high its dome is there [m], its radius [m]; no
 // radius where there is none. Where domes meet the higher one is seen, so that they press against each other.
 fn foam_bubbles(place: vec2<f32>, size: i32, share: f32, found: vec4<f32>) -> vec4<f32> {
@@ -661,10 +655,10 @@ fn foam_bubbles(place: vec2<f32>, size: i32, share: f32, found: vec4<f32>) -> ve
     let first = floor(at - 0.5);
     for (var k = 0; k < 4; k++) {
         let cell = first + vec2<f32>(f32(k & 1), f32(k >> 1));
-        let own = foam_random(vec3<f32>(cell, 3.0 + f32(size)));
+        let own = random3(vec3<f32>(cell, 3.0 + f32(size)));
         // Whole turns in the time after which the clock begins anew.
         let turn = frame.eye.w * 0.001 * floor(1000.0 * FOAM_TURNS[size] * (0.6 + 0.8 * own.x)) + own.y * 7.0;
-        let now = foam_random(vec3<f32>(cell + 0.5, 17.0 * f32(size) + floor(turn)));
+        let now = random3(vec3<f32>(cell + 0.5, 17.0 * f32(size) + floor(turn)));
         if (now.z > share) { continue; }
         let age = fract(turn);
         let radius = mix(0.30, 0.66, own.z * own.z) * min(0.5 + 1.6 * age, 1.0) * min((1.0 - age) * 14.0, 1.0);
@@ -694,7 +688,7 @@ fn milk_specks(place: vec2<f32>, pixel: f32) -> f32 {
     // Askew and bent, so that no rows are seen.
     let at = (mat2x2<f32>(0.8, 0.6, -0.6, 0.8) * place + 0.004 * cloud.rg) / SPECK_CELL;
     let cell = floor(at);
-    let own = foam_random(vec3<f32>(cell, 1.0));
+    let own = random3(vec3<f32>(cell, 1.0));
     let radius = mix(0.06, 0.22, own.z * own.z * own.z);
     let soft = pixel / SPECK_CELL;
     let off = length(fract(at) - mix(vec2<f32>(radius), vec2<f32>(1.0 - radius), own.xy));
