@@ -19,8 +19,12 @@ use crate::individual::{as_cut, individual};
 use crate::paper_2013::{Rules, simplified};
 use crate::piece_spec::PieceSpec;
 use crate::state::FoodState;
+use crate::tissue::noise::uniform;
 use crate::tissue::{MarblingVolume, NodeTissue, TissueField};
 use crate::water::WaterTransport;
+
+/// Index of the draw of how far a piece is turned (chosen: used by nothing else).
+const TURN: u64 = 620;
 
 /// A piece of food: rest shape, tissue, properties and rates; immutable after it is built.
 #[derive(Clone, Debug)]
@@ -256,6 +260,12 @@ impl FoodModel {
     /// Rules that the piece follows.
     pub fn rules(&self) -> Rules {
         self.rules
+    }
+
+    /// How far the piece is turned about the vertical when it is laid down [rad]; 0 for a plain one.
+    pub fn turned(&self) -> f64 {
+        let most = self.natural().map_or(0.0, |form| form.turned_deg.to_radians());
+        most * (2.0 * uniform(self.seed(), TURN) - 1.0)
     }
 
     /// Seed of the natural variation.

@@ -81,6 +81,14 @@ pub enum Flesh {
     Flakes,
     /// Even flesh: curd, tubers.
     Plain,
+    /// A slice of a mushroom: skin round its cap, gills beside its stem.
+    Mushroom,
+    /// An egg: white and yolk.
+    Egg,
+    /// Layers of an onion, each with veins along it under a thin skin.
+    Layers,
+    /// The wall of a pod: a smooth skin outside, ribbed flesh inside.
+    Pod,
 }
 
 /// Protein from which flesh without a second tissue is muscle (chosen: no plant that is fried raw has as much).

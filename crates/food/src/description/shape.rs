@@ -99,6 +99,10 @@ sourced_table! {
         #[serde(default)]
         #[schemars(range(min = 0.0, max = 5.0), example = 3.0)]
         rim_thinner_mm: f64,
+        /// How far a piece is turned about the vertical when it is laid down, either way, at most [°].
+        #[serde(default)]
+        #[schemars(range(min = 0.0, max = 180.0), example = 25.0)]
+        turned_deg: f64,
         /// Largest number of cracks at the rim [-].
         #[serde(default)]
         #[schemars(range(min = 0, max = 12), example = 6)]

@@ -279,7 +279,8 @@ impl Kitchen {
         let below = reach(&solid, -DVec3::Z);
         let height = if heap { self.heap_height(at, radius(&solid)) + HEAP } else { LAY };
         let pan = self.world.motion.pose;
-        let pose = pan.then(&Pose::at(at[0], at[1], height + below));
+        let lying = Pose::at(at[0], at[1], height + below).turned(DVec3::Z, piece.model.turned());
+        let pose = pan.then(&lying);
         let (key, mass) = (piece.key, piece.mass());
         let friction = piece.friction(self.fixed.pan.film_at(&self.pan, at), &self.fixed.room);
         self.world.add(key, solid, mass, &pose);

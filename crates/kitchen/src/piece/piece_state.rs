@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use glam::DVec3;
 use saute_food::advance::REFRESH_TICKS;
 use saute_food::body::halving::{Cut, CutError};
 use saute_food::{
@@ -137,7 +138,7 @@ impl Piece {
         Self {
             core_peak: (temperature, 0.0),
             place: Place::Waiting,
-            pose: Pose::default(),
+            pose: Pose::default().turned(DVec3::Z, model.turned()),
             vapour_flow: 0.0,
             early_steam: 0.0,
             heat_taken: 0.0,

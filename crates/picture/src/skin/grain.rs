@@ -22,6 +22,10 @@ pub(crate) fn flesh_texture(model: &FoodModel) -> FleshTexture {
         Flesh::Segments => FleshTexture::Shrimp,
         Flesh::Flakes => FleshTexture::Flakes,
         Flesh::Plain => FleshTexture::Plain,
+        Flesh::Mushroom => FleshTexture::Mushroom,
+        Flesh::Egg => FleshTexture::Egg,
+        Flesh::Layers => FleshTexture::Layers,
+        Flesh::Pod => FleshTexture::Pod,
     }
 }
 

@@ -81,6 +81,14 @@ pub enum FleshTexture {
     Flakes,
     /// Even flesh.
     Plain,
+    /// A slice of a mushroom: skin round its cap, gills beside its stem.
+    Mushroom,
+    /// White and yolk of an egg.
+    Egg,
+    /// Layers of an onion, with veins along them.
+    Layers,
+    /// The wall of a pod: smooth skin, ribbed flesh.
+    Pod,
 }
 
 /// Colours that browning goes through, L*a*b*.
