@@ -20,12 +20,13 @@ const TIP: f32 = 0.14;
 /// depth of the gaps over the body's length [-], and how far they thin the fan [-] (chosen).
 const BLADES: f32 = 5.0;
 const FAN_FROM: f32 = 0.84;
-const GAP: f32 = 0.058;
+const GAP: f32 = 0.10;
 const THINS: f32 = 0.72;
-/// How much shorter than the blades beside it the telson's sides and the outermost blades are, over the gaps' depth [-] (chosen: the
-/// telson is a spike).
-const SPIKE: f32 = 0.9;
-const OUTER: f32 = 0.30;
+/// How much shorter than its middle a blade is at its sides, the telson at its, and the outermost blades as wholes, over the gaps'
+/// depth [-] (chosen: blades that lie half over each other, with a spike between them).
+const LEAF: f32 = 0.42;
+const SPIKE: f32 = 0.55;
+const OUTER: f32 = 0.80;
 
 /// Weights of up to four nodes.
 pub(crate) type Reads = [(u32, f32); 4];
@@ -187,8 +188,9 @@ fn bladed(p: Vec3, middle: Vec3, length: Vec3, share: f32, across: f32) -> Vec3 
         let place = 0.5 * BLADES * across;
         (place.round(), 2.0 * (place - place.round()))
     };
-    // A leaf's tip is round, the telson's pointed.
-    let drawn_back = if blade == 0.0 { SPIKE * off.abs() } else { off.abs().powi(4) };
+    // A leaf's tip is an ellipse, the telson's pointed.
+    let leaf = LEAF * (1.0 - (1.0 - off * off).max(0.0).sqrt());
+    let drawn_back = if blade == 0.0 { SPIKE * off.abs() } else { leaf };
     let gap = drawn_back + OUTER * across * across;
     let thin = 1.0 - THINS * fan.sqrt() * (0.75 + 0.25 * off * off);
     let p = Vec3::new(p.x, p.y, middle.z + (p.z - middle.z) * thin);
