@@ -150,7 +150,8 @@ impl ShotOptions {
     pub fn stage(&self, kitchen: &Kitchen) -> StageOptions {
         let mut camera = match self.eye {
             Some(eye) => eye.camera(kitchen),
-            None => working_view(kitchen),
+            None if self.slice => working_view(kitchen, Camera::three_quarter()),
+            None => working_view(kitchen, over_pan()),
         };
         camera.field_of_view = self.field_of_view;
         if self.slice && self.eye == Some(Eye::CloseUp) {
@@ -181,17 +182,21 @@ impl ShotOptions {
     }
 }
 
-/// From the cook's side: over hob and board, or over the food when all of it was taken out.
-fn working_view(kitchen: &Kitchen) -> Camera {
-    let camera = Camera::three_quarter();
+/// From the cook's side over the pan: food and pan fill the picture.
+fn over_pan() -> Camera {
+    Camera { target: OVER_PAN, distance: PAN_DISTANCE, ..Camera::three_quarter() }
+}
+
+/// From the cook's side: in front of the pan, or over the food when all of it was taken out.
+fn working_view(kitchen: &Kitchen, in_pan: Camera) -> Camera {
     let resting = |piece: &&Piece| matches!(piece.place, Place::Rest(_));
     match kitchen.pieces().iter().find(resting) {
         Some(piece) if !kitchen.pieces().iter().any(Piece::in_pan) => {
-            let mut near = Camera { target: piece.pose.position.as_vec3(), ..camera };
+            let mut near = Camera { target: piece.pose.position.as_vec3(), ..Camera::three_quarter() };
             near.zoom(REST_DISTANCE);
             near
         }
-        _ => camera,
+        _ => in_pan,
     }
 }
 
@@ -215,6 +220,10 @@ impl Eye {
 
 /// Angle of the eye about the vertical axis from near a cut [rad] (chosen: the face is seen from in front, one edge of it in depth).
 const CLOSE_CUT_YAW: f32 = 1.1;
+/// From where a pan is seen: a point above its floor [m], how far [m] (chosen: pan and food fill the picture, and
+/// of the room only what tells where they are).
+const OVER_PAN: Vec3 = Vec3::new(0.012, -0.012, 0.018);
+const PAN_DISTANCE: f32 = 0.46;
 /// Factor on the distance from which food on the board is seen [-] (chosen: the board fills the picture).
 const REST_DISTANCE: f32 = 0.7;
 /// Factor on the distance from which a cut is seen [-] (chosen: the pan fills the picture).
