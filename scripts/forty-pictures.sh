@@ -63,7 +63,7 @@ all() {
         for piece in lean:$a lean:$b marbled:$c; do
             local food="${piece%%:*}" seed="${piece##*:}"
             cut "beef-$food" "$seed" "$done" "$core" 28 >"$WORK/cut-$food-$done-$seed.toml"
-            printf 'cut-%s-%s-%s\t32,-28,230\t%s steak, cut: %s, seed %s\n' "$food" "$done" "$seed" "$food" "$done" "$seed"
+            printf 'cut-%s-%s-%s\t32,24,215\t%s steak, cut: %s, seed %s\n' "$food" "$done" "$seed" "$food" "$done" "$seed"
         done
     done <<LIST
 blue 31

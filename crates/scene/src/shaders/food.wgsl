@@ -52,10 +52,10 @@ fn grain_of(in: FoodOut, grew: Grown, rest_normal: vec3<f32>) -> Grain {
         case MUSCLE: { return muscle(in.rest, cooked, crust); }
         case GROUND: { return ground(in.rest, cooked, crust); }
         case ROOT: { return root(in.rest, grew, cooked, crust); }
-        case SHEATHS: { return sheaths(in.rest, grew, max(abs(rest_normal.z), laid_open), cooked, in.state.x, crust); }
-        case SHRIMP: { return shrimp(in.rest, in.place.y, in.place.z, cooked, in.state.x, crust); }
+        case SHEATHS: { return sheaths(in.rest, grew, max(abs(rest_normal.z), laid_open), cooked, crust); }
+        case SHRIMP: { return shrimp(in.rest, in.place.y, in.place.z, cooked, crust); }
         case FLAKES: { return flakes(in.rest, cooked, crust); }
-        default: { return plain(in.rest, crust); }
+        default: { return structured(in.rest, grew, rest_normal, cooked, crust); }
     }
 }
 
@@ -63,7 +63,7 @@ fn grain_of(in: FoodOut, grew: Grown, rest_normal: vec3<f32>) -> Grain {
 const SILVER = vec3<f32>(0.03, -0.012, -0.050);
 const CREASE = vec3<f32>(-0.055, 0.004, 0.025);
 // Colour of the fat of a cooked side over that in the flesh (chosen: rendered, it is clear and golden).
-const GOLDEN = vec3<f32>(-0.025, 0.030, 0.038);
+const GOLDEN = vec3<f32>(-0.030, 0.034, 0.035);
 
 // How far a crust covers the seams of fat in it (chosen).
 const COVERED = 0.62;
@@ -72,9 +72,11 @@ const FAT_SPARED = 0.30;
 
 // How much of the texture's light and dark is seen: on a fresh cut the juice fills it (chosen).
 var<private> shade_share: f32 = 1.0;
-const CUT_SHADE = 0.62;
+const CUT_SHADE = 0.80;
 // 1 on a cut, which shows gaps between sheaths as the faces do.
 var<private> laid_open: f32 = 0.0;
+// How much more evenly a side browned than a face (chosen: it never lay on metal).
+const SIDE_EVEN = 0.35;
 // 1 on the side of a body seen near by.
 var<private> aside: f32 = 0.0;
 
@@ -83,6 +85,11 @@ fn look_of(in: FoodOut, rest_normal: vec3<f32>) -> Look {
     var grew = Grown(0.0, 0.0, 0.0, 0.0);
     if (texture_kind != MUSCLE) { grew = grown(in.rest, 1.0); }
     if (fine && texture_kind == SHEATHS) { grew = grown(in.rest + wander(in.rest), 1.0); }
+    if (fine && texture_kind == EGG) {
+        grew.tone = yolk_at(in.rest, rest_normal);
+        // White creeps up the yolk's rim as a veil.
+        grew.second = smoothstep(0.62, 0.74, grew.tone) * mix(0.6, 1.0, smoothstep(0.70, 0.95, grew.tone));
+    }
     if (texture_kind == FLAKES) { grew.fatty = max(grew.fatty, sheets(in.rest)); }
     let grain = grain_of(in, grew, rest_normal);
     var skin = vec3<f32>(0.0);
@@ -97,7 +104,7 @@ fn look_of(in: FoodOut, rest_normal: vec3<f32>) -> Look {
     let upright = abs(rest_normal.z);
     let rim = smoothstep(0.10, 0.55, upright) * (1.0 - smoothstep(0.75, 0.995, upright));
     // Ridges press evenly: what they sear is less mottled.
-    let room = min(1.9 * browning, 0.62) * (1.0 - 0.65 * seared.share);
+    let room = min(1.9 * browning, 0.62) * (1.0 - 0.65 * seared.share) * (1.0 - SIDE_EVEN * aside);
     let uneven = clamp(browning + room * (grain.uneven + 0.5 * rim), 0.0, 1.0);
     let blackened = clamp(seared.charring + min(1.5 * seared.charring, 0.7) * (grain.uneven + 0.3 * rim), 0.0, 1.0);
     // Seams of fat are still brown and shine where lean flesh is black already.
@@ -109,7 +116,7 @@ fn look_of(in: FoodOut, rest_normal: vec3<f32>) -> Look {
     let flesh = Flesh(in.lean + food.second.xyz * grew.second + shade, in.fat + select(0.35, 0.60, fine) * shade + skin, uneven, charring, fatty);
     // A crust that browned deeply is redder before it is dark.
     let colour = linear_from_lab(flesh_colour(flesh)) * grain.crevice * (1.0 - 0.75 * grain.crack * charring);
-    return Look(colour, grain.slope * (1.0 + 0.6 * charring), grain.film_slope, grain.ridges, grew.fatty, uneven, charring, grain.clear);
+    return Look(colour, grain.slope * (1.0 + select(0.6, -0.5, fine) * charring), grain.film_slope, grain.ridges, grew.fatty, uneven, charring, grain.clear);
 }
 
 // Height of what the food lies on.
@@ -141,8 +148,8 @@ const STREAKED = 0.42;
 const STREAKS_RUN = 0.0110;
 
 fn streaks(place: vec3<f32>, depth: vec2<f32>) -> vec2<f32> {
-    let thin = textureSampleLevel(solid_noise, tile_sampler, place * vec3<f32>(125.0, 125.0, 22.0) + 0.83, 0.0).a;
-    let wide = textureSampleLevel(solid_noise, tile_sampler, place * vec3<f32>(37.0, 37.0, 16.0) + 0.17, 0.0).a;
+    let thin = textureSampleLevel(solid_noise, tile_sampler, place * vec3<f32>(125.0, 125.0, 50.0) + 0.83, 0.0).a;
+    let wide = textureSampleLevel(solid_noise, tile_sampler, place * vec3<f32>(37.0, 37.0, 24.0) + 0.17, 0.0).a;
     let ran = smoothstep(0.42, 0.68, 0.55 * thin + 0.45 * wide);
     return STREAKED * (0.15 + 0.85 * ran) * exp(-depth / STREAKS_RUN);
 }
@@ -203,12 +210,12 @@ fn lit_food(outside: FoodOut) -> vec4<f32> {
     let oiled = OILED * crust * (1.0 - look.charring);
     var beads = juice_on(in, rest_normal, smooth_normal, look.film_slope);
     // On a crust juice soaks in and joins the fat: few of its beads stand there.
-    beads.cover *= 1.0 - select(0.30, 0.72, fine) * smoothstep(0.35, 0.80, crust);
+    beads.cover *= 1.0 - select(0.30, 1.0, fine) * smoothstep(0.35, 0.80, select(crust, max(crust, 2.0 * in.state.x), fine));
     // Red flesh is deeper under a film: light that is thrown back into it passes it twice.
     let coated = wetness * (1.0 - in.state.w) * (1.0 - crust) * (1.0 - look.fatty) * (1.0 - look.clear);
     let wet_flesh = mix(look.colour, pow(look.colour, vec3<f32>(1.55)), coated);
     let amber = amber_over(look);
-    let dry = wet_flesh * mix(vec3<f32>(1.0), sqrt(look.colour), oiled) * (1.0 - select(0.05, 0.12, fine) * oiled) * amber;
+    let dry = wet_flesh * mix(vec3<f32>(1.0), sqrt(look.colour), oiled) * (1.0 - select(0.05, 0.24, fine) * oiled) * amber;
     // A bead gathers the window's light on its far side.
     let towards = dot((food.world_from_rest * vec4<f32>(beads.bend, 0.0)).xyz, frame.key.xyz);
     let colour = dry * mix(vec3<f32>(1.0), beads.tint * (1.0 - 0.55 * towards), beads.cover);
@@ -222,11 +229,18 @@ fn lit_food(outside: FoodOut) -> vec4<f32> {
     // The film over it shines far more.
     if (!quick) { radiance += specular(body, in.position, view, lit) * mix(0.34, 0.16, max(wetness, crust)) * (1.0 - 0.6 * look.charring) * tint; }
     let film_slope = along_face(look.film_slope, rest_normal);
-    if (fine) { radiance += lamp_on_fat(world_normal(rest_normal - film_slope * LAMP_RELIEF), view) * (crust * (1.0 - look.charring) * visibility * look.ridges) * fat_here(in.rest); }
+    // Rendered fat is on a crust and, less, on a cooked side.
+    let fatted = max(crust * smoothstep(0.20, 0.88, in.state.x) * (1.0 - 0.4 * look.browning) * (1.0 - look.charring), aside * in.state.w * (0.4 + 0.6 * look.fatty));
+    if (fine) { radiance += fat_film(in, look, world_normal(rest_normal - film_slope * FILM_RELIEF), view, lit, visibility) * tint * fatted; }
+    // A side turned from the window shines in the light of the room, as a cut does.
+    if (fine && texture_kind == MUSCLE) {
+        let greased = aside * in.state.w * (0.35 + 0.65 * look.fatty) * max(dot(smooth_normal, view), 0.0);
+        radiance += MOIST_LIGHT * (greased * visibility * moist(in.rest, rest_normal, look.film_slope));
+    }
     // Raw flesh is coated by an even film of its own juice; later the film follows every pore.
     let raw = wetness * (1.0 - crust) * (1.0 - in.state.w);
     radiance += sheen(in, look, rest_normal - film_slope * mix(mix(0.8, 1.2, wetness), 0.75, raw), raw, view, lit, visibility, wetness) * (0.35 + 0.65 * max(smooth_normal.z, 0.0)) * tint;
-    if (fine && (texture_kind == SHEATHS || texture_kind == SHRIMP)) {
+    if (fine && (texture_kind == SHEATHS || texture_kind == SHRIMP || texture_kind >= MUSHROOM)) {
         let gloss = Surface(vec3<f32>(0.0), vec3<f32>(0.032), skin_rough, world_normal(rest_normal - along_face(skin_slope, rest_normal)), visibility, vec3<f32>(0.0));
         radiance += max(specular(gloss, in.position, view, lit) - 0.7 * GLINT, vec3<f32>(0.0)) * (skin_gloss * (1.0 - look.charring));
         radiance += frame.key_light.rgb * colour * (lets_through * visibility * (1.0 - 0.75 * max(smooth_normal.z, 0.0)));
@@ -263,17 +277,19 @@ const GLAZED = 0.55;
 // Shine of the fat on a crust, in its dips and on its high points (chosen).
 const FAT_POOLS = 0.26;
 const FAT_THIN = 0.30;
-// Shine of the fat that was rendered on a cooked side (chosen: slight).
-const RENDERED = 0.34;
 
 // Reflections weaker than this do not count as glints, and how much of a crust's pores oil fills (chosen).
 const GLINT = 0.075;
 const OILED = 0.63;
 // What the fat over a crust does to light that passes it twice (chosen: amber).
 const AMBER = vec3<f32>(1.16, 0.98, 0.74);
+// The same on a seared muscle seen near by (chosen: mahogany rather than rust).
+const MAHOGANY = vec3<f32>(1.06, 0.80, 0.62);
 
 fn amber_over(look: Look) -> vec3<f32> {
-    return mix(vec3<f32>(1.0), AMBER, clamp(1.4 * look.browning, 0.0, 1.0) * (1.0 - look.charring));
+    var over = AMBER;
+    if (fine && texture_kind == MUSCLE) { over = mix(AMBER, MAHOGANY, look.browning); }
+    return mix(vec3<f32>(1.0), over, clamp(1.4 * look.browning, 0.0, 1.0) * (1.0 - look.charring));
 }
 
 // Where fat was drawn together on a crust (0-1).
@@ -281,13 +297,22 @@ fn fat_here(rest: vec3<f32>) -> f32 {
     return smoothstep(0.36, 0.64, textureSampleLevel(solid_noise, tile_sampler, (rest + food.place.xyz).zxy * 17.0 + 0.31, 0.0).a);
 }
 
-// The lamp on the fat of a crust: how bright, how sharp, and how much of the film's relief breaks it (chosen: a soft, broad shine).
-const LAMP = 0.08;
-const LAMP_SHARPNESS = 26.0;
-const LAMP_RELIEF = 0.55;
+// The film of fat on a crust: how much of the crust's relief it follows, how rough it is, and how much of the light it throws
+// back where it is thin and where it is thick (chosen: a wide soft shine that the relief breaks, no sparks).
+const FILM_RELIEF = 0.85;
+const FILM_ROUGH = 0.46;
+const FILM_SHINE = vec2<f32>(0.35, 0.95);
+// The lamp and the window where the relief turns to them: how bright and how sharp (chosen: soft).
+const TURNED_LIGHT = vec2<f32>(0.75, 0.15);
+const LAMP_SHARPNESS = 15.0;
 
-fn lamp_on_fat(normal: vec3<f32>, view: vec3<f32>) -> vec3<f32> {
-    return frame.other_light.rgb * (LAMP * pow(max(dot(normal, normalize(view + frame.other.xyz)), 0.0), LAMP_SHARPNESS));
+fn fat_film(in: FoodOut, look: Look, normal: vec3<f32>, view: vec3<f32>, lit: f32, visibility: f32) -> vec3<f32> {
+    let here = fat_here(in.rest);
+    let coat = Surface(vec3<f32>(0.0), vec3<f32>(0.040), widened(FILM_ROUGH, fwidth(normal)), normal, visibility, vec3<f32>(0.0));
+    let mirrored = max(specular(coat, in.position, view, lit) - 0.2 * GLINT, vec3<f32>(0.0)) * mix(FILM_SHINE.x, FILM_SHINE.y, here);
+    let turned = vec2<f32>(dot(normal, normalize(view + frame.other.xyz)), dot(normal, normalize(view + frame.key.xyz)));
+    let shine = TURNED_LIGHT * pow(max(turned, vec2<f32>(0.0)), vec2<f32>(LAMP_SHARPNESS));
+    return mirrored + (frame.other_light.rgb * shine.x + frame.key_light.rgb * (shine.y * lit)) * (visibility * look.ridges * max(here, 0.4 + aside));
 }
 
 // Water on raw flesh, oil on a crust: a thin film that breaks the window into small glints.
@@ -295,8 +320,8 @@ fn sheen(in: FoodOut, look: Look, bent: vec3<f32>, raw: f32, view: vec3<f32>, li
     let crust = clamp(1.4 * look.browning, 0.0, 1.0);
     // Fat on a crust is thick in its dips and thin on its high points.
     var oily = mix(FAT_POOLS, FAT_THIN, look.ridges) * crust * (1.0 - look.charring);
-    // It was drawn together here and wiped off there.
-    if (fine) { oily = oily * mix(0.5, 1.4, fat_here(in.rest)) + RENDERED * aside * in.state.w * (0.3 + look.fatty) * look.ridges; }
+    // Seen near by most of it is in the film of fat.
+    if (fine) { oily *= 0.25; }
     // Shrimps and vegetables that fried in fat are glazed by it.
     let glaze = GLAZED * in.state.w * smoothstep(0.10, 0.24, look.clear) * (1.0 - look.charring) * (0.45 + 0.55 * look.ridges);
     let film = max(wetness * mix(0.06 + 0.94 * look.ridges, 0.75 + 0.25 * look.ridges, raw), max(oily, glaze));
@@ -336,10 +361,10 @@ fn below_face(browned: f32, depth: f32, waver: f32) -> f32 {
 // Juice on the cut in the cook's own light: up to which height it gathers [m], how sharp and how bright its soft shine and its
 // glints are, and how much a face that lost its juice still has of them (chosen: meat is damp, bread is not).
 const GATHERS = 0.0042;
-const MOIST_SHARPNESS = vec2<f32>(45.0, 420.0);
-const MOIST = vec2<f32>(0.060, 0.28);
+const MOIST_SHARPNESS = vec2<f32>(45.0, 320.0);
+const MOIST = vec2<f32>(0.060, 0.36);
 const MOIST_LIGHT = vec3<f32>(1.0, 0.91, 0.77);
-const DAMP = 0.55;
+const DAMP = 0.42;
 // How much more fat shines than flesh, which share of its juice flesh holds as long as it has had no heat, and which share of
 // its light wet flesh keeps besides its glints (chosen: the mean of the cut stays).
 const GREASY = 0.9;
@@ -368,7 +393,7 @@ fn moist(rest: vec3<f32>, normal: vec3<f32>, film_slope: vec3<f32>) -> f32 {
 // and in their middles, and how much their edge follows the bundles (chosen: 2 to 8 mm long, lying along the stroke).
 const POOLS = vec3<f32>(22.0, 22.0, 43.0);
 const POOL_LIGHT = vec2<f32>(0.16, 0.32);
-const POOL_EDGE = 0.32;
+const POOL_EDGE = 0.60;
 
 fn pools(rest: vec3<f32>, normal: vec3<f32>, film_slope: vec3<f32>) -> f32 {
     let place = rest + food.place.xyz;
@@ -418,7 +443,7 @@ fn cut_beads(rest: vec3<f32>, normal: vec3<f32>, amount: f32) -> vec3<f32> {
 }
 
 // How much the relief of a cut counts in the cook's own light (chosen: it comes from the side).
-const CUT_RELIEF = 0.70;
+const CUT_RELIEF = 0.50;
 
 // Light of a cut under its beads of juice: deeper and redder, with the window in each.
 fn beaded(in: FoodOut, rest_normal: vec3<f32>, under: vec3<f32>, amount: f32, view: vec3<f32>, lit: f32) -> vec3<f32> {
@@ -433,17 +458,29 @@ fn beaded(in: FoodOut, rest_normal: vec3<f32>, under: vec3<f32>, amount: f32, vi
     return mix(under, under * tint + specular(drop, in.position, view, lit) + MOIST_LIGHT * glint, bead.x);
 }
 
+// How far the edge of a crust is bent over a cut, and how much the depth of a crust varies from place to place [m] (chosen: no lid).
+const TURNED = 0.0011;
+const FRAYS = 0.0018;
+
+// How far a cut is turned to the upper and to the lower face, at depths below them.
+fn turned_over(depth: vec2<f32>) -> vec2<f32> {
+    return 1.0 - smoothstep(vec2<f32>(-0.0003), vec2<f32>(TURNED), depth);
+}
+
 // A fresh cut: crust, band, gradient and centre, moist, in a soft light from the cook's side besides that of the room, so
 // that it can be read where the window does not reach.
 fn lit_cut(cut: FoodOut) -> vec4<f32> {
     var in = cut;
     let rest_normal = normalize(in.normal);
-    let waver = 0.0010 * (textureSample(solid_noise, tile_sampler, (in.rest + food.place.xyz) * 190.0).a - 0.5);
+    var waver = 0.0010 * (textureSample(solid_noise, tile_sampler, (in.rest + food.place.xyz) * 190.0).a - 0.5);
+    if (fine) { waver = 1.5 * waver + FRAYS * (textureSampleLevel(solid_noise, tile_sampler, (in.rest + food.place.xyz) * 57.0, 0.0).a - 0.5); }
     // An upright slice has the browning of its faces, above and below, and the depths under them; other bodies have neither.
     let upright = in.juice + in.place.w > 0.0;
+    var turned = vec2<f32>(0.0);
     if (upright && (texture_kind == MUSCLE || texture_kind == GROUND || texture_kind == FLAKES)) {
         let crust = max(below_face(in.place.y, in.juice, waver), below_face(in.place.z, in.place.w, waver));
         in.state.x = max(in.state.x, crust);
+        if (fine) { turned = turned_over(vec2<f32>(in.juice, in.place.w) + waver); }
     }
     in.place.w = 0.0;
     shade_share = CUT_SHADE;
@@ -452,7 +489,7 @@ fn lit_cut(cut: FoodOut) -> vec4<f32> {
     let view = normalize(frame.eye.xyz - in.position);
     let near_meat = fine && (texture_kind == MUSCLE || texture_kind == GROUND);
     var marks = vec3<f32>(0.0);
-    if (near_meat) { marks = knife(in.rest); }
+    if (near_meat) { marks = knife(in.rest) + vec3<f32>(0.0, 0.0, turned.y - turned.x); }
     let slope = along_face(look.slope + marks, rest_normal);
     let bent = world_normal(rest_normal - slope * 0.85);
     let lit = mix(0.45, 1.0, shadow(in.position, bent));
@@ -474,7 +511,7 @@ fn lit_cut(cut: FoodOut) -> vec4<f32> {
     var radiance = colour * own * WARM / frame.as_shot.rgb + diffuse(body, lit) * 0.22;
     let film_slope = along_face(look.film_slope + marks, rest_normal);
     let film = Surface(vec3<f32>(0.0), vec3<f32>(0.028), 0.20, world_normal(rest_normal - film_slope * 0.9), 0.9, vec3<f32>(0.0));
-    radiance += max(specular(film, in.position, view, lit) - GLINT, vec3<f32>(0.0)) * (0.9 * wet);
+    radiance += max(specular(film, in.position, view, lit) - GLINT, vec3<f32>(0.0)) * max(0.9 * wet, 0.7 * turned.x);
     radiance *= 1.0 - 0.30 * gathered;
     var damp = wet;
     if (near_meat) {
@@ -484,7 +521,7 @@ fn lit_cut(cut: FoodOut) -> vec4<f32> {
     radiance += MOIST_LIGHT * (moist(in.rest, rest_normal, look.film_slope + marks) * damp * (1.0 + 0.3 * gathered) * (1.0 - HELD * unheated));
     if (near_meat) { radiance += MOIST_LIGHT * (pools(in.rest, rest_normal, look.film_slope + marks) * damp * (0.72 + 0.10 * wet - 0.32 * deep) * (1.0 - HELD * unheated)); }
     if (near_meat) { radiance = beaded(in, rest_normal, radiance, max(CUT_DRIPS * foot(height + 3.0 * waver), CUT_SWEATS) * damp * (1.0 - HELD * unheated), view, lit); }
-    return noted(pixel_from_radiance(radiance, in.clip.xy), in.state);
+    return noted(pixel_from_radiance(radiance, in.clip.xy), vec4<f32>(max(in.state.x, OPAQUE), in.state.yzw));
 }
 
 fn food_pixel(in: FoodOut) -> vec4<f32> {
@@ -494,6 +531,9 @@ fn food_pixel(in: FoodOut) -> vec4<f32> {
     return lit_food(in);
 }
 
+// Browning whose little scattering a cut and a cooked side have (chosen: more would smear their fibres).
+const OPAQUE = 0.5;
+
 // Notes in the opacity how much light scatters under the surface, for a later pass; a crust lets none through.
 fn noted(pixel: vec4<f32>, state: vec4<f32>) -> vec4<f32> {
     if (!hdr) { return pixel; }
@@ -502,7 +542,8 @@ fn noted(pixel: vec4<f32>, state: vec4<f32>) -> vec4<f32> {
 
 @fragment
 fn fs_food(in: FoodOut) -> @location(0) vec4<f32> {
-    return noted(food_pixel(in), in.state);
+    let pixel = food_pixel(in);
+    return noted(pixel, vec4<f32>(max(in.state.x, OPAQUE * aside * in.state.w), in.state.yzw));
 }
 
 @fragment

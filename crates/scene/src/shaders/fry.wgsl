@@ -230,12 +230,11 @@ const POOL_REACH = vec2<f32>(0.26, 0.80);
 const DAMP = 1.24;
 const DAMP_WOOD = vec3<f32>(0.090, 0.036, 0.012);
 
-// Where a place is in a pool: 0 at the meat, 1 at its edge. It runs where the board is low, and farther along fibres than across.
-fn in_pool(position: vec3<f32>, across: f32, outward: vec2<f32>) -> f32 {
+// Where a place is in a pool: 0 at the meat, 1 at its edge. It runs where the board is low; its tension keeps its edge round.
+fn in_pool(position: vec3<f32>, across: f32) -> f32 {
     let low = textureSampleLevel(solid_noise, tile_sampler, position * 4.3, 0.0).a - 0.5;
     let coarse = textureSampleLevel(solid_noise, tile_sampler, position * 13.0, 0.0).a - 0.5;
-    let fibres = textureSampleLevel(solid_noise, tile_sampler, position * vec3<f32>(110.0, 7.0, 9.0), 0.0).a - 0.5;
-    let reach = 0.68 + 0.75 * low + 0.45 * coarse + (0.06 + 0.20 * abs(outward.y)) * fibres;
+    let reach = 0.66 + 0.75 * low + 0.50 * coarse;
     return across / clamp(reach, POOL_REACH.x, POOL_REACH.y);
 }
 
@@ -244,24 +243,24 @@ fn in_pool(position: vec3<f32>, across: f32, outward: vec2<f32>) -> f32 {
 fn pool(in: FryOut) -> vec4<f32> {
     let across = length(in.corner);
     let outward = in.corner / max(across, 1e-4);
-    let edge = in_pool(in.position, across, outward);
+    let edge = in_pool(in.position, across);
     if (edge >= DAMP) { return vec4<f32>(0.0); }
-    let body = smoothstep(1.0, 0.91, edge);
+    let body = smoothstep(1.0, 0.94, edge);
     let lit = shadow(in.position, vec3<f32>(0.0, 0.0, 1.0));
-    let ripple = textureSampleLevel(solid_noise, tile_sampler, in.position * 37.0, 0.0);
+    let ripple = textureSampleLevel(solid_noise, tile_sampler, in.position * 21.0, 0.0);
     let rim = smoothstep(0.55, 0.97, edge);
-    let normal = normalize(vec3<f32>(outward * 0.38 * rim * rim + (ripple.xy - 0.5) * 0.10, 1.0));
+    let normal = normalize(vec3<f32>(outward * 0.30 * rim * rim + (ripple.xy - 0.5) * 0.03, 1.0));
     // Deep at the meat, thin and pale at its edge.
     let thin = smoothstep(0.15, 1.0, edge);
     // What runs out first comes from the middle, which is redder than the mean.
     let red = sqrt(clamp(in.look.x, 0.0, 1.0));
     let deep = mix(JUICE_BROWN, JUICE_RED, red);
     let pale = JUICE_THIN * mix(vec3<f32>(1.0), vec3<f32>(1.1, 0.50, 0.45), red);
-    let alpha = mix(0.24 * smoothstep(DAMP, 0.95, edge), mix(0.82, 0.50, thin), body);
-    let s = Surface(mix(DAMP_WOOD, mix(deep, pale, 0.62 * thin), body), vec3<f32>(0.0), 1.0, normal, 0.8, vec3<f32>(0.0));
+    let alpha = mix(0.24 * smoothstep(DAMP, 0.95, edge), mix(0.88, 0.62, thin), body);
+    let s = Surface(mix(DAMP_WOOD, mix(deep, pale, 0.50 * thin), body), vec3<f32>(0.0), 1.0, normal, 0.8, vec3<f32>(0.0));
     // The edge mirrors the window here and there: an unbroken line of it would look drawn.
-    let broken = mix(1.0, smoothstep(0.50, 0.66, ripple.a), rim);
-    let mirrored = max(liquid(normal, in.position) - MILK, vec3<f32>(0.0)) * mix(0.6, 0.9, lit) * body * broken;
+    let broken = mix(1.0, 0.6 * smoothstep(0.42, 0.70, ripple.a), rim);
+    let mirrored = max(liquid(normal, in.position) - MILK, vec3<f32>(0.0)) * mix(0.45, 0.65, lit) * body * broken;
     return vec4<f32>(pixel_from_radiance(diffuse(s, lit) + mirrored, in.clip.xy).rgb * alpha, alpha);
 }
 
