@@ -18,6 +18,7 @@ use saute_picture::still::shot::ShotError;
 use self::figure::{Book, Figure};
 use self::looks::looks;
 use self::paper::paper;
+use self::plate::Drawing;
 use crate::error::CliError;
 use crate::input::data_library::DataLibrary;
 use crate::output::out_dir::OutDir;
@@ -34,6 +35,9 @@ pub struct GalleryArgs {
     /// Size of one panel in pixels.
     #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "800x450", value_parser = size)]
     pub size: [u32; 2],
+    /// Samples of light of each picture of the look: more take longer and have softer shadows; 1 is a plain picture.
+    #[arg(long, value_name = "N", default_value_t = 32, value_parser = clap::value_parser!(u32).range(1..=256))]
+    pub samples: u32,
     /// Draws every food from raw to burnt instead, or one of them.
     #[arg(long, value_name = "FOOD", num_args = 0..=1, default_missing_value = ALL)]
     pub looks: Option<String>,
@@ -83,9 +87,10 @@ pub fn run(args: &GalleryArgs, data: &DataLibrary) -> Result<ExitCode, CliError>
         moments.extend(moment::moments(&book, cook, &data.library)?);
     }
     let mut files = Vec::new();
+    let drawing = Drawing { gpu: &gpu, scales: &scales, size: args.size, samples: args.samples };
     for figure in &figures {
         progress.next(format!("drawing {}", figure.title));
-        let picture = plate::plate(&gpu, figure, &moments, &scales, args.size);
+        let picture = drawing.plate(figure, &moments);
         files.push((format!("{}.png", figure.name), png_bytes(&picture)?));
     }
     files.push((book.page.to_owned(), page::page(&book, &figures, &moments).into_bytes()));

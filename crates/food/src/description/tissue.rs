@@ -85,6 +85,10 @@ sourced_table! {
         /// Length of the seams relative to their thickness [-].
         #[schemars(range(min = 1.0, max = 20.0), example = 3.0)]
         flattening: f64,
+        /// Lean of the seams off the fibres, across over along, at most; each piece leans by its seed [-].
+        #[serde(default)]
+        #[schemars(range(min = 0.0, max = 2.0), example = 0.6)]
+        slant: f64,
     }
 }
 

@@ -1,7 +1,7 @@
 //! Fat seams along the ridges of a noise field.
 
 use crate::description::Marbling;
-use crate::tissue::noise::Fractal;
+use crate::tissue::noise::{Fractal, uniform};
 
 /// Seeded ridged noise; seams of fat follow its ridges [-].
 #[derive(Clone, Debug)]
@@ -12,6 +12,7 @@ pub struct MarblingField {
     patch: Fractal,
     wavelength: f64,
     flattening: f64,
+    lean: f64,
 }
 
 /// Width of the transition from lean to fat in units of the noise [-] (chosen: seams about 1 mm wide with soft edges).
@@ -30,17 +31,24 @@ const PATCHY: f64 = 0.34;
 const RIDGES: (f64, f64) = (-3.0, 3.0);
 const BISECTIONS: usize = 16;
 
+/// Index of the draws of the lean, and its least share of the largest [-] (chosen: used by nothing else; no piece stands upright).
+const LEANS: u64 = 630;
+const LEAST_LEAN: f64 = 0.5;
+
 impl MarblingField {
     /// The ridges of a piece with a seed.
     pub fn new(marbling: &Marbling, seed: u64) -> Self {
         let [bend, sheet, fleck, patch] = [0xa5, 0, 0x3f, 0x77].map(|stream| Fractal::new(seed ^ stream));
-        Self { bend, sheet, fleck, patch, wavelength: marbling.seam_mm * 1e-3, flattening: marbling.flattening }
+        let side = if uniform(seed, LEANS) < 0.5 { -1.0 } else { 1.0 };
+        let lean = side * marbling.slant * (LEAST_LEAN + (1.0 - LEAST_LEAN) * uniform(seed, LEANS + 1));
+        let (wavelength, flattening) = (marbling.seam_mm * 1e-3, marbling.flattening);
+        Self { bend, sheet, fleck, patch, wavelength, flattening, lean }
     }
 
     /// Ridged noise: large along thin, branching sheets along x and through the thickness [-].
     pub fn ridge(&mut self, p: [f64; 3]) -> f64 {
         let w = self.wavelength;
-        let q = [p[0] / (w * self.flattening), p[1] / w, p[2] / (w * self.flattening)];
+        let q = [p[0] / (w * self.flattening), (p[1] + self.lean * p[2]) / w, p[2] / (w * self.flattening)];
         let bend = 0.9 * self.bend.at([q[0] * 0.7, q[1] * 0.35, q[2] * 0.7]);
         let sheet = 1.0 - libm::fabs(self.sheet.at([q[0], q[1] + bend, q[2]])) * 2.2;
         let [x, y, z] = [FINER * q[0], FINER * (q[1] + 0.5 * bend), FINER * q[2]];

@@ -113,7 +113,7 @@ fn look_of(in: FoodOut, rest_normal: vec3<f32>) -> Look {
     // Browned juice and rendered fat cover seams in a crust: they stay visible, as darker gold.
     let fatty = grew.fatty * (1.0 - COVERED * smoothstep(0.30, 0.85, uneven));
     skin += GOLDEN * (aside * in.state.w);
-    let flesh = Flesh(in.lean + food.second.xyz * grew.second + shade, in.fat + select(0.35, 0.60, fine) * shade + skin, uneven, charring, fatty);
+    let flesh = Flesh(in.lean + food.second.xyz * grew.second + shade, in.fat + 0.35 * shade + skin, uneven, charring, fatty);
     // A crust that browned deeply is redder before it is dark.
     let colour = linear_from_lab(flesh_colour(flesh)) * grain.crevice * (1.0 - 0.75 * grain.crack * charring);
     return Look(colour, grain.slope * (1.0 + select(0.6, -0.5, fine) * charring), grain.film_slope, grain.ridges, grew.fatty, uneven, charring, grain.clear);
@@ -284,7 +284,7 @@ const OILED = 0.63;
 // What the fat over a crust does to light that passes it twice (chosen: amber).
 const AMBER = vec3<f32>(1.16, 0.98, 0.74);
 // The same on a seared muscle seen near by (chosen: mahogany rather than rust).
-const MAHOGANY = vec3<f32>(1.06, 0.80, 0.62);
+const MAHOGANY = vec3<f32>(1.06, 0.84, 0.58);
 
 fn amber_over(look: Look) -> vec3<f32> {
     var over = AMBER;
@@ -301,9 +301,9 @@ fn fat_here(rest: vec3<f32>) -> f32 {
 // back where it is thin and where it is thick (chosen: a wide soft shine that the relief breaks, no sparks).
 const FILM_RELIEF = 0.85;
 const FILM_ROUGH = 0.46;
-const FILM_SHINE = vec2<f32>(0.35, 0.95);
+const FILM_SHINE = vec2<f32>(0.16, 0.50);
 // The lamp and the window where the relief turns to them: how bright and how sharp (chosen: soft).
-const TURNED_LIGHT = vec2<f32>(0.75, 0.15);
+const TURNED_LIGHT = vec2<f32>(0.40, 0.10);
 const LAMP_SHARPNESS = 15.0;
 
 fn fat_film(in: FoodOut, look: Look, normal: vec3<f32>, view: vec3<f32>, lit: f32, visibility: f32) -> vec3<f32> {

@@ -150,7 +150,7 @@ const LINES = vec2<f32>(0.085, 0.031);
 const HUES = 0.035;
 
 fn parted(apart: f32, torn: f32, tone: f32, strands: f32, cooked: f32) -> vec3<f32> {
-    let light = apart * mix(JOINT * (1.0 - 0.5 * cooked), -TORN, torn) + BUNDLE_TONES * (tone - 0.5) + STRANDS * (1.0 + 0.3 * cooked) * strands - JOINT_MEAN;
+    let light = apart * mix(JOINT * (1.0 - 0.5 * cooked), -TORN * (1.0 - 0.45 * cooked), torn) + BUNDLE_TONES * (tone - 0.5) + STRANDS * (1.0 - 0.40 * cooked) * strands - JOINT_MEAN;
     let hue = HUES * (fract(tone * 5.3) - 0.5);
     return vec3<f32>(light, -0.10 * light + hue, 0.05 * light + 0.6 * hue);
 }

@@ -8,7 +8,9 @@ fn figures_of_the_gallery_are_drawn_with_their_numbers() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("gallery");
     let asked = ["--figure", "1-one-side", "--figure", "3-temperature"];
-    let ran = run(&[&["gallery", "--size", "96x64", "--out", out.to_str().unwrap()], asked.as_slice()].concat());
+    let ran =
+        run(&[&["gallery", "--size", "96x64", "--samples", "2", "--out", out.to_str().unwrap()], asked.as_slice()]
+            .concat());
     assert_eq!(ran.code, Some(0), "{}", ran.err);
     let page = std::fs::read_to_string(out.join("gallery.md")).unwrap();
     let figures: Vec<&str> =
@@ -30,7 +32,8 @@ fn figures_of_the_gallery_are_drawn_with_their_numbers() {
 fn a_food_is_drawn_from_raw_to_burnt_with_its_numbers() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("looks");
-    let ran = run(&["gallery", "--looks", "leek-ring", "--size", "64x64", "--out", out.to_str().unwrap()]);
+    let ran =
+        run(&["gallery", "--looks", "leek-ring", "--size", "64x64", "--samples", "2", "--out", out.to_str().unwrap()]);
     assert_eq!(ran.code, Some(0), "{}", ran.err);
     let page = std::fs::read_to_string(out.join("looks.md")).unwrap();
     let png = std::fs::read(out.join("leek-ring.png")).unwrap();
