@@ -284,7 +284,7 @@ const OILED = 0.63;
 // What the fat over a crust does to light that passes it twice (chosen: amber).
 const AMBER = vec3<f32>(1.16, 0.98, 0.74);
 // The same on a seared muscle seen near by (chosen: mahogany rather than rust).
-const MAHOGANY = vec3<f32>(1.06, 0.84, 0.58);
+const MAHOGANY = vec3<f32>(1.03, 0.81, 0.56);
 
 fn amber_over(look: Look) -> vec3<f32> {
     var over = AMBER;
@@ -301,7 +301,7 @@ fn fat_here(rest: vec3<f32>) -> f32 {
 // back where it is thin and where it is thick (chosen: a wide soft shine that the relief breaks, no sparks).
 const FILM_RELIEF = 0.85;
 const FILM_ROUGH = 0.46;
-const FILM_SHINE = vec2<f32>(0.16, 0.50);
+const FILM_SHINE = vec2<f32>(0.12, 0.42);
 // The lamp and the window where the relief turns to them: how bright and how sharp (chosen: soft).
 const TURNED_LIGHT = vec2<f32>(0.40, 0.10);
 const LAMP_SHARPNESS = 15.0;

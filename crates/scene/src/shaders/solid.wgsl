@@ -562,7 +562,7 @@ fn fs_occluder() -> @location(0) vec4<f32> {
 // Brightness up to which the window is seen as it is in the pan's floor, and by how much it is brighter at most (chosen: its glints
 // are white, its image as a whole is not).
 const PLAIN = 1.0;
-const BLOWN = 2.5;
+const BLOWN = 8.0;
 
 // A highlight that nears a brightness slowly instead of burning out.
 fn unblown(light: vec3<f32>) -> vec3<f32> {
