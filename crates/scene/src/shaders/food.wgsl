@@ -305,6 +305,8 @@ const FILM_SHINE = vec2<f32>(0.12, 0.42);
 // The lamp and the window where the relief turns to them: how bright and how sharp (chosen: soft).
 const TURNED_LIGHT = vec2<f32>(0.40, 0.10);
 const LAMP_SHARPNESS = 15.0;
+// Colour of light that fat throws back from a crust (chosen: it passes browned fat, and a crust is never ashen).
+const FILM_TINT = vec3<f32>(1.0, 0.82, 0.60);
 
 fn fat_film(in: FoodOut, look: Look, normal: vec3<f32>, view: vec3<f32>, lit: f32, visibility: f32) -> vec3<f32> {
     let here = fat_here(in.rest);
@@ -312,7 +314,7 @@ fn fat_film(in: FoodOut, look: Look, normal: vec3<f32>, view: vec3<f32>, lit: f3
     let mirrored = max(specular(coat, in.position, view, lit) - 0.2 * GLINT, vec3<f32>(0.0)) * mix(FILM_SHINE.x, FILM_SHINE.y, here);
     let turned = vec2<f32>(dot(normal, normalize(view + frame.other.xyz)), dot(normal, normalize(view + frame.key.xyz)));
     let shine = TURNED_LIGHT * pow(max(turned, vec2<f32>(0.0)), vec2<f32>(LAMP_SHARPNESS));
-    return mirrored + (frame.other_light.rgb * shine.x + frame.key_light.rgb * (shine.y * lit)) * (visibility * look.ridges * max(here, 0.4 + aside));
+    return FILM_TINT * (mirrored + (frame.other_light.rgb * shine.x + frame.key_light.rgb * (shine.y * lit)) * (visibility * look.ridges * max(here, 0.4 + aside)));
 }
 
 // Water on raw flesh, oil on a crust: a thin film that breaks the window into small glints.

@@ -180,10 +180,10 @@ fn along_fibres(noise: Noise, rest: vec3<f32>, shift: vec3<f32>) -> Noise {
 // Tones of a cooked side, by region, by bundle and near by, and how much light its pores and its cracks keep back (chosen: it dried
 // and shrank, so it is neither smooth nor even).
 const SIDE_TONES = vec3<f32>(0.14, 0.06, 0.16);
-const PORES = 0.42;
-const CRACKS = 0.38;
+const PORES = 0.24;
+const CRACKS = 0.26;
 // Colour of a cooked side over that of the flesh in it, L*a*b* / 100 (chosen: air and fat took its pink).
-const SIDE_TINT = vec3<f32>(-0.020, -0.025, 0.035);
+const SIDE_TINT = vec3<f32>(-0.020, -0.008, 0.030);
 // Relief of a cooked side over that of a crust (chosen).
 const SIDE_ROUGH = 0.55;
 
