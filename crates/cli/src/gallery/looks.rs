@@ -52,3 +52,18 @@ fn figure(name: &'static str, burnt: &'static str, text: &'static str) -> Figure
         columns: 3,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// One cook that is too short stops the figures of all foods.
+    #[test]
+    fn every_cook_lasts_until_the_last_moment_that_is_drawn() {
+        for (name, text) in cooks() {
+            let waits = text.lines().filter_map(|line| line.strip_prefix("after_s = ")?.parse::<f64>().ok());
+            let last = if name.ends_with(BURNT) { BURNT_S } else { FRIED_S[FRIED_S.len() - 1] };
+            assert!(waits.sum::<f64>() >= last, "gallery/looks/{name}.toml ends before {last} s");
+        }
+    }
+}
