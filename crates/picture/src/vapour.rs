@@ -45,6 +45,9 @@ pub(crate) fn steam(kitchen: &Kitchen, pan: &Pose, poses: &[Pose]) -> Vec<SteamS
     sources
 }
 
+/// Smoke from which on it rises from six places [g/s] (chosen: thin smoke looks the same from three, and each costs every frame).
+const BROAD_SMOKE: f32 = 0.015;
+
 /// Smoke and flames rise from the whole film of oil.
 fn smoke(kitchen: &Kitchen, pan: &Pose) -> Vec<SteamSource> {
     let state = kitchen.pan_state();
@@ -57,6 +60,8 @@ fn smoke(kitchen: &Kitchen, pan: &Pose) -> Vec<SteamSource> {
     };
     // The height of flames does not follow from the smoke.
     let flames = (0..6u8).step_by(2).filter(|_| state.liquids.smoke.burning).map(|k| place(Vapour::Flame, k, 1.0));
-    let wisps = (0..6u8).filter(|_| rate > 1e-5).map(|k| place(Vapour::Smoke, k, rate / 6.0));
+    let apart = if rate < BROAD_SMOKE { 2 } else { 1 };
+    let share = rate * apart as f32 / 6.0;
+    let wisps = (0..6u8).step_by(apart).filter(|_| rate > 1e-5).map(|k| place(Vapour::Smoke, k, share));
     flames.chain(wisps).collect()
 }

@@ -62,7 +62,7 @@ fn drawn(kitchen: &Kitchen, options: &ShotOptions, size: [u32; 2]) -> PyResult<P
         *gpu = Some(Gpu::open().map_err(|error| errors::graphics(&error))?);
     }
     let open = gpu.as_ref().ok_or_else(|| errors::graphics(&"the graphics device is gone"))?;
-    Ok(still(open, kitchen, &options.stage(kitchen), size))
+    Ok(still(open, kitchen, &options.stage(kitchen), size, (options.quality, options.samples)))
 }
 
 fn options(view: View, eye: Option<Eye>, slice: bool) -> PyResult<ShotOptions> {

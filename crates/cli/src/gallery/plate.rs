@@ -2,8 +2,8 @@
 
 use saute_kitchen::Kitchen;
 use saute_kitchen::doneness::ScaleChoice;
-use saute_picture::stage::{Stage, nearness};
-use saute_picture::still::headless::{Gather, Gpu, picture};
+use saute_picture::stage::nearness;
+use saute_picture::still::headless::{Gpu, still};
 use saute_picture::still::shot::ShotOptions;
 use saute_picture::{Picture, View};
 use saute_scene::camera::{Camera, FIELD_OF_VIEW};
@@ -70,7 +70,6 @@ impl Drawing<'_> {
             stage.camera.distance = OVER_PAN;
             stage.camera.target = kitchen.world().motion.pose.position.as_vec3();
         }
-        let input = Stage::default().scene(kitchen, &stage, &Default::default());
-        picture(self.gpu, &input, self.size, quality, Gather { samples, told: None })
+        still(self.gpu, kitchen, &stage, self.size, (quality, samples))
     }
 }

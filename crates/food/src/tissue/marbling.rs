@@ -87,3 +87,40 @@ pub fn share_at(within: f64) -> f64 {
     let s = (within + 0.5).clamp(0.0, 1.0);
     s * s * (3.0 - 2.0 * s)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn field(slant: f64, seed: u64) -> MarblingField {
+        let food = r#"{ "adipose_share": 0.2, "seam_mm": 5.0, "flattening": 3.0, "slant": SLANT, "source": "test", "confidence": "low" }"#;
+        let marbling: Marbling = serde_json::from_str(&food.replace("SLANT", &slant.to_string())).expect("a table");
+        MarblingField::new(&marbling, seed)
+    }
+
+    /// Leaning moves seams aside with their height, and by no other way.
+    #[test]
+    fn seams_that_lean_are_the_upright_ones_sheared_within_what_is_stated() {
+        let mut leans = Vec::new();
+        for seed in 0..20 {
+            let (mut upright, mut leaning) = (field(0.0, seed), field(0.9, seed));
+            let lean = leaning.lean;
+            assert!((0.45..=0.9).contains(&lean.abs()), "{lean}");
+            leans.push(lean);
+            for z in [-0.010, 0.0, 0.007] {
+                let (x, y) = (0.013, -0.004);
+                let q = [x, y + lean * z, z];
+                let sheet = |field: &mut MarblingField, p: [f64; 3]| {
+                    field.ridge(p) - PATCHY * field.patch.at(patch(p, field.wavelength))
+                };
+                let (seen, expected) = (sheet(&mut leaning, [x, y, z]), sheet(&mut upright, q));
+                assert!((seen - expected).abs() < 1e-12, "{seen} {expected}");
+            }
+        }
+        assert!(leans.iter().any(|lean| *lean > 0.0) && leans.iter().any(|lean| *lean < 0.0));
+    }
+
+    fn patch(p: [f64; 3], w: f64) -> [f64; 3] {
+        [p[0] / (5.0 * w), p[1] / (4.0 * w), p[2] / (4.0 * w)]
+    }
+}

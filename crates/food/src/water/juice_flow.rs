@@ -87,8 +87,10 @@ impl FoodModel {
                 nodes.map(|node| if up { state.rising[node] } else { state.juice[node] - state.rising[node] });
             let mixes = if state.temperature[nodes[1]] > BOILS { 0.0 } else { mixes };
             let flows = here + mixes * (here - wider * ahead);
-            if flows > 0.0 {
-                self.flow(state, nodes, share * flows, up, runoff);
+            // Mixing never takes more than is there.
+            let mass = (share * flows).min(here);
+            if mass > 0.0 {
+                self.flow(state, nodes, mass, up, runoff);
             }
         }
     }
@@ -99,9 +101,10 @@ impl FoodModel {
     pub(crate) fn flow(&self, state: &mut FoodState, nodes: [usize; 2], mass: f64, up: bool, runoff: &mut Runoff) {
         let mut carried = mass;
         if state.temperature[nodes[1]] > BOILS && state.temperature[nodes[0]] <= BOILS {
-            let passes = self.kinetics.water_holding.passes_boiling;
-            self.pass_boiling(state, nodes, passes * mass, up, runoff);
-            carried = (1.0 - passes) * mass;
+            let passes = self.kinetics.water_holding.passes_boiling * mass;
+            self.pass_boiling(state, nodes, passes, up, runoff);
+            // The rest of the same number: together they are no more than there was.
+            carried -= passes;
         }
         self.carry(state, nodes, carried, up);
     }

@@ -124,6 +124,33 @@ fn a_rest_carries_the_food_to_the_board_and_back() {
     let _ = (Pose::default(), RIGID_S, TICK_S);
 }
 
+/// A cook drops sticks: they point this way and that, by their seeds. Plain pieces lie alike.
+#[test]
+fn natural_sticks_lie_turned_by_at_most_what_their_file_states_and_plain_ones_are_not_turned() {
+    let library = library();
+    let most = library.foods["carrot-stick"].natural.as_ref().expect("a natural form").turned_deg.to_radians();
+    let turns = |outline| {
+        let mut kitchen = Kitchen::new(&library, "carbon-steel-26", kelvin(20.0)).expect("a pan");
+        let ids: Vec<String> = (1..=5).map(|seed| format!("stick{seed}")).collect();
+        for (id, seed) in ids.iter().zip(1..) {
+            let order = PieceOrder { mesh: MeshSize::Default, outline, ..order(id, "carrot-stick", &library, seed) };
+            kitchen.add(&library, &order).expect("a piece");
+        }
+        let places = kitchen.free_places(&ids, [0.0; 2]);
+        assert_eq!(places.len(), ids.len());
+        for (id, at) in ids.iter().zip(places) {
+            kitchen.apply(&Command::Put { food: id.clone(), at, heap: false }).expect("put");
+        }
+        let along = |p: &saute_kitchen::Piece| p.pose.rotation * glam::DVec3::X;
+        kitchen.pieces().iter().map(|p| along(p).y.atan2(along(p).x)).collect::<Vec<f64>>()
+    };
+    assert!(turns(OutlineKind::Plain).iter().all(|turn| *turn == 0.0));
+    let turned = turns(OutlineKind::Natural);
+    assert!(turned.iter().all(|turn| turn.abs() <= most), "{turned:?}");
+    let spread = turned.iter().fold(0.0, |most: f64, turn| most.max((turn - turned[0]).abs()));
+    assert!(spread > 0.3 * most, "{turned:?}");
+}
+
 #[test]
 fn a_toss_turns_most_foods_over_and_loses_none() {
     for (foods, least) in [(("carrot-coin", 11), 0.6), (("shrimp", 8), 0.3), (("beef-patty", 1), 1.0)] {

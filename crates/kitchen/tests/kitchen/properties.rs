@@ -173,8 +173,9 @@ proptest! {
         for field in [&state.temperature, &state.water, &state.juice, &state.fat, &state.enthalpy, &state.browning] {
             prop_assert!(field.iter().all(|v| v.is_finite()));
         }
-        for mass in [&state.water, &state.juice, &state.fat] {
-            prop_assert!(mass.iter().all(|m| *m >= 0.0));
+        for (name, mass) in [("water", &state.water), ("juice", &state.juice), ("fat", &state.fat)] {
+            let least = mass.iter().copied().fold(f64::INFINITY, f64::min);
+            prop_assert!(least >= 0.0, "{name} of {least} kg in a node of {}", kitchen.pieces()[0].kind);
         }
         prop_assert!(state.evaporated > -0.02 * raw, "{} condensed", -state.evaporated);
         let lost = state.evaporated + state.dripped;

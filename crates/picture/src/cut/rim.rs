@@ -6,7 +6,8 @@ use glam::{Vec2, Vec3};
 use saute_kitchen::food::FoodModel;
 use saute_kitchen::heat::{Cut, CutPoint, SweptMesh};
 
-use crate::skin::surface::{UNEVEN, drawn, fineness, outward_normals, rim_inset, rim_radius, uneven};
+use crate::skin::rim::{Rim, rim_radius};
+use crate::skin::surface::{UNEVEN, fineness, uneven};
 
 /// Distance from the surface over which the cut face follows its rounded and uneven rim, over the radius of the rim [-]
 /// (chosen: further in a cut shows every point where it is; wide enough that nothing folds).
@@ -61,10 +62,10 @@ pub(crate) struct CutRim<'a> {
     mesh: &'a SweptMesh,
     plane: Plane,
     cut: &'a Cut,
-    /// Edges of the section near the plane, those of its outline among them, and the direction outwards at its nodes.
+    /// Edges of the section near the plane, and those of its outline among them.
     edges: Vec<[u32; 2]>,
     outline: Vec<[u32; 2]>,
-    outward: Vec<Option<Vec3>>,
+    rim: Rim<'a>,
 }
 
 impl<'a> CutRim<'a> {
@@ -78,7 +79,7 @@ impl<'a> CutRim<'a> {
         let sides = section.triangles.iter().flat_map(|t| [[t[0], t[1]], [t[1], t[2]], [t[2], t[0]]]);
         let edges: BTreeSet<[u32; 2]> = sides.filter(near).map(|[a, b]| [a.min(b), a.max(b)]).collect();
         let edges = edges.into_iter().collect();
-        Self { model, mesh, plane, cut, edges, outline, outward: outward_normals(section) }
+        Self { model, mesh, plane, cut, edges, outline, rim: Rim::new(model, mesh) }
     }
 
     /// One level of the face: which nodes feed each point, and where in the rest frame it is [m], in order along the
@@ -155,10 +156,7 @@ impl<'a> CutRim<'a> {
 
     /// Where an edge, as it is drawn at a level, meets the plane.
     fn met(&self, level: usize, nodes: [u32; 2]) -> Option<End> {
-        let [(from, p), (to, q)] = nodes.map(|i| {
-            let inset = self.outward[i as usize].map_or(Vec3::ZERO, |out| rim_inset(self.model, self.mesh, level, out));
-            self.plane.seen(drawn(self.model, self.mesh, level, i as usize, inset))
-        });
+        let [(from, p), (to, q)] = nodes.map(|i| self.plane.seen(self.rim.place(level, i as usize)));
         if (from >= 0.0) == (to >= 0.0) {
             return None;
         }

@@ -6,6 +6,7 @@ pub(crate) mod grain;
 pub(crate) mod halves;
 pub(crate) mod pool;
 pub(crate) mod poured;
+pub(crate) mod rim;
 pub(crate) mod sheaths;
 mod side;
 pub mod surface;

@@ -8,7 +8,8 @@ use saute_kitchen::food::{FoodModel, Form};
 use saute_kitchen::heat::SweptMesh;
 
 use crate::skin::fine::{Fine, Reads, normals};
-use crate::skin::surface::{rim_inset, rim_radius, uneven};
+use crate::skin::rim::{rim_inset, rim_radius};
+use crate::skin::surface::uneven;
 
 /// Levels at either end of which each has its row on the side, and how many are between rows farther in (chosen: browning ends
 /// near the faces, and steps on both faces cost triangles enough).

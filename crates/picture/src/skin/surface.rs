@@ -8,7 +8,7 @@ use saute_kitchen::Piece;
 use saute_kitchen::food::change::colour::Appearance;
 use saute_kitchen::food::tissue::noise::{fractal, mix};
 use saute_kitchen::food::{FoodModel, FoodState};
-use saute_kitchen::heat::{Layout, Section, SweptMesh};
+use saute_kitchen::heat::{Layout, SweptMesh};
 use saute_scene::input::{FoodMesh, FoodVertex};
 
 use crate::colour::map::ColourMap;
@@ -16,14 +16,10 @@ use crate::skin::cells::CellLook;
 use crate::skin::fine::{Fine, Reads, normals};
 use crate::skin::grain::{browning_palette, flesh_texture, grain_volume};
 use crate::skin::poured;
+use crate::skin::rim::{Rim, outward_normals};
 use crate::skin::sheaths::sheathed;
-use crate::skin::side::bulge;
 use crate::view::View;
 
-/// Radius of the rounded rim between a big face and the side of a steak [m] (chosen; only the picture is rounded).
-const RIM_RADIUS: f32 = 2.6e-3;
-/// The same above, where the body itself has a shoulder [m] (chosen: it ends within the outer ring of the face, which falls to the rim).
-const SHOULDERED_RIM: f32 = 1.3e-3;
 /// How far the drawn surface of a steak strays from the smooth shape [m], and over which distance [m] (chosen:
 /// hand-cut).
 pub(crate) const UNEVEN: [f64; 2] = [0.7e-3, 11.0e-3];
@@ -52,21 +48,6 @@ pub struct Skin {
 pub(crate) fn fineness(model: &FoodModel) -> f64 {
     let least = model.size().iter().fold(f64::INFINITY, |least, v| least.min(*v));
     (least / TUNED_FOR).min(1.0)
-}
-
-/// Radius of the rounded rim of a piece [m].
-pub(crate) fn rim_radius(model: &FoodModel) -> f32 {
-    RIM_RADIUS * fineness(model) as f32
-}
-
-/// The same at the face that a level is nearer to [m].
-fn rim_radius_at(model: &FoodModel, mesh: &SweptMesh, level: usize) -> f32 {
-    let shouldered = model.natural().is_some_and(|form| form.shoulder_mm > 0.0);
-    if shouldered && 2.0 * mesh.levels[level] > mesh.thickness() {
-        SHOULDERED_RIM * fineness(model) as f32
-    } else {
-        rim_radius(model)
-    }
 }
 
 impl Skin {
@@ -115,11 +96,11 @@ impl Skin {
         let model = &piece.model;
         let mut skin = Self::empty(food_mesh(piece, Vec::new()));
         let mut triangles = Vec::new();
-        let outward = outward_normals(&mesh.section);
+        let rim = Rim::new(model, mesh);
         let last = mesh.levels.len() - 1;
-        skin.add_face(model, mesh, 0, &outward, &mut triangles);
-        skin.add_face(model, mesh, last, &outward, &mut triangles);
-        skin.add_side(model, mesh, &outward, &mut triangles);
+        skin.add_face(&rim, 0, &mut triangles);
+        skin.add_face(&rim, last, &mut triangles);
+        skin.add_side(&rim, &mut triangles);
         skin.mesh = Arc::new(FoodMesh { triangles, ..(*skin.mesh).clone() });
         skin
     }
@@ -150,50 +131,29 @@ impl Skin {
         Self { mesh, nodes, positions, normals, bodies, edges: Vec::new(), blends: Vec::new() }
     }
 
-    fn add_face(
-        &mut self,
-        model: &FoodModel,
-        mesh: &SweptMesh,
-        level: usize,
-        outward: &[Option<Vec3>],
-        triangles: &mut Vec<[u32; 3]>,
-    ) {
+    fn add_face(&mut self, rim: &Rim<'_>, level: usize, triangles: &mut Vec<[u32; 3]>) {
+        let section = &rim.mesh.section;
         let first = self.nodes.len() as u32;
         let up = if level == 0 { -1.0 } else { 1.0 };
-        // The inset of the rim may reach beyond the next ring of nodes: slopes are those before it.
-        let places: Vec<Vec3> = (0..outward.len()).map(|i| drawn(model, mesh, level, i, Vec3::ZERO)).collect();
-        let slopes = normals(&places, &mesh.section.triangles);
-        for (i, (out, slope)) in outward.iter().zip(slopes).enumerate() {
-            let normal = (out.unwrap_or(Vec3::ZERO) * 0.7 + slope * up).normalize();
-            let inset = out.map_or(Vec3::ZERO, |out| rim_inset(model, mesh, level, out));
-            self.push(mesh.node(level, i) as u32, places[i] + inset, normal);
+        let places: Vec<Vec3> = (0..section.points.len()).map(|i| rim.place(level, i)).collect();
+        for (i, slope) in normals(&places, &section.triangles).into_iter().enumerate() {
+            let normal = rim.outward[i].map_or(slope * up, |_| rim.normal(level, i));
+            self.push(rim.mesh.node(level, i) as u32, places[i], normal);
             self.edges.push(None);
         }
-        for t in &mesh.section.triangles {
+        for t in &section.triangles {
             let [a, b, c] = t.map(|i| first + i);
             triangles.push(if level == 0 { [a, c, b] } else { [a, b, c] });
         }
     }
 
-    fn add_side(
-        &mut self,
-        model: &FoodModel,
-        mesh: &SweptMesh,
-        outward: &[Option<Vec3>],
-        triangles: &mut Vec<[u32; 3]>,
-    ) {
-        let thickness = mesh.thickness() as f32;
-        let mut first_of = vec![0u32; outward.len()];
-        for (i, out) in outward.iter().enumerate() {
-            let Some(out) = out else { continue };
+    fn add_side(&mut self, rim: &Rim<'_>, triangles: &mut Vec<[u32; 3]>) {
+        let mesh = rim.mesh;
+        let mut first_of = vec![0u32; rim.outward.len()];
+        for (i, _) in rim.outward.iter().enumerate().filter(|(_, out)| out.is_some()) {
             first_of[i] = self.nodes.len() as u32;
-            for (level, &z) in mesh.levels.iter().enumerate() {
-                let [sine, cosine] = rim(model, mesh, level);
-                let up = if 2.0 * z as f32 > thickness { 1.0 } else { -1.0 };
-                let slope = bulge(model, mesh, level, *out)[1];
-                let normal = (*out * (cosine + 0.3) + Vec3::Z * (up * sine - slope)).normalize();
-                let place = drawn(model, mesh, level, i, rim_inset(model, mesh, level, *out));
-                self.push(mesh.node(level, i) as u32, place, normal);
+            for level in 0..mesh.levels.len() {
+                self.push(mesh.node(level, i) as u32, rim.place(level, i), rim.normal(level, i));
                 self.edges.push(Some([0, mesh.levels.len() - 1].map(|level| mesh.node(level, i) as u32)));
             }
         }
@@ -278,25 +238,6 @@ fn blended(corners: [(&FoodVertex, f32); 4], place: Place, normal: [f32; 3]) -> 
         dorsal: place.body[1],
         ..FoodVertex::mean(corners)
     }
-}
-
-/// Where a node of a slice's surface is drawn in the rest frame, given how far the rounded rim shifts it [m].
-pub(crate) fn drawn(model: &FoodModel, mesh: &SweptMesh, level: usize, i: usize, shift: Vec3) -> Vec3 {
-    let p = Vec3::from_array(model.rest_position(mesh.node(level, i)).map(|v| v as f32));
-    p + shift + uneven(p, model, mesh)
-}
-
-/// How far the rounded rim and the bulge shift the side at a level, given the direction outwards [m].
-pub(crate) fn rim_inset(model: &FoodModel, mesh: &SweptMesh, level: usize, out: Vec3) -> Vec3 {
-    out * (bulge(model, mesh, level, out)[0] - rim_radius_at(model, mesh, level) * (1.0 - rim(model, mesh, level)[1]))
-}
-
-/// Sine and cosine of the angle at which the rounded rim leans at a level.
-fn rim(model: &FoodModel, mesh: &SweptMesh, level: usize) -> [f32; 2] {
-    let (z, thickness) = (mesh.levels[level] as f32, mesh.thickness() as f32);
-    let radius = rim_radius_at(model, mesh, level);
-    let sine = 1.0 - z.min(thickness - z).min(radius) / radius;
-    [sine, (1.0 - sine * sine).sqrt()]
 }
 
 /// How far every node has moved from the rest shape [m].
@@ -398,18 +339,6 @@ pub(crate) fn uneven(p: Vec3, model: &FoodModel, mesh: &SweptMesh) -> Vec3 {
     let wave = |seed: u64| (height * fractal(seed ^ own, p.to_array().map(|v| f64::from(v) / run))) as f32;
     let face = (2.0 * p.z.abs() / thickness).powi(8);
     Vec3::new(wave(21), wave(22), wave(23) * face)
-}
-
-/// Mean outward direction at each boundary node of the section.
-pub(crate) fn outward_normals(section: &Section) -> Vec<Option<Vec3>> {
-    let mut sums = vec![Vec3::ZERO; section.points.len()];
-    for &[a, b] in &section.boundary {
-        let (p, q) = (section.points[a as usize], section.points[b as usize]);
-        let out = Vec3::new((q[1] - p[1]) as f32, (p[0] - q[0]) as f32, 0.0);
-        sums[a as usize] += out;
-        sums[b as usize] += out;
-    }
-    sums.into_iter().map(|s| s.try_normalize()).collect()
 }
 
 fn key(piece: &Piece) -> u64 {

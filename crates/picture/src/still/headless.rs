@@ -56,10 +56,16 @@ async fn adapter(backends: wgpu::Backends) -> Result<wgpu::Adapter, wgpu::Reques
     wgpu::Instance::new(descriptor).request_adapter(&wgpu::RequestAdapterOptions::default()).await
 }
 
-/// Draws a kitchen once, with smooth edges.
-pub fn still(gpu: &Gpu, kitchen: &Kitchen, options: &StageOptions, size: [u32; 2]) -> Picture {
+/// Draws a kitchen once; at the best quality `samples` of light are gathered.
+pub fn still(
+    gpu: &Gpu,
+    kitchen: &Kitchen,
+    options: &StageOptions,
+    size: [u32; 2],
+    (quality, samples): (Quality, u32),
+) -> Picture {
     let input = Stage::default().scene(kitchen, options, &Default::default());
-    picture(gpu, &input, size, Quality::Smooth, Gather::default())
+    picture(gpu, &input, size, quality, Gather { samples, told: None })
 }
 
 /// Samples of light that a picture at the best level gathers.

@@ -12,10 +12,13 @@ use saute_picture::still::shot::{ShotError, cook_until};
 use saute_picture::{Picture, TemperatureMap, View};
 use saute_recipe::{Cook, Recipe};
 use saute_scene::camera::Camera;
+use saute_scene::quality::Quality;
 
 use crate::adapter;
 
 const SIZE: [u32; 2] = [1280, 720];
+/// Smooth edges, one sample of light.
+const PLAIN: (Quality, u32) = (Quality::Smooth, 1);
 
 const SEARED: &str = "[pan]\ninitial_c = 210\n[[food]]\nid = \"steak\"\nkind = \"beef-lean\"\n\
     [[step]]\nhob_w = 800\n[[step]]\nput = \"steak\"\n[[step]]\nafter_s = 200\nflip = \"steak\"\n\
@@ -99,7 +102,7 @@ fn the_flat_temperature_view_decodes_to_the_cores_field_within_a_kelvin() {
     let piece = &cook.kitchen.pieces()[0];
     let pose = poses(&cook.kitchen)[0];
     let options = options(View::Temperature, Some(0.2), true);
-    let picture = still(&gpu, &cook.kitchen, &options, SIZE);
+    let picture = still(&gpu, &cook.kitchen, &options, SIZE, PLAIN);
     let map = TemperatureMap::Uniform.map();
     let (thickness, cut) = (thickness(&piece.model), 0.2 * half_length(piece));
     let upper = if piece.upside_down() { 0.0 } else { thickness };
@@ -131,7 +134,7 @@ fn flat_views_of_every_field_decode_to_the_cores_values() {
     let (thickness, cut) = (thickness(model), 0.2 * half_length(piece));
     for view in [View::Moisture, View::Browning, View::Lethality, View::Marbling] {
         let options = options(view, Some(0.2), true);
-        let picture = still(&gpu, &cook.kitchen, &options, SIZE);
+        let picture = still(&gpu, &cook.kitchen, &options, SIZE, PLAIN);
         let map = view.colour_map(TemperatureMap::Uniform, None).expect("a field");
         let field: Vec<f64> =
             (0..model.mesh().node_count()).map(|node| view.value(model, state, node, map.change())).collect();
@@ -164,7 +167,7 @@ fn lit_doneness_is_hatched_and_flat_doneness_is_not() {
             scales: ScaleChoice::new(&library.scales, &scale.id),
             ..options(View::Doneness, Some(0.2), flat)
         };
-        still(&gpu, &cook.kitchen, &options, SIZE)
+        still(&gpu, &cook.kitchen, &options, SIZE, PLAIN)
     };
     let table = View::Doneness.colour_map(TemperatureMap::Uniform, Some(&scale)).expect("a field").table;
     let (flat, lit) = (picture(true), picture(false));
@@ -200,7 +203,7 @@ fn a_burnt_face_is_far_darker_than_a_raw_one() {
         let library = Library::embedded().expect("embedded data");
         let recipe = Recipe::parse(BURNT, "burnt.toml", &library).expect("parses");
         let cook = cook_until(recipe, &library, at_s).expect("cooks");
-        let picture = still(&gpu, &cook.kitchen, &options(View::Look, None, false), SIZE);
+        let picture = still(&gpu, &cook.kitchen, &options(View::Look, None, false), SIZE, PLAIN);
         let piece = &cook.kitchen.pieces()[0];
         let pose = poses(&cook.kitchen)[0];
         let mut sum = 0.0;
@@ -240,7 +243,7 @@ fn board_rack_and_foil_are_told_apart() {
         let cook = cook_until(recipe, &library, 6.0).expect("cooks");
         let mut options = options(View::Look, None, false);
         options.camera.target = poses(&cook.kitchen)[0].position;
-        still(&gpu, &cook.kitchen, &options, [640, 360])
+        still(&gpu, &cook.kitchen, &options, [640, 360], PLAIN)
     };
     let pictures = ["board", "rack", "foil"].map(resting);
     for (a, b) in [(0, 1), (0, 2), (1, 2)] {

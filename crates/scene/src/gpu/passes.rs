@@ -285,7 +285,7 @@ pub(crate) fn draw_mirror(
 
 /// Spots of oil on what is drawn already; the pass has the frame and texture groups set.
 pub(crate) fn draw_spots(pass: &mut wgpu::RenderPass<'_>, pipelines: &ColourPipelines, sprites: &SpriteBuffers) {
-    draw_sprites(pass, &pipelines.fry, &sprites.spots, 0..sprites.spot_vertices);
+    draw_sprites(pass, &pipelines.spot, &sprites.spots, 0..sprites.spot_vertices);
 }
 
 /// Collars round frying foods, the veils of cut foods, the glass of the lid, then steam.
@@ -298,8 +298,9 @@ pub(crate) fn draw_veils(
     sprites: &SpriteBuffers,
 ) {
     groups.set(pass);
-    let [fry, all] = sprites.ends;
-    draw_sprites(pass, &pipelines.fry, &sprites.moving, 0..fry);
+    let [collars, pools, steam] = sprites.kinds.clone();
+    draw_sprites(pass, &pipelines.collar, &sprites.moving, collars);
+    draw_sprites(pass, &pipelines.pool, &sprites.moving, pools);
     pass.set_pipeline(&pipelines.ghost);
     for food in &foods.slots {
         food.draw_hidden(pass);
@@ -308,7 +309,7 @@ pub(crate) fn draw_veils(
         pass.set_pipeline(&pipelines.lid);
         glass.draw(pass);
     }
-    draw_sprites(pass, &pipelines.steam, &sprites.moving, fry..all);
+    draw_sprites(pass, &pipelines.steam, &sprites.moving, steam);
 }
 
 fn draw_sprites(

@@ -54,8 +54,12 @@ pub(crate) struct ColourPipelines {
     pub floor: wgpu::RenderPipeline,
     /// The glass of the lid.
     pub lid: wgpu::RenderPipeline,
-    /// Collars round frying foods.
-    pub fry: wgpu::RenderPipeline,
+    /// Collars round frying foods, and drops in the air.
+    pub collar: wgpu::RenderPipeline,
+    /// Spots of oil.
+    pub spot: wgpu::RenderPipeline,
+    /// Pools of juice.
+    pub pool: wgpu::RenderPipeline,
     /// By what the flesh is made of: made when such a food is first drawn.
     foods: BTreeMap<FleshTexture, FoodPipelines>,
     pub ghost: wgpu::RenderPipeline,
@@ -143,7 +147,9 @@ impl PipelineFactory {
             occluder: None,
             floor: self.solid_pipeline(device, "fs_metal", lively),
             lid: self.veil_pipeline(device, "fs_lid", Some(wgpu::Face::Back), lively),
-            fry: self.sprite_pipeline(device, ["vs_fry", "fs_fry"], lively),
+            collar: self.sprite_pipeline(device, ["vs_fry", "fs_collar"], lively),
+            spot: self.sprite_pipeline(device, ["vs_fry", "fs_spot"], lively),
+            pool: self.sprite_pipeline(device, ["vs_fry", "fs_pool"], lively),
             foods: BTreeMap::new(),
             // The ghost has no thickness: only the side that faces the eye is drawn.
             ghost: self.food_pipeline(device, "fs_ghost", Some(wgpu::Face::Back), true, lively, None),

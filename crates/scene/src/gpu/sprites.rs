@@ -1,5 +1,6 @@
 //! GPU buffers of the sprites: bubbles around frying foods, pools of juice, drops in the air, steam, and spots of oil.
 
+use std::ops::Range;
 use std::sync::Arc;
 
 use crate::input::{Colouring, SceneInput, SpotLook};
@@ -10,10 +11,10 @@ use crate::mesh::steam::{PUFFS_MAX, PuffVertex, puffs};
 
 /// All sprites on the device.
 pub(crate) struct SpriteBuffers {
-    /// Collars round foods with the drops in the air first, then steam.
+    /// Collars round foods with the drops in the air, then pools, then steam.
     pub moving: wgpu::Buffer,
-    /// Vertices of the first kind, and of both.
-    pub ends: [u32; 2],
+    /// Vertices of each of these.
+    pub kinds: [Range<u32>; 3],
     /// Spots of oil, which do not move.
     pub spots: wgpu::Buffer,
     pub spot_vertices: u32,
@@ -34,7 +35,7 @@ impl SpriteBuffers {
         };
         Self {
             moving: room_for("sprites", (PUFFS_MAX + DROPS_MAX) * 6 + COLLAR_VERTICES_MAX + POOL_VERTICES_MAX),
-            ends: [0; 2],
+            kinds: [0..0, 0..0, 0..0],
             spots: room_for("spots", SPOTS_MAX * 6),
             spot_vertices: 0,
             collar: Collar::default(),
@@ -44,17 +45,20 @@ impl SpriteBuffers {
 
     /// Steam, frying fat and drops in the air; none where they would falsify the colours of a field.
     pub fn update(&mut self, queue: &wgpu::Queue, input: &SceneInput) -> Vec<PuffVertex> {
-        let mut sprites = Vec::new();
-        if matches!(input.colouring, Colouring::Look) {
-            sprites = self.collar.strips(input).to_vec();
-            sprites.extend(pools(input));
-            sprites.extend(drops(input));
-            self.ends[0] = sprites.len() as u32;
-            sprites.extend(puffs(&input.steam, input.time_s));
+        let kinds = if matches!(input.colouring, Colouring::Look) {
+            let mut collars = self.collar.strips(input).to_vec();
+            collars.extend(drops(input));
+            [collars, pools(input), puffs(&input.steam, input.time_s)]
         } else {
-            self.ends[0] = 0;
-        }
-        self.ends[1] = sprites.len() as u32;
+            [const { Vec::new() }; 3]
+        };
+        let mut end = 0;
+        self.kinds = kinds.each_ref().map(|kind| {
+            let start = end;
+            end += kind.len() as u32;
+            start..end
+        });
+        let sprites = kinds.concat();
         queue.write_buffer(&self.moving, 0, bytemuck::cast_slice(&sprites));
         sprites
     }

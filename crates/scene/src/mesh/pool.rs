@@ -28,8 +28,6 @@ const TOUCHING: f32 = 4e-3;
 /// The ring begins this far under the food, and is this much above the board [m] (chosen).
 const UNDER: f32 = 2.5e-3;
 const ABOVE: f32 = 6e-4;
-/// Marks a pool for the shader.
-const POOL_MARK: f32 = 6.0;
 
 /// Sprites of the pools of a scene.
 pub(crate) fn pools(input: &SceneInput) -> Vec<PuffVertex> {
@@ -60,7 +58,7 @@ fn pool(food: &FoodLook) -> Vec<PuffVertex> {
     let vertex = |(at, out): (Vec2, Vec2), across: f32| {
         let place = if across > 0.0 { at + out * (reach * share(out)).min(WIDEST) } else { under(at) };
         let position = place.extend(BOARD_CENTRE.z + ABOVE).to_array();
-        PuffVertex { position, corner: (out * across).to_array(), half_size: 0.0, opacity: red, random: POOL_MARK }
+        PuffVertex { position, corner: (out * across).to_array(), half_size: 0.0, opacity: red, random: 0.0 }
     };
     let strip = |k: usize| {
         let [a, b, c, d] =

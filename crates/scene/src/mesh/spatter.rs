@@ -14,9 +14,7 @@ const SHUTTER: f32 = 0.004;
 /// A drop is drawn no narrower than this [m] (chosen: half a pixel of a window over the pan).
 const NARROWEST: f32 = 3.5e-4;
 /// Marks a drop in the air for the shader: added to the random value.
-const DROP_MARK: f32 = 2.0;
-/// Marks a spot for the shader.
-const SPOT_MARK: f32 = 4.0;
+const DROP_MARK: f32 = 1.0;
 
 /// Sprites of the drops in the air.
 pub(crate) fn drops(input: &SceneInput) -> Vec<PuffVertex> {
@@ -49,7 +47,7 @@ fn spot_sprite(spot: &SpotLook) -> [PuffVertex; 6] {
     CORNERS.map(|corner| {
         let offset = (along * corner[0] + across * corner[1]) * spot.radius;
         let position = (spot.position + offset).to_array();
-        PuffVertex { position, corner, half_size: 0.0, opacity: 1.0, random: SPOT_MARK }
+        PuffVertex { position, corner, half_size: 0.0, opacity: 1.0, random: 0.0 }
     })
 }
 

@@ -299,12 +299,12 @@ fn fat_here(rest: vec3<f32>) -> f32 {
 
 // The film of fat on a crust: how much of the crust's relief it follows, how rough it is, and how much of the light it throws
 // back where it is thin and where it is thick (chosen: a wide soft shine that the relief breaks, no sparks).
-const FILM_RELIEF = 0.85;
-const FILM_ROUGH = 0.46;
-const FILM_SHINE = vec2<f32>(0.12, 0.42);
+const FILM_RELIEF = 0.65;
+const FILM_ROUGH = 0.36;
+const FILM_SHINE = vec2<f32>(0.15, 0.50);
 // The lamp and the window where the relief turns to them: how bright and how sharp (chosen: soft).
-const TURNED_LIGHT = vec2<f32>(0.40, 0.10);
-const LAMP_SHARPNESS = 15.0;
+const TURNED_LIGHT = vec2<f32>(0.50, 0.13);
+const LAMP_SHARPNESS = 18.0;
 // Colour of light that fat throws back from a crust (chosen: it passes browned fat, and a crust is never ashen).
 const FILM_TINT = vec3<f32>(1.0, 0.82, 0.60);
 

@@ -5,8 +5,7 @@ struct FryOut {
     @location(0) position: vec3<f32>,
     // Drop and spot: place on the disc. Collar: way from the food's edge [m].
     @location(1) corner: vec2<f32>,
-    // Opacity, kind: -1 a collar, whose width [m] replaces the opacity; 2 a drop in the air, 4 a spot of oil, 6 a pool of
-    // juice, whose redness replaces it.
+    // Opacity; of a collar its width [m], of a pool its redness. Then 1 a drop in the air, -1 a collar.
     @location(2) look: vec2<f32>,
 };
 
@@ -244,6 +243,8 @@ fn pool(in: FryOut) -> vec4<f32> {
     let across = length(in.corner);
     let outward = in.corner / max(across, 1e-4);
     let edge = in_pool(in.position, across);
+    // Where the ring is a few pixels wide its edge is no mirror: it would be a white thread.
+    let wide = 1.0 - smoothstep(0.015, 0.05, fwidth(across));
     if (edge >= DAMP) { return vec4<f32>(0.0); }
     let body = smoothstep(1.0, 0.94, edge);
     let lit = shadow(in.position, vec3<f32>(0.0, 0.0, 1.0));
@@ -260,21 +261,26 @@ fn pool(in: FryOut) -> vec4<f32> {
     let s = Surface(mix(DAMP_WOOD, mix(deep, pale, 0.50 * thin), body), vec3<f32>(0.0), 1.0, normal, 0.8, vec3<f32>(0.0));
     // The edge mirrors the window here and there: an unbroken line of it would look drawn.
     let broken = mix(1.0, 0.6 * smoothstep(0.42, 0.70, ripple.a), rim);
-    let mirrored = max(liquid(normal, in.position) - MILK, vec3<f32>(0.0)) * mix(0.45, 0.65, lit) * body * broken;
+    let mirrored = max(liquid(normal, in.position) - MILK, vec3<f32>(0.0)) * mix(0.45, 0.65, lit) * (body * broken * wide);
     return vec4<f32>(pixel_from_radiance(diffuse(s, lit) + mirrored, in.clip.xy).rgb * alpha, alpha);
 }
 
+// Each kind has an entry of its own: software graphics would run through every kind for each pixel of any.
 @fragment
-fn fs_fry(in: FryOut) -> @location(0) vec4<f32> {
-    let place_x = dpdx(in.position);
-    let place_y = dpdy(in.position);
+fn fs_pool(in: FryOut) -> @location(0) vec4<f32> {
+    return pool(in);
+}
+
+@fragment
+fn fs_spot(in: FryOut) -> @location(0) vec4<f32> {
     let corner_x = dpdx(in.corner);
     let corner_y = dpdy(in.corner);
-    // Interpolated kinds are a little off.
-    if (in.look.y > 5.0) { return pool(in); }
-    if (in.look.y > 3.0) {
-        return spot(in, length(abs(corner_x) + abs(corner_y)), lie_of(place_x, place_y, corner_x, corner_y));
-    }
-    if (in.look.y > 1.0) { return drop(in); }
-    return collar(in, length(abs(place_x.xy) + abs(place_y.xy)));
+    return spot(in, length(abs(corner_x) + abs(corner_y)), lie_of(dpdx(in.position), dpdy(in.position), corner_x, corner_y));
+}
+
+@fragment
+fn fs_collar(in: FryOut) -> @location(0) vec4<f32> {
+    let pixel = length(abs(dpdx(in.position.xy)) + abs(dpdy(in.position.xy)));
+    if (in.look.y > 0.0) { return drop(in); }
+    return collar(in, pixel);
 }

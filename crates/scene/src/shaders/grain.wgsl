@@ -87,12 +87,12 @@ const SLANT = vec2<f32>(0.42, -0.46);
 // How far bundles stray by region [m] (chosen).
 const LEANS = 0.0045;
 
-// Pitch of the bundles across and along the fibres [m] (chosen: irregular cells of 2 to 6 mm; a knife
+// Pitch of the bundles across and along the fibres [m] (chosen: irregular spindles of 2 to 4 by 14 mm; a knife
 // that crosses them leaves short ends, not lines), and
 // how far they are bent over a slice, by region and near by [m].
 const BUNDLE = vec3<f32>(0.0026, 0.0026, 0.0140);
 const BENDS = vec3<f32>(0.0190, 0.0040, 0.0007);
-// Steepest lean of a bundle's fibres off the mean (chosen: 29°), and how high a bundle bulges [m] (chosen: to be felt, not seen
+// Steepest lean of a bundle's fibres off the mean (chosen: 13°), and how high a bundle bulges [m] (chosen: to be felt, not seen
 // as cobbles).
 const FIBRE_LEAN = 0.24;
 const BULGE = 0.00007;
@@ -155,7 +155,7 @@ fn parted(apart: f32, torn: f32, tone: f32, strands: f32, cooked: f32) -> vec3<f
     return vec3<f32>(light, -0.10 * light + hue, 0.05 * light + 0.6 * hue);
 }
 
-// Length of what is seen of a fibre: its width over it (chosen: ends of 1 to 4 mm, as a knife leaves them).
+// Length of what is seen of a fibre: its width over it (chosen: ends of 2 to 6 mm, as a knife leaves them).
 const ENDS = 0.17;
 // The same on a side (chosen: it has shrunk, so its ends are short).
 const SIDE_ENDS = 0.50;
@@ -563,13 +563,18 @@ fn layers(given: Grain, rest: vec3<f32>, region: vec4<f32>, cooked: f32) -> Grai
     return grain;
 }
 
-// A strip of a pod's wall: waxy skin that blisters and browns on its blisters, and wet, ribbed flesh inside.
+// How thick a pod's skin is seen on a cut [m] (chosen: the green runs a little way into the wall).
+const POD_SKIN = 0.0007;
+
+// A strip of a pod's wall: waxy skin on one of its two faces, which blisters and browns on its blisters; the other face and what the
+// knife laid bare is wet, ribbed flesh.
 fn pod(given: Grain, rest: vec3<f32>, region: vec4<f32>, second: f32, normal: vec3<f32>, cooked: f32) -> Grain {
     var grain = given;
-    // The knife laid flesh bare at the ends as well, up to the thin skin.
-    let inside = inset(rest);
     let bare = smoothstep(0.15, 0.70, second);
-    let inner = max(bare, smoothstep(0.45, 0.80, abs(normal.x)) * smoothstep(0.0003, 0.0009, min(inside.y, inside.z)));
+    // The place in the texture tells which face it is: as many strips lie on their skin as on their flesh.
+    let outer = select(-1.0, 1.0, fract(food.place.x * 97.0) < 0.5);
+    let under = (1.0 - outer * over_extent(rest).z) * 0.5 / food.grain_scale.z + 0.0006 * region.a;
+    let inner = max(smoothstep(POD_SKIN, 2.2 * POD_SKIN, under), smoothstep(0.55, 0.85, abs(normal.x)) * smoothstep(0.0002, 0.0007, under));
     let skin = 1.0 - inner;
     let folds = about(rest, vec3<f32>(26.0, 120.0, 60.0)).rgb;
     let ribs = about(rest, vec3<f32>(30.0, 190.0, 40.0)) * inner;

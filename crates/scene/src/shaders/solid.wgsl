@@ -528,7 +528,7 @@ fn fs_metal(in: SolidOut) -> @location(0) vec4<f32> {
     let leaves = mix(1.0, mix(0.30, 1.0, escapes_pan(local, (frame.pan_from_world * vec4<f32>(towards, 0.0)).xyz)), inside);
     // Under oil the metal's own highlight fades: the film takes its place.
     if (!is_floor) {
-        let bare = diffuse(s, lit) + specular(s, in.position, view, lit) * leaves * 0.62;
+        let bare = diffuse(s, lit) + specular(s, in.position, view, lit) * leaves * 0.66;
         return pixel_from_radiance(bare, in.clip.xy);
     }
     let film = film_on(local);
@@ -539,7 +539,7 @@ fn fs_metal(in: SolidOut) -> @location(0) vec4<f32> {
     let fond = burnt_on(local, film.fond, pixel);
     s.albedo = mix(s.albedo, fond.rgb, fond.a);
     s.f0 *= 1.0 - 0.8 * fond.a;
-    let metal = leaves * (0.62 - 0.38 * cover - 0.12 * smoothstep(0.1, 0.6, film.oil));
+    let metal = leaves * (0.66 - 0.38 * cover - 0.12 * smoothstep(0.1, 0.6, film.oil));
     var radiance = diffuse(s, lit) + unblown(specular(s, in.position, view, lit) * metal);
     // In a half mirror the real metal is seen: only what the liquids themselves send is added, without dither on black.
     let added = frame.oil.w > 0.5;

@@ -11,6 +11,7 @@ struct PuffIn {
 struct PuffOut {
     @builtin(position) clip: vec4<f32>,
     @location(0) corner: vec2<f32>,
+    // Opacity, of smoke so that thin smoke is seen as well; random value and kind.
     @location(1) look: vec2<f32>,
     // Height above the floor of the pan [m].
     @location(2) height: f32,
@@ -43,17 +44,41 @@ fn vs_steam(in: PuffIn) -> PuffOut {
         let front = frame.clip_from_world * vec4<f32>(place - forward * FLAME_DEPTH, 1.0);
         clip.z = front.z / front.w * clip.w;
     }
-    return PuffOut(clip, in.corner, in.look.yz, place.z - floor);
+    let smoke = in.look.z >= 2.0 && in.look.z < 4.0;
+    return PuffOut(clip, in.corner, vec2<f32>(select(in.look.y, 1.0 - exp(-5.0 * in.look.y), smoke), in.look.z), place.z - floor);
 }
 
-// Whirls that rise in a puff, about 0 to 1: broad ones, and threads that the broad ones carry along.
-fn whirls(corner: vec2<f32>, random: f32, speed: f32, threads: f32) -> f32 {
-    let at = vec3<f32>(corner * vec2<f32>(0.17, 0.12) - vec2<f32>(0.0, frame.eye.w * speed), random);
+// What rises past a place: a free value (about 0 to 1) of broad whirls with threads that they carry along, and how far those sway.
+// Software takes every branch for every pixel, so all kinds read their noise here, once.
+struct Whirl {
+    value: f32,
+    sway: f32,
+};
+
+// Ways of steam, smoke and flames through the noise: its scale across and up, its speed upwards.
+const STEAM_WAY = vec3<f32>(0.17, 0.12, 0.060);
+const SMOKE_WAY = vec3<f32>(0.17, 0.12, 0.030);
+const FLAME_WAY = vec3<f32>(0.13, 0.08, 0.230);
+// How much threads of steam and of smoke count.
+const THREADS = vec2<f32>(0.12, 0.24);
+
+fn whirl_at(corner: vec2<f32>, random: f32) -> Whirl {
+    let flame = random >= 4.0;
+    let smoke = random >= 2.0;
+    let own = fract(random);
+    let way = select(select(STEAM_WAY, SMOKE_WAY, smoke), FLAME_WAY, flame);
+    let start = select(vec3<f32>(0.0, 0.0, random), vec3<f32>(own, 0.08, 3.0 * own), flame);
+    let at = vec3<f32>(corner * way.xy, 0.0) - vec3<f32>(0.0, frame.eye.w * way.z, 0.0) + start;
     let broad = textureSampleLevel(solid_noise, tile_sampler, at, 0.0);
-    if (quick) { return broad.a; }
-    let carried = at * vec3<f32>(1.9, 1.5, 1.0) + vec3<f32>((broad.rg - 0.5) * 0.22, 0.37);
-    let off = 2.0 * textureSampleLevel(solid_noise, tile_sampler, carried, 0.0).a - 1.0;
-    return broad.a + threads * (0.35 - min(5.0 * off * off, 1.0));
+    let sway = broad.g - 0.5;
+    if (quick) { return Whirl(broad.a, sway); }
+    let high = corner.y * 0.5 + 0.5;
+    let threads = at * vec3<f32>(1.9, 1.5, 1.0) + vec3<f32>((broad.rg - 0.5) * 0.22, 0.37);
+    let licks = vec3<f32>(corner.x * 0.30 + (broad.r - 0.5) * 0.30 * high + own, high * 0.26 - frame.eye.w * 0.41, own * 5.0);
+    let carried = textureSampleLevel(solid_noise, tile_sampler, select(threads, licks, flame), 0.0).a;
+    let off = 2.0 * carried - 1.0;
+    let rolled = broad.a + select(THREADS.x, THREADS.y, smoke) * (0.35 - min(5.0 * off * off, 1.0));
+    return Whirl(select(rolled, 0.75 * (broad.a + carried) - 0.25, flame), sway);
 }
 
 // Share of a puff that is there at a place: torn at its edge, not round.
@@ -64,17 +89,11 @@ fn torn(corner: vec2<f32>, whirl: f32, ragged: f32) -> f32 {
 }
 
 // Tongues of burning fat: yellow low in their middle, orange above, red where they end.
-fn tongues(in: PuffOut) -> vec4<f32> {
+fn tongues(in: PuffOut, whirl: Whirl) -> vec4<f32> {
     let high = in.corner.y * 0.5 + 0.5;
-    let own = fract(in.look.y);
-    let broad = textureSampleLevel(solid_noise, tile_sampler, vec3<f32>(in.corner.x * 0.13 + own, high * 0.16 - frame.eye.w * 0.23, own * 3.0), 0.0);
-    var lick = broad.a - 0.5;
-    if (!quick) {
-        let carried = vec3<f32>(in.corner.x * 0.30 + (broad.r - 0.5) * 0.30 * high + own, high * 0.26 - frame.eye.w * 0.41, own * 5.0);
-        lick = 0.75 * lick + 0.75 * (textureSampleLevel(solid_noise, tile_sampler, carried, 0.0).a - 0.5);
-    }
+    let lick = whirl.value - 0.5;
     // It sways, most at its tip, and narrows upwards; the licks tear it into tongues.
-    let aside = in.corner.x + (broad.g - 0.5) * 1.2 * high;
+    let aside = in.corner.x + whirl.sway * 1.2 * high;
     let width = mix(0.80, 0.42, high);
     // A young and a dying flame is low, not faint.
     let strength = min(in.look.x / 0.9, 1.0);
@@ -90,19 +109,16 @@ fn tongues(in: PuffOut) -> vec4<f32> {
 
 @fragment
 fn fs_steam(in: PuffOut) -> @location(0) vec4<f32> {
-    if (in.look.y >= 4.0) { return tongues(in); }
+    let whirled = whirl_at(in.corner, in.look.y);
+    if (in.look.y >= 4.0) { return tongues(in, whirled); }
     if (dot(in.corner, in.corner) >= 1.0) { return vec4<f32>(0.0); }
-    if (in.look.y >= 2.0) {
-        let whirl = whirls(in.corner, in.look.y, 0.030, 0.24);
-        // Thin smoke is seen as well; it lies dense over the pan and thins out above it.
-        let dense = 1.0 - exp(-5.0 * in.look.x);
-        let high = smoothstep(0.03, 0.30, in.height);
-        let torn_there = torn(in.corner, whirl, 1.9) * smoothstep(mix(0.0, 0.14, high), 1.05, whirl);
-        let alpha = min(torn_there * dense * mix(1.25, 0.65, high), 0.92);
-        return vec4<f32>(mix(vec3<f32>(0.46, 0.49, 0.54), vec3<f32>(0.60, 0.62, 0.65), whirl) * alpha, alpha);
-    }
-    // Steam is thin and torn.
-    let whirl = whirls(in.corner, in.look.y, 0.060, 0.12);
-    let alpha = torn(in.corner, whirl, 2.0) * smoothstep(0.25, 0.90, whirl) * in.look.x;
-    return vec4<f32>(vec3<f32>(0.86, 0.87, 0.88) * alpha, alpha);
+    let whirl = whirled.value;
+    let smoke = in.look.y >= 2.0;
+    // Smoke lies dense over the pan and thins out above it; steam is thin and torn.
+    let high = smoothstep(0.03, 0.30, in.height);
+    let bounds = select(vec2<f32>(0.25, 0.90), vec2<f32>(0.14 * high, 1.05), smoke);
+    let there = torn(in.corner, whirl, select(2.0, 1.9, smoke)) * smoothstep(bounds.x, bounds.y, whirl);
+    let alpha = min(there * in.look.x * select(1.0, mix(1.25, 0.65, high), smoke), select(1.0, 0.92, smoke));
+    let colour = select(vec3<f32>(0.86, 0.87, 0.88), mix(vec3<f32>(0.46, 0.49, 0.54), vec3<f32>(0.60, 0.62, 0.65), whirl), smoke);
+    return vec4<f32>(colour * alpha, alpha);
 }
