@@ -130,16 +130,16 @@ mod tests {
 
     #[test]
     fn rounded_faces_do_not_fold_and_stay_near_the_body() {
-        let library = Library::embedded().unwrap();
+        let library = Library::embedded().expect("embedded data");
         for kind in ["beef-lean", "beef-patty", "chicken-breast", "pork-chop", "cod-fillet", "salmon-fillet", "tofu"] {
             let food = &library.foods[kind];
             let given: Vec<f64> = food.size.default_mm.iter().map(|mm| 1e-3 * mm).collect();
             for seed in 1..6 {
-                let mut kitchen = Kitchen::new(&library, "carbon-steel-26", kelvin(20.0)).unwrap();
+                let mut kitchen = Kitchen::new(&library, "carbon-steel-26", kelvin(20.0)).expect("pan");
                 let order = PieceOrder {
                     id: "it".to_owned(),
                     kind: kind.to_owned(),
-                    size: food.form.extent(&given).unwrap(),
+                    size: food.form.extent(&given).expect("dimensions"),
                     temperature: kelvin(5.0),
                     seed,
                     coarseness: 1.0,
@@ -147,9 +147,9 @@ mod tests {
                     mesh: MeshSize::Default,
                     outline: OutlineKind::Natural,
                 };
-                kitchen.add(&library, &order).unwrap();
+                kitchen.add(&library, &order).expect("builds");
                 let model = &kitchen.pieces()[0].model;
-                let mesh = model.mesh().swept().unwrap();
+                let mesh = model.mesh().swept().expect("a slice");
                 let rim = Rim::new(model, mesh);
                 let top = mesh.levels.len() - 1;
                 let bare = |i: usize| rim.place(top, i) - uneven_at(&rim, top, i);
