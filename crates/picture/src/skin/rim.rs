@@ -37,10 +37,14 @@ impl<'a> Rim<'a> {
         let points = &mesh.section.points;
         let outward = outward_normals(&mesh.section);
         let outline: Vec<usize> = (0..points.len()).filter(|i| outward[*i].is_some()).collect();
-        let from = |p: [f64; 2], i: usize| (points[i][0] - p[0]).hypot(points[i][1] - p[1]) as f32;
+        let squared = |p: [f64; 2], i: usize| {
+            let [x, y] = [points[i][0] - p[0], points[i][1] - p[1]];
+            x * x + y * y
+        };
         let nearest = points.iter().map(|p| {
-            let ways = outline.iter().map(|i| (*i, from(*p, *i)));
-            ways.min_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((0, f32::INFINITY))
+            let ways = outline.iter().map(|i| (*i, squared(*p, *i)));
+            let (node, way) = ways.fold((0, f64::INFINITY), |best, way| if way.1 < best.1 { way } else { best });
+            (node, way.sqrt() as f32)
         });
         let nearest = nearest.collect();
         Self { model, mesh, outward, nearest }
